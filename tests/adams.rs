@@ -1,4 +1,4 @@
-//! The library for Adams as it is shipped, and a stand-in solver that loads it as Adams does.
+//! The shipped library for Adams, and a stand-in solver that loads the library as Adams does.
 
 use crate::library::{root, static_library, succeed};
 use dashpot_core::{Input, Model, Params, model_file, step};
@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Folder of this test run's builds; lives as long as the process.
+/// Returns the folder of this run's builds, which exists until the process ends.
 fn folder() -> &'static Path {
     static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a directory")).path()
 }
 
-/// The library, built by its own makefile.
+/// Returns the library, built by its own makefile.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
     LIBRARY.get_or_init(|| built("dashpot_adams.so", "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"))
@@ -29,13 +29,13 @@ fn built(name: &str, flags: &str) -> PathBuf {
     target
 }
 
-/// Object files of the stand-in solver, with more `flags` for the compiler.
+/// Compiles the stand-in solver's object files with further compiler `flags`.
 fn objects(flags: &[&str]) -> Vec<PathBuf> {
     ["solver", "dataset", "expression"]
         .iter()
         .map(|name| {
             let object = folder().join(format!("{name}{}.o", flags.concat()));
-            // Tests run side by side: each builds under a name of its own, then puts it in place.
+            // Tests run in parallel: each builds under its own name and then moves the file.
             let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
             let built = build.path().join("object.o");
             let mut compiler = compiler();
@@ -63,7 +63,7 @@ fn linked(name: &str, flags: &[&str], objects: &[PathBuf], arguments: &[String])
     program
 }
 
-/// The stand-in solver, with all its utility functions.
+/// Returns the stand-in solver with all its utility functions.
 pub fn solver() -> PathBuf {
     static SOLVER: OnceLock<PathBuf> = OnceLock::new();
     SOLVER.get_or_init(|| linked("solver", &[], plain_objects(), &["-rdynamic".into()])).clone()
@@ -74,7 +74,7 @@ fn plain_objects() -> &'static [PathBuf] {
     OBJECTS.get_or_init(|| objects(&[]))
 }
 
-/// The stand-in solver and the library, both watched for races by the compiler's own tool; none where it has none.
+/// Returns the stand-in solver and the library, both built with the compiler's race detector; `None` without one.
 pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
     let flag = "-fsanitize=thread";
     let probe = folder().join("probe.c");
@@ -89,14 +89,14 @@ pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
     Some((solver, built("dashpot_adams_races.so", &format!("-std=c99 -O1 -g {flag}"))))
 }
 
-/// The utility functions that the stand-in solver has.
+/// Lists the utility functions of the stand-in solver.
 pub fn utilities() -> Vec<String> {
     let listed = succeed(Command::new("nm").args(["--defined-only", "-g"]).arg(&plain_objects()[0]));
     let names = listed.lines().filter_map(|l| l.split(' ').nth(2));
     names.filter(|n| n.starts_with("c_")).map(String::from).collect()
 }
 
-/// The stand-in solver of a release that lacks a utility function.
+/// Returns a stand-in for a release of the solver that lacks a utility function.
 pub fn solver_without(utility: &str) -> PathBuf {
     let others: String = utilities().iter().filter(|n| *n != utility).map(|n| format!("{n};")).collect();
     let list = folder().join(format!("without-{utility}"));
@@ -105,7 +105,7 @@ pub fn solver_without(utility: &str) -> PathBuf {
     linked(&format!("solver-without-{utility}"), &[], plain_objects(), &[export])
 }
 
-/// An accepted instant, in model units: s, mm, mm/s, N as an SFORCE has it.
+/// An accepted time point, in model units: s, mm, mm/s, N with the sign of an SFORCE.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accepted {
     /// Time.
@@ -114,58 +114,60 @@ pub struct Accepted {
     pub x: f64,
     /// Velocity.
     pub v: f64,
-    /// SFORCE: negative where the damper is in tension.
+    /// SFORCE, negative if the damper is in tension.
     pub sforce: f64,
 }
 
-/// What a run printed.
+/// Output of a run.
 #[derive(Debug, Clone)]
 pub struct Run {
-    /// Exit code: 0, or 3 where a routine stopped the run.
+    /// Exit code: 0, or 3 if a routine stopped the run.
     pub code: Option<i32>,
     /// All lines.
     pub text: String,
 }
 
 impl Run {
-    /// Numbers behind a word at the beginning of a line.
+    /// Parses the numbers of all lines that begin with a word.
     fn lines_of(&self, word: &str) -> Vec<Vec<f64>> {
         let lines = self.text.lines().filter_map(|l| l.strip_prefix(word)?.strip_prefix(' '));
         lines.map(|l| l.split(' ').map(|n| n.parse().expect("a number")).collect()).collect()
     }
 
-    /// Accepted instants.
+    /// Returns the accepted time points.
     pub fn accepted(&self) -> Vec<Accepted> {
         self.lines_of("at").iter().map(|n| Accepted { t: n[0], x: n[1], v: n[2], sforce: n[3] }).collect()
     }
 
-    /// The eight results of the request at the end.
+    /// Returns the eight results of the request at the end.
     pub fn request(&self) -> Vec<f64> {
         self.lines_of("request")[0].clone()
     }
 
-    /// Displacement and SFORCE of the static equilibrium.
+    /// Returns displacement and SFORCE of the static equilibrium.
     pub fn statics(&self) -> (f64, f64) {
         let n = &self.lines_of("static")[0];
         (n[0], n[1])
     }
 
-    /// Largest difference of partials that were handed over to differenced ones, as a share of the largest in a row.
+    /// Returns the largest error of the supplied partial derivatives against finite differences, relative to the
+    /// largest derivative of a row.
     pub fn partials_off(&self) -> f64 {
         self.lines_of("partials_off")[0][0]
     }
 
-    /// The last partial of the force by the variable with the setting.
+    /// Returns the last partial derivative of the force with respect to the variable of the setting.
     pub fn by_variable(&self) -> f64 {
         self.lines_of("by_variable")[0][0]
     }
 
-    /// Cases of a GFORCE in space: ends, their speeds, guide's force, force on I, its own moment, error of the partials.
+    /// Returns the cases of a spatial GFORCE: ends, velocities, guide force, force on I, moment, error of the partial
+    /// derivatives.
     pub fn in_space(&self) -> Vec<Vec<f64>> {
         self.lines_of("space")
     }
 
-    /// Ends of the simulations of a command file, each with its accepted instants.
+    /// Returns the end times of a command file's simulations, with the accepted time points of each.
     pub fn simulations(&self) -> Vec<(f64, Vec<Accepted>)> {
         let parts = self.text.split("simulation ").skip(1);
         let one = |part: &str| {
@@ -175,12 +177,12 @@ impl Run {
         parts.map(one).collect()
     }
 
-    /// Sums of each thread, alone and together.
+    /// Returns the sums of each thread, computed alone and in parallel.
     pub fn threads(&self) -> Vec<(f64, f64)> {
         self.lines_of("thread").iter().map(|n| (n[0], n[1])).collect()
     }
 
-    /// A count of the last line: calls, differencing, iterations, rejected, threadsafe.
+    /// Returns a counter of the last line: calls, differencing, iterations, rejected, threadsafe.
     pub fn count(&self, what: &str) -> u64 {
         let line =
             self.text.lines().find(|l| l.starts_with("calls ")).unwrap_or_else(|| panic!("no counts in {self:?}"));
@@ -205,21 +207,21 @@ pub fn run_library(solver: &Path, library: &Path, routine: &str, settings: &[Str
     Run { code: output.status.code(), text: String::from_utf8(output.stdout).expect("text") + &errors }
 }
 
-/// What most dampers have.
+/// Elements of most dampers.
 pub const PLAIN: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
                      \"viscous_friction\", \"parallel_spring\", \"gas_preload\"]\n";
-/// Private states and side force as well.
+/// Elements that include private states and a side force.
 pub const FULL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
                     \"side_force_friction\", \"gas_preload\", \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\n";
-/// States of the plain one.
+/// Number of states of [`PLAIN`].
 pub const PLAIN_STATES: u32 = 2;
-/// States of the full one.
+/// Number of states of [`FULL`].
 pub const FULL_STATES: u32 = 3;
 
-/// Everything that makes a force.
+/// All routines that compute a force.
 pub const ROUTINES: [&str; 3] = ["gse", "sfo", "gfo"];
 
-/// The kernel's model of a model file.
+/// Builds the kernel's model from a model file.
 pub fn model_of(text: &str) -> Model {
     let mut params = Params::new();
     model_file::read(text.as_bytes(), &mut params).unwrap();
@@ -233,21 +235,21 @@ pub fn written(folder: &Path, text: &str) -> PathBuf {
     path
 }
 
-/// Settings of a run of a model file.
+/// Lists the settings of a run with a model file.
 pub fn with(path: &Path, more: &[&str]) -> Vec<String> {
     let mut settings = vec![format!("model={}", path.display())];
     settings.extend(more.iter().map(|s| s.to_string()));
     settings
 }
 
-/// A run that no routine stops.
+/// Runs the library and asserts that no routine stops the run.
 pub fn started(solver: &Path, routine: &str, settings: &[String]) -> Run {
     let run = run(solver, routine, settings);
     assert_eq!(run.code, Some(0), "{routine} {settings:?}: {}", run.text);
     run
 }
 
-/// What a damper is told beside its motion.
+/// Inputs of a damper in addition to its motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Surroundings {
     /// Side force, N.
@@ -257,11 +259,11 @@ pub struct Surroundings {
 }
 
 impl Surroundings {
-    /// No side force, an ordinary temperature.
+    /// No side force, at 20 °C.
     pub const NONE: Surroundings = Surroundings { side_force: 0.0, temperature: 20.0 };
 }
 
-/// The kernel's converged SFORCE at the accepted instants of a rig run.
+/// Computes the kernel's converged SFORCE at the accepted time points of a rig run.
 pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f64, around: Surroundings) -> Vec<f64> {
     let w = TAU * frequency;
     let longest = (0.05 / frequency / 1000.0).min(2e-5).max(2e-5 / frequency.min(1.0) / 10.0);
@@ -289,7 +291,7 @@ pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f
     forces
 }
 
-/// Largest deviation as a share of the largest force.
+/// Returns the largest deviation relative to the largest force.
 pub fn deviation(got: &[Accepted], want: &[f64]) -> f64 {
     let largest = want.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
     got.iter().zip(want).fold(0.0_f64, |m, (g, w)| m.max((g.sforce - w).abs())) / largest

@@ -1,17 +1,17 @@
-//! The sources of the simulator bridge, and host programs compiled with them.
+//! Sources of the simulator bridge, and host programs compiled with them.
 
 use crate::library::Language::C;
 use crate::library::{Linkage, host, root};
 use std::path::{Path, PathBuf};
 
-/// A model with elements that the bridge's tests are run with.
+/// Model with the elements of the bridge's tests.
 pub const MODEL: &str = r#"
 format = 1
 elements = ["fv_curve", "series_compliance", "parallel_spring", "stribeck_friction", "viscous_friction", "side_force_friction", "gas_preload"]
 gas_force = 141.5
 "#;
 
-/// The C sources of a folder of `vi-crt-bridge`, in order.
+/// Lists the C sources of a folder of `vi-crt-bridge`, sorted.
 pub fn sources(folder: &str) -> Vec<String> {
     let folder = root().join("vi-crt-bridge").join(folder);
     let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
@@ -21,7 +21,7 @@ pub fn sources(folder: &str) -> Vec<String> {
     sources
 }
 
-/// Compiles `tests/hosts/<source>` with the bridge and more flags.
+/// Compiles `tests/hosts/<source>` with the bridge and further flags.
 pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
     let include = format!("-I{}", root().join("vi-crt-bridge/bridge").display());
     let sources = sources("bridge");
@@ -31,7 +31,7 @@ pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
     host(source, C, Linkage::Static, &all, to)
 }
 
-/// The channel map of VI-CarRealTime with the user's own input channel filled in.
+/// Writes the channel map of VI-CarRealTime with a name for the user-defined input channel.
 pub fn map(folder: &Path) -> PathBuf {
     let path = root().join("vi-crt-bridge/maps/vi-carrealtime.toml");
     let text = std::fs::read_to_string(path).expect("the map");

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Path of the command, built as these tests are; builds it once per process.
+/// Returns the path of the command, built once per process with the profile of these tests.
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
@@ -16,8 +16,10 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// Builds the command. It unwinds where it panics, unlike the shipped one, which aborts, and no package is named, so that features are
-/// those of all of them: so it takes the crates that the tests are linked of, instead of compiling most of them again.
+/// Builds the command with the crates of the tests, which avoids compiling most of them again.
+///
+/// The command therefore unwinds on a panic, unlike the shipped one, which aborts. The build names no package, so that
+/// the features are those of the whole workspace.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
     let profile = profile_folder().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -28,7 +30,7 @@ pub fn build_program() {
     succeed(build.current_dir(root()));
 }
 
-/// What a run of the command left behind.
+/// Result of a run of the command.
 #[derive(Debug)]
 pub struct Ran {
     /// Exit code.
@@ -39,8 +41,9 @@ pub struct Ran {
     pub err: String,
 }
 
-/// Runs the command in `folder`. Whatever the arguments, it must not panic and must end with 0, with 2, or with 1 where a
-/// damper does not keep its limits, or chatters and was judged by that.
+/// Runs the command in `folder`. It must not panic, and must exit with 0, 1 or 2.
+///
+/// Code 1 means that a damper violates its limits, or chatters where that is a criterion.
 pub fn run(folder: &Path, args: &[&str]) -> Ran {
     run_with(folder, args, &[])
 }
@@ -68,7 +71,7 @@ pub fn done(folder: &Path, args: &[&str]) -> String {
     ran.out
 }
 
-/// Runs the command, which must refuse with a message and write nothing; returns the message.
+/// Runs the command, which must reject its input with a message and write nothing. Returns the message.
 pub fn refused(folder: &Path, args: &[&str]) -> String {
     let before = contents(folder);
     let ran = run(folder, args);
@@ -79,7 +82,7 @@ pub fn refused(folder: &Path, args: &[&str]) -> String {
     ran.err
 }
 
-/// Every file below a folder with its bytes.
+/// Returns every file below a folder with its bytes.
 pub fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder") {
@@ -95,18 +98,18 @@ pub fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     files
 }
 
-/// A JSON file.
+/// Reads a JSON file.
 pub fn json(path: &Path) -> Value {
     let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// A number in JSON.
+/// Returns a number from JSON.
 pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
 }
 
-/// Measures a small campaign, 50, 15 and 1 mm and slow tests, into the folder `records` below `folder`.
+/// Measures a small campaign (50, 15 and 1 mm, and slow tests) into the folder `records` below `folder`.
 pub fn small_campaign(folder: &Path) {
     done(folder, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
     done(folder, &["rig", "-o", "records", "--matrix", "small.csv", "--seed", "3"]);
@@ -115,12 +118,12 @@ pub fn small_campaign(folder: &Path) {
 /// Header of the records in [`campaign_folder`].
 pub const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
 
-/// A row of a record under [`HEADER`].
+/// Formats a row of a record under [`HEADER`].
 pub fn row(r: [f64; 4]) -> String {
     r.map(|v| format!("{v:.9}")).join(",")
 }
 
-/// A folder of its own with the records of [`small_campaign`] in `records`, measured once for all tests of a program.
+/// Makes a folder with the records of [`small_campaign`] in `records`, which are measured once per program.
 pub fn campaign_folder() -> tempfile::TempDir {
     static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
     let measured = RECORDS.get_or_init(|| {
@@ -133,7 +136,7 @@ pub fn campaign_folder() -> tempfile::TempDir {
     folder
 }
 
-/// Header and rows of a record or a result.
+/// Reads header and rows of a record or a result.
 pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut reader = csv::Reader::from_path(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let header = reader.headers().expect("a header").iter().map(String::from).collect();
@@ -141,7 +144,7 @@ pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (header, rows.collect())
 }
 
-/// Writes every record of a folder anew: header line and the text of each row, from time, displacement, velocity, force.
+/// Rewrites every record of a folder: header line, and the text of each row from time, displacement, velocity, force.
 pub fn rewrite(from: &Path, to: &Path, header: &str, row: impl Fn([f64; 4]) -> String) {
     std::fs::create_dir_all(to).expect("a folder");
     for entry in std::fs::read_dir(from).expect("a folder") {

@@ -1,6 +1,6 @@
 //! A strict reader of the Adams dataset and command files that the exports write.
 //!
-//! Knows the statements they use, refuses all others, and resolves every id.
+//! It accepts only the statements of the exports, and resolves every id.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,23 +9,23 @@ use std::collections::{BTreeMap, BTreeSet};
 pub enum Argument {
     /// A word alone.
     Word(String),
-    /// A key and what stands behind it.
+    /// A key and its value.
     Value(String, String),
 }
 
 /// Statements by `NAME/id`, each with its arguments.
 pub type Dataset = BTreeMap<(String, u64), Vec<Argument>>;
 
-/// What an argument may hold.
+/// Type of an argument's value.
 #[derive(Clone, Copy)]
 enum Kind {
     /// A word.
     Word,
-    /// So many numbers.
+    /// A fixed count of numbers.
     Numbers(usize),
-    /// Any number of increasing numbers, or of numbers.
+    /// A list of numbers of any length.
     List,
-    /// The id of such an element.
+    /// The id of an element of this type.
     Id(&'static str),
     /// Text.
     Text,
@@ -35,7 +35,7 @@ enum Kind {
     Routine,
 }
 
-/// Statements that may stand in a dataset, with their arguments; the first so many must be there.
+/// Returns the arguments of an allowed statement and the number of leading ones that are required.
 fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
     use Kind::{Function, Id, List, Numbers, Routine, Text, Word};
     match name {
@@ -80,8 +80,8 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(',').map(|n| n.trim().parse().unwrap_or_else(|_| panic!("\"{n}\" is no number"))).collect()
 }
 
-/// Text of each statement on one line, with its name and id; comments are left out. A comma that continues a statement
-/// becomes a line feed.
+/// Joins each statement to one line with its name and id, and omits comments. A line feed replaces a comma that
+/// continues a statement.
 fn joined(text: &str) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('!')) {
@@ -94,7 +94,7 @@ fn joined(text: &str) -> Vec<String> {
     all
 }
 
-/// Arguments of a statement: split at commas, but not within a function.
+/// Splits the arguments of a statement at commas outside of functions.
 fn arguments(text: &str) -> Vec<Argument> {
     let mut all: Vec<Argument> = Vec::new();
     let mut rest = text;
@@ -102,7 +102,7 @@ fn arguments(text: &str) -> Vec<Argument> {
         let trimmed = rest.trim_start_matches([' ', ',', '\n']);
         if let Some(function) = trimmed.strip_prefix("FUNCTION") {
             let function = function.trim_start().strip_prefix('=').expect("FUNCTION =");
-            // It must be the last argument or end with a backslash at the end of its line.
+            // A function must be the last argument, or end with a backslash at the end of its line.
             let (function, after) = function.split_once('\\').unwrap_or((function, ""));
             assert!(after.is_empty() || after.starts_with('\n'), "behind a function: {after}");
             all.push(Argument::Value("FUNCTION".into(), function.replace('\n', "").trim().into()));
@@ -126,7 +126,7 @@ fn arguments(text: &str) -> Vec<Argument> {
     all
 }
 
-/// Markers that a function expression names.
+/// Returns the markers in a function expression.
 fn markers_of(function: &str) -> Vec<u64> {
     let mut all = Vec::new();
     for name in ["DM(", "VR("] {
@@ -138,8 +138,8 @@ fn markers_of(function: &str) -> Vec<u64> {
     all
 }
 
-/// Reads a dataset; `whole` for a model with title, units and END, otherwise a fragment. `others` are ids of markers that
-/// the model of the fragment has.
+/// Reads a dataset: if `whole`, a model with title, units and END, otherwise a fragment. `others` are marker ids of the
+/// model around a fragment.
 pub fn read(text: &str, whole: bool, others: &[u64]) -> Dataset {
     let mut all = Dataset::new();
     let mut statements = joined(text);
@@ -227,14 +227,14 @@ fn check(all: &Dataset, label: &str, name: &str, given: &[Argument], others: &[u
     }
 }
 
-/// What stands behind a key.
+/// Returns the value of a key.
 pub fn value<'a>(given: &'a [Argument], key: &str) -> &'a str {
     let found = given.iter().find(|a| matches!(a, Argument::Value(k, _) if k == key));
     let Some(Argument::Value(_, value)) = found else { panic!("no {key}") };
     value
 }
 
-/// The numbers behind a key.
+/// Returns the numbers of a key.
 pub fn values(given: &[Argument], key: &str) -> Vec<f64> {
     numbers(value(given, key))
 }
@@ -242,17 +242,17 @@ pub fn values(given: &[Argument], key: &str) -> Vec<f64> {
 /// A command of a command file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
-    /// The error that the integrator may make.
+    /// Sets the error tolerance of the integrator.
     Integrator(f64),
-    /// A motion gets another function.
+    /// Replaces the function of a motion.
     Motion(u64, String),
-    /// A static run.
+    /// Starts a static analysis.
     Statics,
-    /// A dynamic run to a time in so many output steps.
+    /// Starts a dynamic analysis up to an end time, with a number of output steps.
     Dynamics(f64, usize),
 }
 
-/// Reads a command file: names of model and output, and commands up to STOP.
+/// Reads a command file: names of model and output, and the commands before STOP.
 pub fn commands(text: &str) -> (String, String, Vec<Command>) {
     let mut lines = text.lines();
     let [model, output] = [lines.next(), lines.next()].map(|l| l.expect("a name").to_string());

@@ -1,9 +1,9 @@
-//! The value of an Adams function expression, by whatever its functions mean to the caller.
+//! Evaluates Adams function expressions; the caller supplies the functions.
 
-/// What a function gives for its arguments.
+/// Callback that returns the value of a function for its arguments.
 pub type Call<'a> = &'a dyn Fn(&str, &[f64]) -> f64;
 
-/// An expression that was read once and is evaluated often.
+/// A parsed expression for repeated evaluation.
 pub struct Expression(Term);
 
 enum Term {
@@ -14,10 +14,10 @@ enum Term {
 }
 
 impl Expression {
-    /// Reads `text`, which may have blanks in it.
+    /// Parses `text`, which may contain blanks.
     ///
     /// # Panics
-    /// Where it is no expression.
+    /// If the text is not an expression.
     pub fn read(text: &str) -> Self {
         let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let mut reader = Reader { rest: &text };
@@ -26,7 +26,7 @@ impl Expression {
         Self(term)
     }
 
-    /// The value with the functions of `call`.
+    /// Evaluates the expression with the functions of `call`.
     pub fn evaluate(&self, call: Call) -> f64 {
         self.0.evaluate(call)
     }
@@ -90,7 +90,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Binds stronger than a product, and from the right.
+    /// Parses a power, which has precedence over a product and associates to the right.
     fn power(&mut self) -> Term {
         let base = self.atom();
         match self.rest.strip_prefix("**") {
@@ -104,7 +104,7 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Term {
         if self.take('-') {
-            // A sign binds weaker than a product, which gives the same value.
+            // The sign has precedence over a product here, and not in Adams; the value is equal.
             return Term::Negative(Box::new(self.atom()));
         }
         if self.take('(') {

@@ -6,9 +6,9 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Makes sure that the command holds the FMU runtime and the Adams library.
+/// Ensures that the command contains the FMU runtime and the Adams library.
 ///
-/// Where it was built without, they are compiled and it is built again.
+/// If the command lacks them, they are compiled and the command is rebuilt.
 pub fn runtimes() {
     static HELD: OnceLock<()> = OnceLock::new();
     HELD.get_or_init(|| {
@@ -23,7 +23,7 @@ pub fn runtimes() {
         assert!(holds_none, "{}", ran.err);
         succeed(Command::new("sh").arg(root().join("vi-crt-bridge/runtimes.sh")).env(
             "DASHPOT_RUNTIMES",
-            // target/<profile>/dashpot
+            // The path of the command is target/<profile>/dashpot.
             program().ancestors().nth(2).expect("a target directory").join("runtimes"),
         ));
         build_program();
@@ -31,9 +31,9 @@ pub fn runtimes() {
     });
 }
 
-/// Exports `damper.fmu` of one corner or four of a model, beside its model file.
+/// Exports `damper.fmu` of a model for one corner or four, next to the model file.
 pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
-    // The static library beside the command, for what is compiled here.
+    // An export from source needs the static library next to the command.
     directory();
     runtimes();
     std::fs::write(at.join("model.toml"), text).expect("a model file");
@@ -43,7 +43,7 @@ pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
     done(at, &export);
 }
 
-/// One test of each kind of FMU: both versions of FMI, with one corner and with four.
+/// Expands to one test per kind of FMU: both versions of FMI, with one corner and with four.
 #[macro_export]
 macro_rules! each_fmu {
     ($runs:ident) => {

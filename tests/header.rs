@@ -1,7 +1,7 @@
-//! The C header, written from the sources of the C interface.
+//! Generates the C header from the sources of the C interface.
 //!
-//! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual: every file is a
-//! section, its module documentation the text that opens it. What C alone needs (guards, initialisers) comes from
+//! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual. Every file is a
+//! section, introduced by its module documentation. Parts only for C (guards, initializers) come from
 //! `src/abi/header/`; the last section is the parameter table.
 
 use dashpot_core::parameter::{Element, Parameter, Params, Shape};
@@ -13,15 +13,15 @@ use dashpot_core::parameter::{GROUPS, names};
 /// The sections in order, by source file.
 const SECTIONS: [&str; 11] =
     ["lib", "version", "status", "params", "model", "input", "state", "step", "partials", "evaluate", "setting"];
-/// Behind the parameter table.
+/// Section after the parameter table.
 const TABLE: &str = "table";
 
-/// Where the header is kept.
+/// Returns the path of the header.
 pub fn path() -> PathBuf {
     root().join("include/dashpot.h")
 }
 
-/// The header as it must be.
+/// Generates the text of the header.
 pub fn text() -> String {
     let mut header = String::from(
         "// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test abi_header`; do not edit.\n\n",
@@ -56,14 +56,14 @@ fn chapter(section: &str) -> String {
     rule(title) + &comment(text.trim_start()) + &translated(section) + &part(section)
 }
 
-/// The module documentation of a source file.
+/// Returns the module documentation of a source file.
 fn manual(section: &str) -> String {
     let text = read(&source(section));
     let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
     lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
 }
 
-/// A piece written in C, with an empty line before it; nothing where the section has none.
+/// Returns a part written in C, after an empty line; empty if the section has none.
 fn part(name: &str) -> String {
     let path = root().join(format!("src/abi/header/{name}.h"));
     if path.exists() { format!("\n{}", read(&path)) } else { String::new() }
@@ -77,9 +77,9 @@ fn comment(text: &str) -> String {
     text.lines().map(|line| format!("// {line}").trim_end().to_string() + "\n").collect()
 }
 
-/// The items of one source file, in C.
+/// Translates the items of one source file to C.
 fn translated(section: &str) -> String {
-    // cbindgen leaves out structures that no function of the same file takes, unless they are asked for by name.
+    // cbindgen omits structures that no function of the file uses, unless the configuration lists them.
     let text = read(&source(section));
     let structures = text.lines().filter_map(|line| line.strip_prefix("pub struct ")?.split([' ', '(']).next());
     let mut config = Config {
@@ -98,7 +98,8 @@ fn translated(section: &str) -> String {
     let mut bytes = Vec::new();
     bindings.unwrap_or_else(|error| panic!("{section}: {error}")).write(&mut bytes);
     let text = String::from_utf8(bytes).expect("text");
-    // It writes `struct` before the structures of the same file only; every structure has its short name.
+    // cbindgen writes `struct` only before structures of other files; remove the word, because every structure has a
+    // typedef.
     let lines = text.trim().lines().map(|line| match line.starts_with("typedef") {
         true => format!("\n{line}"),
         false => format!("\n{}", line.replace("struct dashpot_", "dashpot_")),
@@ -106,7 +107,7 @@ fn translated(section: &str) -> String {
     lines.collect::<String>() + "\n"
 }
 
-/// The parameter table as text.
+/// Formats the parameter table as text.
 fn parameters() -> String {
     let defaults = Params::new();
     let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");
@@ -133,12 +134,13 @@ fn parameters() -> String {
     text
 }
 
-/// The bounds of a number, or of each of a list, as header and parameter page say them: those that setting it checks.
+/// Formats the bounds of a parameter or of each list entry, for the header and the parameter page. The setter enforces
+/// these bounds.
 pub fn bounds(p: &Parameter) -> String {
     format!("{} to {}", short(p.low), short(p.high))
 }
 
-/// A number as a person writes it.
+/// Formats a number with an exponent only outside of 1e-3 to 1e5.
 pub fn short(number: f64) -> String {
     let magnitude = number.abs();
     if magnitude != 0.0 && !(1e-3..1e5).contains(&magnitude) { format!("{number:e}") } else { number.to_string() }

@@ -1,12 +1,12 @@
-//! Damage to files: the same every time, and of the kinds that break readers.
+//! Reproducible damage to files, of kinds that often break readers.
 //!
-//! The readers of records are damaged by it too: `src/records/tests/hostile.rs` includes this file.
+//! `src/records/tests/hostile.rs` includes this file to damage records.
 
-/// Random numbers (xorshift64*; Vigna 2016).
+/// Random number generator (xorshift64*; Vigna 2016).
 pub struct Random(pub u64);
 
 impl Random {
-    /// A number from 0 to below `n`.
+    /// Returns a number from 0 to below `n`.
     pub fn below(&mut self, n: usize) -> usize {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -15,19 +15,19 @@ impl Random {
     }
 }
 
-/// How many damaged files a test reads: as many as are usual, or so many times more as the variable DASHPOT_HOSTILE says, for hours.
+/// Returns the number of damaged files of a test: the usual number, times the variable DASHPOT_HOSTILE for long runs.
 ///
 /// # Panics
-/// Where the variable is no number.
+/// If the variable is not a number.
 pub fn rounds(usual: usize) -> usize {
     usual * std::env::var("DASHPOT_HOSTILE").map_or(1, |times| times.parse().expect("DASHPOT_HOSTILE is a number"))
 }
 
-/// Leaves a sound file to the fuzzer (`tests/fuzz`) where the variable DASHPOT_SEEDS names a folder for such. One target reads all small tables and
-/// goes by the first byte.
+/// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the variable DASHPOT_SEEDS names. One target
+/// reads all small tables and selects the reader by the first byte.
 ///
 /// # Panics
-/// Where that folder cannot be written.
+/// If the folder is not writable.
 pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
     const TABLES: [&str; 7] =
         ["campaign.toml", "limits.csv", "peaks.csv", "matrix.csv", "motion.csv", "car.toml", "dimensions.toml"];
@@ -48,7 +48,7 @@ pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
     std::fs::write(folder.join(format!("{place}-{name}")), whole).unwrap();
 }
 
-/// Words that break readers: limits of number types, cells far out, quotes, terminal escapes, other scripts.
+/// Words that often break readers: limits of number types, distant cells, quotes, terminal escapes, other scripts.
 const POISON: [&[u8]; 32] = [
     b"4294967295",
     b"18446744073709551615",
@@ -84,7 +84,8 @@ const POISON: [&[u8]; 32] = [
     b"[[[[[[[[[[[[[[[[",
 ];
 
-/// Damages a file in one to three places: bytes changed, the end cut off, poison put in or over, parts repeated or taken out.
+/// Damages a file in one to three positions: changes bytes, truncates, inserts or overwrites poison, repeats or removes
+/// parts.
 pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -114,10 +115,10 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     }
 }
 
-/// Damages a text in one to three places by its words and lines.
+/// Damages a text in one to three positions by its words and lines.
 ///
-/// Numbers become others that no reader expects, words change places, lines are repeated, taken out or swapped. What
-/// comes out still looks like such a file, and reaches further into a reader than damaged bytes do.
+/// Unexpected numbers replace others, words are exchanged, and lines are repeated, removed or exchanged. The result
+/// still resembles a valid file, and therefore penetrates further into a reader than damaged bytes.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",
@@ -163,7 +164,7 @@ pub fn mutate_text(random: &mut Random, text: &mut String) {
     }
 }
 
-/// Where the words and numbers of a text stand.
+/// Returns the positions of the words and numbers in a text.
 fn words(text: &str) -> Vec<std::ops::Range<usize>> {
     let is_part = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_' | '-' | '+');
     let mut words: Vec<std::ops::Range<usize>> = Vec::new();

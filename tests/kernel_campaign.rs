@@ -1,4 +1,4 @@
-//! Campaigns measured on the kernel itself, with steps finer than the samples: the truth is then known exactly.
+//! Synthetic campaigns from the kernel, with steps shorter than the sample interval: the exact parameters are known.
 
 use dashpot_core::number;
 use dashpot_core::parameter::Element;
@@ -6,11 +6,11 @@ use dashpot_core::{Input, Model, Params, State, evaluate, step};
 use dashpot_records::{Noise, Record};
 use std::f64::consts::TAU;
 
-/// A small generator of its own (xorshift64*), so that the data never changes with a library.
+/// A self-contained random number generator (xorshift64*), so that the data do not change with a library.
 pub struct Random(u64);
 
 impl Random {
-    /// From a seed.
+    /// Initializes the generator from a seed.
     pub fn new(seed: u64) -> Random {
         let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
         (0..20).for_each(|_| {
@@ -19,7 +19,7 @@ impl Random {
         random
     }
 
-    /// Uniform in 0..1.
+    /// Draws a uniform number in 0..1.
     pub fn uniform(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -27,13 +27,13 @@ impl Random {
         (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Normal with deviation 1.
+    /// Draws a normal number with standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (TAU * self.uniform()).cos()
     }
 }
 
-/// Sines of strokes from 1 to 50 mm and peak velocities from 52 mm/s to 1.57 m/s, up to the 25 Hz of a rig.
+/// Returns sine tests of 1 to 50 mm and 52 mm/s to 1.57 m/s (peak), up to the 25 Hz of a rig.
 pub fn strokes_and_speeds() -> Vec<Sine> {
     let mut tests = Vec::new();
     for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
@@ -47,10 +47,10 @@ pub fn strokes_and_speeds() -> Vec<Sine> {
     tests
 }
 
-/// FV curve, series compliance, dry friction, a linear spring and gas: the model that data is compared with.
+/// Makes the reference model: FV curve, series compliance, dry friction, a linear spring and gas.
 ///
 /// # Panics
-/// Never: the names are the kernel's own.
+/// Never, because the kernel defines the names.
 pub fn base() -> Params {
     let mut params = Params::new();
     params.disable_all();
@@ -71,12 +71,12 @@ pub struct Sine {
     pub frequency: f64,
     /// Mean displacement, m.
     pub mean: f64,
-    /// Side force, N, where the rig records it.
+    /// Side force, N, if the rig records it.
     pub side_force: Option<f64>,
 }
 
 impl Sine {
-    /// About the middle, without side force.
+    /// Makes a test about the middle position, without side force.
     pub fn new(amplitude: f64, frequency: f64) -> Sine {
         Sine { amplitude, frequency, mean: 0.0, side_force: None }
     }
@@ -84,10 +84,10 @@ impl Sine {
 
 /// Whole cycles of each record.
 const CYCLES: usize = 3;
-/// Steps of the kernel per sample.
+/// Kernel steps per sample.
 const FINER: usize = 4;
 
-/// Three cycles of every test, with white noise of `noise` times the test's root-mean-square force.
+/// Simulates three cycles of every test, with white noise of `noise` times the test's root mean square force.
 pub fn campaign(params: &Params, tests: &[Sine], seed: u64, noise: f64) -> Vec<Record> {
     let model = Model::new(params).unwrap();
     let mut random = Random::new(seed);
@@ -100,7 +100,7 @@ fn record(model: &Model, k: usize, test: &Sine, noise: f64, random: &mut Random)
     let count = CYCLES * per_cycle + 1;
     let w = TAU * test.frequency;
     let motion = |t: f64| (test.mean - test.amplitude * (w * t).cos(), test.amplitude * w * (w * t).sin());
-    // Cycles begin where the displacement rises through its mean.
+    // Cycles begin where the rising displacement passes its mean.
     let start = 0.25 / test.frequency;
     let input = |t: f64| {
         let (x, v) = motion(t);

@@ -1,4 +1,4 @@
-//! What the whole-system tests share.
+//! Code shared by the whole-system tests.
 
 pub mod adams;
 pub mod bridge;

@@ -1,11 +1,11 @@
-//! The shipped library, built as it is shipped, and host programs compiled against it.
+//! The shipped library, built as for shipping, and host programs that link it.
 
 use dashpot_test_support::{profile_folder, target_folder};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-/// The two compilers a host is written for.
+/// Language and compiler of a host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// C99, by `$CC` or gcc.
@@ -14,7 +14,7 @@ pub enum Language {
     Cxx,
 }
 
-/// Which of the two libraries a host links.
+/// Library that a host links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Linkage {
     /// `libdashpot.so`.
@@ -23,12 +23,12 @@ pub enum Linkage {
     Static,
 }
 
-/// The root of the project.
+/// Returns the root of the project.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project's root").to_path_buf()
 }
 
-/// Directory with the shared and the static library of a release build; builds them once per process.
+/// Returns the directory with the shared and the static library of a release build, built once per process.
 pub fn directory() -> &'static Path {
     static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
     DIRECTORY.get_or_init(|| {
@@ -40,7 +40,8 @@ pub fn directory() -> &'static Path {
         std::fs::create_dir_all(&packed).expect("a folder of the target");
         pack(&release.join("libdashpot.a"), &packed.join("libdashpot.a"), "");
         if release != profile_folder() {
-            // The command takes the library that lies beside it. A file of its own: cargo's is another name of one that it keeps.
+            // The command uses the library next to it. Copy the file, because cargo's file is a hard link to another of
+            // its files.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
             let mut library = std::fs::File::open(static_library_in(&packed)).expect("the library");
             std::io::copy(&mut library, &mut copy).expect("room beside the command");
@@ -54,23 +55,23 @@ fn static_library_in(folder: &Path) -> PathBuf {
     folder.join("libdashpot.a")
 }
 
-/// Packs a static library that cargo has built as it is shipped, by binutils with a prefix.
+/// Packs cargo's static library as for shipping, with binutils of a given name prefix.
 pub fn pack(from: &Path, to: &Path, prefix: &str) {
     succeed(Command::new("sh").arg(root().join("src/dll/static.sh")).args([from, to]).arg(prefix));
 }
 
-/// The static library, as it is shipped.
+/// Returns the path of the static library, packed as for shipping.
 pub fn static_library() -> PathBuf {
     directory();
     static_library_in(&target_folder().join("lib"))
 }
 
-/// The shared library.
+/// Returns the path of the shared library.
 pub fn shared() -> PathBuf {
     directory().join("libdashpot.so")
 }
 
-/// Runs a command that must succeed, and returns what it printed.
+/// Runs a command that must succeed. Returns its output.
 pub fn succeed(command: &mut Command) -> String {
     let Output { status, stdout, stderr } = command.output().unwrap_or_else(|error| {
         panic!(
@@ -83,7 +84,7 @@ pub fn succeed(command: &mut Command) -> String {
     text(&stdout)
 }
 
-/// The compiler with the flags that hosts must survive.
+/// Returns the compiler with the warning flags that the header must pass.
 pub fn compiler(language: Language) -> Command {
     let (variable, default, standard) = match language {
         Language::C => ("CC", "gcc", "-std=c99"),
@@ -95,8 +96,8 @@ pub fn compiler(language: Language) -> Command {
     compiler
 }
 
-/// Compiles `tests/hosts/<source>` (or an absolute path) with more `flags` to a program in directory `to`, linked with
-/// the library.
+/// Compiles `tests/hosts/<source>` (or an absolute path) with further `flags` to a program in directory `to`, linked
+/// with the library.
 pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], to: &Path) -> PathBuf {
     let name = Path::new(source).file_stem().expect("a source file").to_string_lossy();
     let program = to.join(format!("{name}-{language:?}-{linkage:?}-{}", flags.len()));

@@ -1,11 +1,11 @@
-//! Records of real dampers, which are not part of the project: tests that read them are skipped where they are absent.
+//! Records of real dampers, which are not part of the project: tests that read them are skipped if they are absent.
 
 use crate::library::root;
 use dashpot_test_support::skipped;
 use std::path::PathBuf;
 
-/// Folder of a set of real records: below `DASHPOT_DATA` where that is set, else below `shared/data` beside the project.
-/// Where there is none, a line says that the test was skipped.
+/// Returns the folder of a set of real records, below `DASHPOT_DATA` if set, else below `shared/data` next to the
+/// project. Reports the test as skipped if the folder is absent.
 pub fn records(set: &str) -> Option<PathBuf> {
     let base = std::env::var_os("DASHPOT_DATA").map_or_else(|| root().join("../shared/data"), PathBuf::from);
     let folder = base.join(set);

@@ -1,14 +1,15 @@
-//! A Python with the packages that some hosts come in, in a virtual environment below the target directory.
+//! A Python interpreter with the packages of some hosts, in a virtual environment below the target directory.
 
 use dashpot_test_support::{skipped, target_folder};
 use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// What the hosts are made of.
+/// Packages of the hosts.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
-/// Whether the interpreter is there or can be made. Where not, the test that asked is counted as skipped, with what is missing.
+/// Returns whether the interpreter exists or can be installed. If not, counts the calling test as skipped, with the
+/// reason.
 pub fn has_python() -> bool {
     match made() {
         Ok(_) => true,
@@ -19,10 +20,10 @@ pub fn has_python() -> bool {
     }
 }
 
-/// The interpreter, in an environment that is made on first use and kept.
+/// Returns the interpreter, in an environment that is created on first use and kept.
 ///
 /// # Panics
-/// In one line that says what is missing, where the environment cannot be made; a test that asks [`has_python`] first is skipped there.
+/// If the environment cannot be created, with the reason. A test that calls [`has_python`] first is skipped instead.
 pub fn python() -> PathBuf {
     made().as_ref().unwrap_or_else(|missing| panic!("this test {missing}")).clone()
 }
@@ -57,9 +58,9 @@ fn made() -> &'static Result<PathBuf, String> {
     })
 }
 
-/// An interpreter with packages, parted by blanks, in an environment of their own named after the first.
+/// Returns an interpreter with packages, separated by blanks, in an environment named after the first package.
 ///
-/// Or none, after a line that says so, where they cannot be installed here.
+/// Returns `None` and reports the test as skipped if the packages cannot be installed.
 pub fn python_with(packages: &str) -> Option<PathBuf> {
     let environment = target_folder().join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
     let (python, done) = (environment.join("bin/python"), environment.join(packages));

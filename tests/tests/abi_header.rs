@@ -1,4 +1,4 @@
-//! The header is what the sources say, and every compiler takes it.
+//! The header matches the sources, and every compiler accepts it.
 
 use std::fs;
 
@@ -30,7 +30,7 @@ fn compiles_as_c99_and_cxx11_without_a_warning() {
     let directory = tempfile::tempdir().expect("a directory");
     for (language, name) in [(Language::C, "header.c"), (Language::Cxx, "header.cc")] {
         let source = directory.path().join(name);
-        // Twice: the guard. The initialisers are used, so that their warnings would show.
+        // The double inclusion tests the guard. The program uses the initializers, so that their warnings appear.
         fs::write(
             &source,
             "#include \"dashpot.h\"\n#include \"dashpot.h\"\n\

@@ -1,18 +1,18 @@
-//! ARCHITECTURE.md and its picture follow the manifests; `UPDATE_DOCS=1` draws the picture anew.
+//! ARCHITECTURE.md and its picture match the manifests; `UPDATE_DOCS=1` redraws the picture.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-/// Every crate, and the crates of this workspace that it uses.
+/// Every crate with the workspace's crates that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// Folder of a package's name.
+/// Returns the folder of a package.
 fn folder(package: &str) -> String {
     package.trim_start_matches("dashpot-").replace('-', "_")
 }
 
-/// What the manifests say: crates below `src`; the tests are not drawn.
+/// Reads the dependencies from the manifests of the crates below `src`; the picture omits the tests.
 fn of_manifests() -> Uses {
     let read = |path: &str| -> toml::Table {
         std::fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}")).parse().unwrap()
@@ -30,7 +30,7 @@ fn of_manifests() -> Uses {
         .collect()
 }
 
-/// What the page says.
+/// Reads the dependencies from the page.
 fn of_page() -> Uses {
     let page = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let table = page.split("| crate | what it is | uses |").nth(1).expect("the table of crates");
@@ -44,7 +44,7 @@ fn of_page() -> Uses {
     .collect()
 }
 
-/// Arrows that do not follow from others.
+/// Returns the dependencies that do not follow from others by transitivity.
 fn arrows(uses: &Uses) -> Vec<(&str, &str)> {
     fn reaches(uses: &Uses, from: &str, to: &str) -> bool {
         uses[from].iter().any(|next| next == to || reaches(uses, next, to))
@@ -60,17 +60,17 @@ fn arrows(uses: &Uses) -> Vec<(&str, &str)> {
     found
 }
 
-/// How many crates lie below one.
+/// Returns the height of a crate in the picture: the length of its longest chain of dependencies.
 fn level(uses: &Uses, name: &str) -> usize {
     uses[name].iter().map(|below| 1 + level(uses, below)).max().unwrap_or(0)
 }
 
 const WIDTH: f64 = 860.0;
 const BOX: (f64, f64) = (118.0, 34.0);
-/// From one level to the next; the arrows need the room.
+/// Distance of neighboring levels, with space for the arrows.
 const STEP: f64 = 84.0;
 
-/// The crates as boxes in levels, with arrows to what they use.
+/// Draws the crates as boxes in levels, with arrows to their dependencies.
 fn picture(uses: &Uses) -> String {
     let arrows = arrows(uses);
     let mut levels: Vec<Vec<&str>> = Vec::new();
@@ -86,7 +86,7 @@ fn picture(uses: &Uses) -> String {
         }
     }
     levels.iter().for_each(|row| spread(row, &mut place));
-    // Each row in the order of the middles of its neighbours, up and down a few times: fewer arrows cross.
+    // Sort each row by the mean position of its neighbors, several times up and down, to reduce crossings of arrows.
     for _ in 0..8 {
         for row in &mut levels {
             let middle = |name: &str| {
@@ -119,7 +119,7 @@ fn picture(uses: &Uses) -> String {
     }
     for name in uses.keys() {
         let (x, y) = (place[name.as_str()], top(name));
-        // What is shipped and what is run stand out.
+        // A different color marks crates that no other crate uses.
         let fill = if uses.values().any(|u| u.contains(name)) { "#eef2f8" } else { "#d9e8d4" };
         let _ = writeln!(
             out,

@@ -1,4 +1,4 @@
-//! The figures of the elements in the book are drawn by the kernel; `UPDATE_DOCS=1` draws them anew.
+//! The kernel draws the figures of the elements in the book; `UPDATE_DOCS=1` redraws them.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_core::parameter::{Element, Number};
@@ -7,7 +7,7 @@ use dashpot_tests::library::root;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// What an element does to the force under one sine, beside the damper without it.
+/// Effect of an element on the force under one sine, in comparison with the damper without the element.
 struct Case {
     element: &'static str,
     set: &'static [(&'static str, f64)],
@@ -16,7 +16,7 @@ struct Case {
     over: Over,
 }
 
-/// The axis below the force.
+/// Quantity of the horizontal axis.
 #[derive(Clone, Copy, PartialEq)]
 enum Over {
     Velocity,
@@ -29,7 +29,7 @@ const fn case(element: &'static str, set: &'static [(&'static str, f64)], motion
     Case { element, set, motion, over }
 }
 
-/// One of each element, strong enough to be seen.
+/// One case per element, strong enough to be visible.
 const CASES: &[Case] = &[
     case("fv_curve", &[], (25.0, 4.0), Velocity),
     case("series_compliance", &[("series_stiffness", 1e6)], (5.0, 15.0), Velocity),
@@ -62,12 +62,12 @@ const CASES: &[Case] = &[
     case("rebound_stop", &[("rebound_stop_clearance", 0.02)], (40.0, 1.0), Displacement),
 ];
 
-/// What the rig of the figures gives beside the motion, for the elements that ask for it, N.
+/// Side force, N, for the elements that need one.
 const SIDE_FORCE: f64 = 1500.0;
-/// °C; the FV curve is that of 20.
+/// Temperature, °C; the FV curve applies at 20 °C.
 const TEMPERATURE: f64 = 80.0;
 
-/// Displacement, velocity and force over the last of three cycles.
+/// Computes displacement, velocity and force over the last of three cycles.
 fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
     const STEPS: u32 = 4000;
     let model = Model::new(params).expect("a model");
@@ -98,14 +98,14 @@ fn model(on: &[&str], set: &[(&str, f64)]) -> Params {
     params
 }
 
-/// A round step that gives three to seven lines over a span.
+/// Returns a round step that divides a span by three to seven lines.
 fn grid(span: f64) -> f64 {
     let rough = span / 5.0;
     let power = 10f64.powf(rough.log10().floor());
     power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|f| f * power >= rough).unwrap_or(10.0)
 }
 
-/// Two loops, without the element in grey and with it in colour.
+/// Draws two loops: without the element in gray, and with the element in color.
 fn drawing(case: &Case) -> String {
     let (base, with): (&[&str], Vec<&str>) = match case.element {
         "fv_curve" => (&[], vec!["fv_curve"]),
@@ -130,7 +130,7 @@ fn drawing(case: &Case) -> String {
         let count = (most / step).floor() as i32;
         (-count..=count).map(move |i| f64::from(i) * step).collect::<Vec<_>>()
     };
-    // Places are whole multiples of a round step: their shortest decimals are those to write.
+    // Positions are multiples of a round step; round away the floating-point errors.
     let number = |value: f64| format!("{}", (1e6 * value).round() / 1e6);
     for value in places(wide) {
         let (at, end) = (x(value), top + height);

@@ -1,8 +1,9 @@
-//! Arrows between the files of a crate point one way: no file uses what uses it in turn. A circle is a room that can be understood
-//! only as a whole; what both sides need belongs into a file of its own below them.
+//! The files of a crate have no circular dependencies. Files in a circle can be understood only together; code that
+//! both sides need belongs in a separate file below them.
 //!
-//! Tests inside a file do not count, nor what a file takes from the face of a folder that it lies in (`mod.rs`): a folder is one room with what
-//! its files share on the door. A name that a folder hands on (`pub use`) is followed to the file that makes it.
+//! Tests inside a file do not count. Neither does the use of names from the `mod.rs` of an enclosing folder, because a
+//! folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file that
+//! defines it.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,21 +13,21 @@ use syn::visit::{self, Visit};
 /// A path in code, from the crate's root.
 type Names = Vec<String>;
 
-/// What one file says.
+/// Contents of one file; called a room.
 #[derive(Default)]
 struct Room {
     file: PathBuf,
-    /// Paths that it uses.
+    /// Paths that the file uses.
     uses: BTreeSet<Names>,
-    /// Names that it hands on, and from where.
+    /// Re-exported names and their origins.
     hands_on: BTreeMap<String, Names>,
-    /// Modules from which it hands on everything.
+    /// Modules that are re-exported whole.
     hands_on_all: Vec<Names>,
-    /// Macros that it makes for the crate.
+    /// Macros that the file defines for the crate.
     macros: BTreeSet<String>,
 }
 
-/// Reads a file whose place among the modules is `here`.
+/// Reads a file whose module path is `here`.
 struct Reader<'a> {
     here: &'a [String],
     room: Room,
@@ -38,7 +39,7 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 }
 
 impl Reader<'_> {
-    /// From the crate's root; `None` where a path leads out of the crate.
+    /// Resolves a path from the crate's root; `None` for a path outside of the crate.
     fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
@@ -122,7 +123,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 }
 
-/// All rooms of a crate by their places among its modules.
+/// Reads all files of a crate, by their module paths.
 fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     fn collect(folder: &Path, at: &[String], rooms: &mut BTreeMap<Names, Room>) {
         let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
@@ -141,7 +142,7 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
                 let mut reader = Reader { here: &here, room: Room { file: path, ..Room::default() } };
                 reader.visit_file(&file);
                 let room = reader.room;
-                // A command beside a library of the same name is the door, not a room.
+                // For a command with a library of the same name, the library takes precedence.
                 rooms.entry(here).or_insert(room);
             }
         }
@@ -151,7 +152,7 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     found
 }
 
-/// The room in which what a path names is made: the deepest module on the way, or where that hands it on from.
+/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export.
 fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
     let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
     let (place, room) = rooms.get_key_value(&names[..depth])?;
@@ -167,13 +168,13 @@ fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) 
         }
     }
     if depth == 0 {
-        // A macro of the crate, or a name of another crate.
+        // The name is a macro of the crate, or belongs to another crate.
         return rooms.iter().find(|(_, room)| room.macros.contains(next)).map(|(place, _)| place);
     }
     Some(place)
 }
 
-/// Sets of rooms that use each other in a loop.
+/// Finds sets of files that use each other in a circle.
 fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     let arrows: BTreeMap<&Names, BTreeSet<&Names>> = rooms
         .iter()
@@ -203,14 +204,14 @@ fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     found
 }
 
-/// The source folders of all crates.
+/// Lists the source folders of all crates.
 fn crates() -> Vec<PathBuf> {
     let mut crates: Vec<_> = std::fs::read_dir(root().join("src")).unwrap().map(|e| e.unwrap().path()).collect();
     crates.sort();
     crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()).collect()
 }
 
-/// The rooms of a crate with each folder as one room; the crate's face is left out.
+/// Merges the files of each folder to one unit; omits the crate's root.
 fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     let mut found: BTreeMap<Names, Room> = BTreeMap::new();
     for (name, room) in rooms.iter().filter(|(name, _)| !name.is_empty()) {
@@ -223,7 +224,7 @@ fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Crates whose folders use each other in a circle today. One that has none any more leaves the list, and the test says so.
+/// Crates whose folders use each other in a circle today. The test fails if a listed crate has no circle any more.
 const WITH_CIRCLES: &[&str] = &["core", "hosts", "identification", "report", "rig"];
 
 #[test]

@@ -1,10 +1,10 @@
-//! `clamp` panics where its limits cross, and a panic ends the program. Limits that are computed may cross, so they go through
-//! `dashpot_records::restrict`, or through `max` and `min` where a crate does not use records.
+//! `clamp` panics if its limits cross, and a panic ends the program. Computed limits may cross, so they need
+//! `dashpot_records::restrict`, or `max` and `min` in crates that do not use records.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// Whether a limit is written in the code: a number or a constant.
+/// Returns whether a limit is a literal number or a constant.
 fn is_written(limit: &str) -> bool {
     let limit = limit.trim().trim_start_matches('-');
     let is_number = limit.replace('_', "").parse::<f64>().is_ok();
@@ -14,7 +14,7 @@ fn is_written(limit: &str) -> bool {
     is_number || is_constant || limit == "0.5 * STEP"
 }
 
-/// The limits of the first `clamp` in a text behind its bracket.
+/// Returns the limits of a call of `clamp` from the text after its opening parenthesis.
 fn limits(text: &str) -> Vec<String> {
     let (mut depth, mut found) = (0, vec![String::new()]);
     for letter in text.chars() {
@@ -46,7 +46,7 @@ fn limits_of_clamp_are_written_in_the_code() {
             continue;
         }
         let text = std::fs::read_to_string(&file).unwrap();
-        // Tests in a file stand at its end.
+        // Test modules are at the end of a file.
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         for (at, call) in code.match_indices(".clamp(") {
             seen += 1;

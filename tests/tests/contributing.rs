@@ -1,4 +1,4 @@
-//! The walks of CONTRIBUTING.md lead somewhere: its files exist, and its quoted lines stand where it says.
+//! The instructions in CONTRIBUTING.md are valid: the files exist, and the quoted lines are in them.
 
 use dashpot_tests::library::root;
 
@@ -6,7 +6,7 @@ fn page() -> String {
     std::fs::read_to_string(root().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md")
 }
 
-/// Texts between single backticks outside of code blocks.
+/// Returns texts between single backticks outside of code blocks.
 fn quoted(page: &str) -> Vec<String> {
     let prose: Vec<&str> = page.split("```").step_by(2).collect();
     prose.iter().flat_map(|part| part.split('`').skip(1).step_by(2)).map(str::to_owned).collect()

@@ -1,6 +1,6 @@
-//! The documents hang together.
+//! The documents are consistent.
 //!
-//! Every relative link leads to a file, every page of the book is in its list, and the book builds where mdBook is
+//! Every relative link leads to a file, every page of the book is in its list, and the book builds if mdBook is
 //! installed.
 
 use dashpot_test_support::skipped;
@@ -8,7 +8,7 @@ use dashpot_tests::library::root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Pages below a folder.
+/// Collects the pages below a folder.
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display())) {
         let path = entry.expect("an entry").path();
@@ -20,14 +20,14 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Where the links and pictures of a page lead, without code.
+/// Returns the targets of links and pictures on a page, without code.
 fn links(text: &str) -> Vec<String> {
     let prose: String = text.split("```").step_by(2).collect();
     let prose: String = prose.split('`').step_by(2).collect::<Vec<_>>().join("``");
     prose.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0.to_owned())).collect()
 }
 
-/// The names that headings get as targets of links.
+/// Returns the anchors of headings, as targets of links.
 fn anchors(text: &str) -> Vec<String> {
     let prose: String = text.split("```").step_by(2).collect();
     let headings = prose
@@ -70,7 +70,7 @@ fn every_relative_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
-/// A book is read without the folders around it: its links stay inside.
+/// The book is read without the surrounding folders, so its links stay inside.
 #[test]
 fn the_book_lists_its_pages_and_keeps_to_itself() {
     let source = root().join("docs/book/src");
@@ -102,7 +102,7 @@ fn the_book_builds() {
                 model.contains("figures/element-free_play.svg")
                     && folder.path().join("figures/element-free_play.svg").is_file()
             );
-            // What is taken in from elsewhere has come.
+            // Included files from outside the book were inserted.
             let parameters =
                 std::fs::read_to_string(folder.path().join("parameters.html")).expect("the page of parameters");
             assert!(parameters.contains("free_play_gap") && !parameters.contains("{{#"));

@@ -1,27 +1,27 @@
-//! Every reader of files under a fuzzer that follows which branches its input takes, some seconds each; `tests/fuzz/run` has the time as its
-//! argument. DASHPOT_FUZZ says how many seconds this test gives.
+//! Runs every reader of files for some seconds under a fuzzer guided by branch coverage; the argument of
+//! `tests/fuzz/run` is the time. The variable DASHPOT_FUZZ sets the seconds of this test.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::cli::program;
 use dashpot_tests::library::root;
 use std::process::Command;
 
-/// Seconds a reader: enough to run through the inputs that a longer run has kept.
+/// Seconds per reader, enough to repeat the stored inputs of longer runs.
 const SECONDS: &str = "5";
 
 #[test]
 fn no_reader_breaks_under_the_fuzzer() {
     let seconds = std::env::var("DASHPOT_FUZZ").unwrap_or_else(|_| SECONDS.to_owned());
     let mut run = Command::new(root().join("tests/fuzz/run"));
-    // The compiler that runs this test is asked for in these, and another one is wanted.
+    // These variables select the compiler that runs this test; the fuzzer needs another one.
     for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER", "CARGO_TARGET_DIR"] {
         run.env_remove(name);
     }
-    // For sound FMUs.
+    // The command exports valid FMUs as seeds.
     let out = run.arg(seconds).env("DASHPOT", program()).output().expect("bash");
     let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     match out.status.code() {
-        // Tools that are not here; the last line says which.
+        // Code 3 means missing tools, which the last line names.
         Some(3) => skipped(told.trim().lines().last().unwrap_or_default()),
         code => assert_eq!(code, Some(0), "{told}"),
     }

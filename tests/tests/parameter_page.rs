@@ -1,4 +1,4 @@
-//! The page of elements and parameters follows the kernel's table; `UPDATE_DOCS=1` rewrites it.
+//! The page of elements and parameters matches the kernel's table; `UPDATE_DOCS=1` rewrites the page.
 
 use dashpot_core::Params;
 use dashpot_core::parameter::GROUPS;
@@ -9,7 +9,7 @@ use dashpot_tests::header::{bounds, short};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// What is usual of a parameter, in words; empty where nothing is known.
+/// Formats the prior of a parameter; empty without a prior.
 fn usual(row: Row) -> String {
     match Number::try_from(row).ok().and_then(|number| priors::distribution(number, Scale::CAR)) {
         Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
@@ -20,7 +20,7 @@ fn usual(row: Row) -> String {
     }
 }
 
-/// Of a number with a force in its unit: what it may be beside forces of a car's damper.
+/// Formats the bounds of a force-dependent parameter for a car damper, if they differ from the general bounds.
 fn in_proportion(p: &Parameter) -> String {
     let (low, high) = p.of_a_car;
     if (low, high) == (p.low, p.high) { String::new() } else { format!(" (car: {} to {})", short(low), short(high)) }
@@ -95,7 +95,7 @@ fn the_page_follows_the_table() {
     assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
 }
 
-/// The page and the header name the same bounds for every number.
+/// The page and the header contain the same bounds for every parameter.
 #[test]
 fn the_header_and_the_page_have_the_same_bounds() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();

@@ -1,9 +1,10 @@
 //! The Python package as its user gets it.
 //!
-//! Built as a wheel, installed where nothing of the source tree is on the path, and tested there.
+//! It is built as a wheel, installed without the source tree on the path, and tested there.
 //!
-//! Building the wheel compiles the workspace once more, with unwinding, and the packages beside it weigh half a gigabyte: that is why this
-//! is no part of `cargo test --release`: `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
+//! Building the wheel compiles the workspace again, with unwinding, and the required packages have half a gigabyte.
+//! Therefore `cargo test --release` excludes it. Run it with
+//! `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
@@ -12,7 +13,7 @@ use dashpot_tests::library::{root, shared, static_library};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What builds the wheel, and what its tests need.
+/// Tool that builds the wheel; [`PACKAGES`] are the packages of its tests.
 const BUILD: &str = "maturin>=1.9,<2";
 const PACKAGES: [&str; 13] = [
     "numpy",
@@ -38,7 +39,7 @@ fn runs(command: &mut Command) -> Result<(), String> {
     }
 }
 
-/// An environment with all that is needed; none, after a line that says so, where it cannot be made here.
+/// Creates an environment with all required packages. Returns `None` and reports a skip if that is impossible.
 fn environment(target: &Path) -> Option<PathBuf> {
     let folder = target.join("python-venv");
     let (bin, done) = (folder.join("bin"), folder.join("packages.txt"));
@@ -60,7 +61,8 @@ fn environment(target: &Path) -> Option<PathBuf> {
 #[ignore = "builds the workspace once more for the wheel and installs half a gigabyte: run it with -- --ignored"]
 fn the_wheel_does_what_the_command_does() {
     let Some(bin) = environment(&target_folder()) else { return };
-    // Command and wheel export the same bytes where both hold the same compiled runtimes. A command without them compiles one at export.
+    // Command and wheel export equal bytes only if both contain the same compiled runtimes. A command without them
+    // compiles one at export.
     runtimes();
     let sources = root().join("src/python");
     let wheels = tempfile::tempdir().expect("a directory");
@@ -75,7 +77,7 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    // The pages load the shared library from beside the static one.
+    // The pages load the shared library from the folder of the static one.
     let library = wheels.path().join("libdashpot.a");
     std::fs::copy(static_library(), &library).expect("the static library");
     std::fs::copy(shared(), library.with_extension("so")).expect("the shared library");

@@ -1,6 +1,6 @@
 //! The reports of a real diagnosis, and of a validation of records with every kind of flaw, in every language.
 //!
-//! What stays English in them is listed here, and nothing else does.
+//! This file lists all texts that stay English in them.
 
 use dashpot_core::{Params, parameter};
 use dashpot_core::{element, number};
@@ -22,10 +22,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// Units, symbols, file formats and the words of commands, in which no language differs.
+/// Units, symbols, file formats and the words of commands, which are equal in all languages.
 const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n c h x cm dashpot validate diagnose reference CSV FV SHA SHA-256 \
                        sha256sum rms lambda damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
-/// Texts that a language writes as English does.
+/// Texts that are equal in a language and in English.
 const SAME: &[(&str, &[&str])] = &[
     ("de", &["Name", "Parameter", "Amplitude, mm"]),
     ("fr", &["compression", "amplitude, mm", "direction", "Identification", "cycles"]),
@@ -47,13 +47,13 @@ fn tests() -> Vec<Sine> {
     tests
 }
 
-/// A diagnosis with the records that it is of.
+/// A diagnosis with its records.
 struct Case {
     records: Vec<Record>,
     found: Diagnosis,
 }
 
-/// One that names an effect, one that compares with a reference, one that may add nothing.
+/// Makes three cases: a diagnosis that finds an effect, one with a reference, and one without allowed effects.
 fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| {
@@ -101,12 +101,12 @@ fn page(case: &Case, language: Language) -> String {
     .render()
 }
 
-/// Every text with words that a reader sees, figures included.
+/// Returns every visible text with letters, figures included.
 fn visible(page: &str) -> Vec<String> {
     every_text(page).into_iter().filter(|text| text.chars().any(char::is_alphabetic)).collect()
 }
 
-/// The texts, with those that are numbers alone.
+/// Returns every text, including pure numbers.
 fn every_text(page: &str) -> Vec<String> {
     let without = |page: &str, tag: &str| -> String {
         let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
@@ -121,7 +121,7 @@ fn every_text(page: &str) -> Vec<String> {
     texts.map(plain).filter(|text| !text.is_empty()).collect()
 }
 
-/// Words of a text in Latin letters, names and units too.
+/// Returns the words of a text in Latin letters, including names and units.
 fn latin(text: &str) -> impl Iterator<Item = &str> {
     let parts = text.split(|c: char| !(c.is_ascii_alphanumeric() || "_-./·".contains(c)));
     parts
@@ -129,19 +129,20 @@ fn latin(text: &str) -> impl Iterator<Item = &str> {
         .filter(|w| w.chars().any(|c| c.is_ascii_alphabetic()))
 }
 
-/// Whether a word is a name in a file, a unit or a symbol.
+/// Returns whether a word is a name from a file, a unit or a symbol.
 fn is_name(word: &str) -> bool {
     let is_parameter = || parameter::table().any(|row| row.parameter.name == word);
-    // Numbers of the heating and the one effect that no rig can tell have no row of their own.
+    // The parameters of heating, and the effect that no rig can identify, are not in the table.
     let of_measurement = ["cooling_rate", "heat_capacity", "cylinder_expansion"].contains(&word);
-    // What looks like something without a name is called by what it is made of.
+    // An unnamed hypothesis is identified by its components.
     let is_tried =
         || cases().iter().flat_map(|c| c.found.iterations.iter().flatten()).any(|tried| tried.effect == word);
     let is_test = cases().iter().flat_map(|c| &c.records).any(|record| record.name == word);
     let in_symbols = |word: &str| SYMBOLS.split_whitespace().any(|symbol| symbol == word);
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());
     let is_symbol = || in_symbols(word) || word.split(['/', '·']).all(|part| in_symbols(part) || is_figure(part));
-    // Symbols of the model's equations (k_p, v_0, x), which the meaning of a parameter names in every language: no word is that short.
+    // Symbols of the model's equations (k_p, v_0, x) in the meaning of a parameter are equal in every language; no word
+    // is that short.
     let is_short = word.len() == 1 || word.as_bytes().get(1) == Some(&b'_');
     let is_of_an_equation =
         || is_short && parameter::table().any(|row| latin(row.parameter.meaning).any(|w| w == word));
@@ -154,7 +155,7 @@ fn is_name(word: &str) -> bool {
         || is_tried()
 }
 
-/// What comes in English from elsewhere: meanings of parameters.
+/// Returns whether a text stays English: the meanings of parameters.
 fn stays(text: &str) -> bool {
     parameter::table().any(|row| row.parameter.meaning == text)
 }
@@ -184,7 +185,7 @@ fn german_and_french_reports_have_no_text_of_the_english_one() {
     assert!(same.is_empty(), "{same:#?}");
 }
 
-/// Words of a text that hold a number with a decimal point.
+/// Returns the words of a text that contain a number with a decimal point.
 fn with_point(text: &str) -> impl Iterator<Item = &str> {
     let has_point = |word: &&str| {
         let parts: Vec<&str> = word.split('.').collect();
@@ -201,7 +202,7 @@ fn numbers_of_german_and_french_reports_have_a_decimal_comma_and_every_minus_is_
     for case in cases() {
         for (_, language) in Language::ALL {
             for text in every_text(&page(case, language)) {
-                // The version that made it, and options of the command.
+                // The version number and the options of the command keep their decimal points.
                 let plain = text.contains("dashpot 9.9") || text.contains("--");
                 if matches!(language, Language::German | Language::French) && !plain {
                     wrong.extend(with_point(&text).map(str::to_owned));
@@ -239,12 +240,12 @@ fn the_cases_have_every_section() {
     }
 }
 
-/// One row of a made-up record: time, displacement in mm, velocity in mm/s, force; nothing is an empty cell.
+/// One row of a synthetic record: time, displacement in mm, velocity in mm/s, force; `None` is an empty cell.
 type Row = [Option<f64>; 4];
 
 const RATE: f64 = 1000.0;
 
-/// A sine of 20 mm at 2 Hz on a damper with friction, gas and a little noise.
+/// Makes a sine of 20 mm at 2 Hz on a damper with friction, gas and a small noise.
 fn rows() -> Vec<Row> {
     let mut noise = 0.4f64;
     let mut row = |k: usize| {
@@ -257,7 +258,7 @@ fn rows() -> Vec<Row> {
     (0..4000).map(&mut row).collect()
 }
 
-/// Writes columns 0 (time), 1 (displacement), 2 (velocity) and 3 (force), or some of them, under their headings.
+/// Writes the selected columns 0 (time), 1 (displacement), 2 (velocity) and 3 (force) under their headings.
 fn write(folder: &Path, name: &str, columns: &[usize], rows: &[Row]) {
     let headings = ["time [s]", "displacement [mm]", "velocity [mm/s]", "force [N]"];
     let mut text = columns.iter().map(|c| headings[*c]).collect::<Vec<_>>().join(",") + "\n";
@@ -268,7 +269,7 @@ fn write(folder: &Path, name: &str, columns: &[usize], rows: &[Row]) {
     std::fs::write(folder.join(name), text).unwrap();
 }
 
-/// A folder with a record for every flaw that is cheap to make.
+/// Writes a record for every flaw that is simple to produce.
 fn flawed(folder: &Path) {
     let with = |change: &dyn Fn(usize, &mut Row)| {
         let mut rows = rows();
@@ -336,7 +337,7 @@ fn flawed(folder: &Path) {
             (row[1], row[3]) = (Some(x), Some(1.4 * v + 60.0 * (v / 3.0).tanh() - 150.0));
         }),
     );
-    // Those that a campaign does without.
+    // These records are unusable; the campaign omits them.
     write(folder, "short.csv", &[0, 1, 3], &plain[..12]);
     write(
         folder,
@@ -377,7 +378,7 @@ fn flawed(folder: &Path) {
 
 /// A flawed campaign, and a model with the remarks of its fit.
 struct Flawed {
-    /// Where its files were: part of their names, in no language.
+    /// Folder of its files, whose name appears untranslated in texts.
     folder: String,
     campaign: Campaign,
     model: ModelFile,
@@ -398,7 +399,7 @@ fn flawed_cases() -> &'static [Flawed] {
         };
         let campaigns =
             [worked_out, given].map(|options| load(&[folder.path().to_path_buf()], &options, &|_| ()).unwrap());
-        // Four tests are judged by leaving out, one is not.
+        // The fit of four tests includes a cross-validation, the fit of one test does not.
         let fitted = [&tests()[..4], &tests()[..1]].map(|tests| {
             let records = campaign(&base(), tests, 7, 0.01);
             let refs: Vec<&Record> = records.iter().collect();
@@ -413,7 +414,7 @@ fn flawed_cases() -> &'static [Flawed] {
     })
 }
 
-/// The texts of its validation report in each language that are about the records and the fit, and why tests were left out.
+/// Returns, by language, the validation report's texts on records and fit, and the reasons for omitted tests.
 fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     let compared = compare(&case.model, &case.campaign, &|_, _| ()).unwrap();
     let validation = validate(&compared).unwrap();
@@ -423,18 +424,18 @@ fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
             render(&ReportInput::from_validation(&case.model, &case.campaign, &compared, &validation, words).unwrap());
         let all = visible(&page).into_iter().chain(reading::sentences(&case.campaign, words));
         let plain = |text: String| text.replace(&case.folder, "").replace('\u{a0}', " ");
-        // A publication is cited as it is called.
+        // The title of a publication is not translated.
         all.map(|text| PRIORS.iter().fold(plain(text), |text, prior| text.replace(prior.citation(), ""))).collect()
     }
 }
 
-/// Words of a text in Latin letters, without the options of the command.
+/// Returns the words of a text in Latin letters, without the options of the command.
 fn without_options(text: &str) -> Vec<&str> {
     let mut words: Vec<&str> = Vec::new();
     let mut parts = text.split(|c: char| !(c.is_ascii_alphanumeric() || "_-./·".contains(c))).peekable();
     while let Some(part) = parts.next() {
         match part.strip_prefix("--") {
-            // What follows an option is its value.
+            // The word after an option is its value.
             Some(_) => drop(parts.next()),
             None => words.push(part),
         }
@@ -442,7 +443,7 @@ fn without_options(text: &str) -> Vec<&str> {
     words.into_iter().flat_map(latin).collect()
 }
 
-/// Names in the flawed campaign, and file formats.
+/// Returns whether a word is a name in the flawed campaign, or a file format.
 fn is_flawed_name(word: &str) -> bool {
     const FORMATS: &str = "PDF xlsx dB SI PK v2 FV zip campaign.toml";
     let stems = "plain twin both integrated drift spikes holes clipped stamps gap rest swapped repeated wandering short frozen still no_clock \
@@ -450,9 +451,9 @@ fn is_flawed_name(word: &str) -> bool {
     let is = |list: &str| {
         list.split_whitespace().any(|name| name == word.trim_end_matches(".csv").trim_end_matches(".xlsx"))
     };
-    // A heading that is quoted, and what the reader of zip files says.
+    // These are a quoted heading, and the message of the zip library.
     let quoted = "one two invalid Zip archive Could not find EOCD";
-    // The pieces of a record with a gap are called in English.
+    // The segments of a record with a gap have English names.
     is_name(word) || is(stems) || is(FORMATS) || is(quoted) || word == "part"
 }
 

@@ -1,23 +1,26 @@
-//! A fit has the same digits on every system and in every thread. Elementary functions of the standard library are those of the system: glibc chooses
-//! among several by the processor, and on Windows MinGW's count on the x87, whose precision is one in the main thread and another in those started later.
-//! So all that ships takes them from crate `libm`.
+//! A fit has the same digits on every system and in every thread, so all shipped code takes elementary functions from
+//! crate `libm`.
+//!
+//! The standard library calls those of the system. glibc selects an implementation by the processor. MinGW on Windows
+//! uses the x87, whose precision differs between the main thread and threads started later.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// What the standard library leaves to the system. Roots, rounding, remainders and fused products are exact everywhere.
+/// Functions of the standard library that call the system. Square roots, rounding, remainders and fused products are
+/// exact everywhere.
 const SYSTEMS: [&str; 25] = [
     "powf", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "sin", "cos", "tan", "sin_cos", "asin",
     "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
 ];
 
-/// These call methods of their own numbers, which carry derivatives along; the methods themselves are in files that are looked at.
+/// Files that call methods of automatic-differentiation numbers; this test covers the files that define the methods.
 const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/motion.rs"];
 
-/// The system's function that a line of code calls, if it calls one.
+/// Returns the system's function that a line of code calls.
 fn calls(line: &str) -> Option<&'static str> {
     let code = line.split("//").next().unwrap_or(line);
-    // Two points are not a method's: `..log(x)` fills the rest of a structure.
+    // Two points do not begin a method call: `..log(x)` fills the rest of a structure.
     let as_method = |name: &str| {
         let call = format!(".{name}(");
         code.match_indices(&call).any(|(at, _)| !code[..at].ends_with('.'))
@@ -38,13 +41,13 @@ fn nothing_that_ships_computes_with_the_systems_functions() {
         if name.contains("/tests/") {
             continue;
         }
-        // The kernel has no standard library to take them from; its numbers with derivatives have such methods.
+        // The kernel has no standard library; its numbers with derivatives define methods of these names.
         if name.starts_with("src/core/") || OF_NUMBERS_WITH_DERIVATIVES.contains(&name.as_str()) {
             continue;
         }
         looked_at += 1;
         let text = std::fs::read_to_string(&file).unwrap();
-        // A crate's unit tests stand at the end of its files.
+        // Unit tests are at the end of a file.
         let ships = text.split("#[cfg(test)]\nmod ").next().unwrap_or(&text);
         wrong.extend(
             ships.lines().enumerate().filter_map(|(k, line)| Some(format!("{name}:{}: `{}`", k + 1, calls(line)?))),

@@ -1,7 +1,8 @@
-//! Holds STYLE.md: standard terms in public names and JSON keys, doc comments that stand alone, short sentences in documents.
+//! Enforces STYLE.md: standard terms in public names and JSON keys, self-contained doc comments, short sentences in
+//! documents.
 //!
-//! `ALLOWED` states how far each crate and document still falls short. A count may only fall: a higher one fails, and so does a lower
-//! one, until the table says it.
+//! `ALLOWED` states the remaining violations by crate and document. A count may only fall: the test fails at a higher
+//! count, and at a lower count until the table is updated.
 
 use dashpot_tests::library::root;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
@@ -11,9 +12,9 @@ use syn::visit::{self, Visit};
 
 /// Largest mean sentence length of a document, words.
 const MEAN_WORDS: usize = 22;
-/// Largest sentence of a document, words.
+/// Longest sentence of a document, words.
 const LONGEST_SENTENCE: usize = 40;
-/// Largest first sentence of a doc comment, words.
+/// Longest first sentence of a doc comment, words.
 const LONGEST_SUMMARY: usize = 25;
 
 const NAMES: &str = "names with words that STYLE.md replaces";
@@ -22,7 +23,7 @@ const SUMMARIES: &str = "doc comments whose first sentence is over 25 words";
 const SENTENCES: &str = "sentences over 40 words";
 const SURPLUS: &str = "words above a mean of 22 a sentence";
 
-/// What is still allowed: crate or document, rule, count.
+/// Remaining violations: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[];
 
 /// Words of the glossary's left column. A name is split into its words; an entry of several words matches that sequence.
@@ -51,10 +52,10 @@ const WORDS: &str = "
     force_by force_by_x by_x by_v by_memory by_velocity by_displacement
     falls most_states
 ";
-/// Names of functions and types that say nothing alone.
+/// Names of functions and types that are meaningless alone.
 const ALONE: &str = "of at told said given off beside tried looked held";
 
-/// The words of an identifier, in lower case.
+/// Returns the words of an identifier, in lower case.
 fn words(name: &str) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     for part in name.split(|c: char| !c.is_alphanumeric()).filter(|part| !part.is_empty()) {
@@ -75,12 +76,12 @@ fn words(name: &str) -> Vec<String> {
     found
 }
 
-/// The word that is all there is of a function's or a type's name.
+/// Returns the entry of [`ALONE`] that equals the whole name of a function or a type.
 fn says_nothing(name: &str) -> Option<&'static str> {
     ALONE.split_whitespace().find(|entry| words(name) == [*entry])
 }
 
-/// The entry of the glossary that a name contains.
+/// Returns the glossary's entry that a name contains.
 fn replaced(name: &str) -> Option<&'static str> {
     let words = words(name);
     let has = |entry: &&str| {
@@ -112,8 +113,8 @@ fn sentences(text: &str) -> Vec<usize> {
     lengths
 }
 
-/// Lengths of the sentences of a page, with the text of those that are too long. Code, tables, headings, targets of links and
-/// pictures do not count; an inline piece of code is one word.
+/// Returns the lengths of a page's sentences, and the text of those that are too long. Code, tables, headings, targets
+/// of links and pictures do not count; inline code is one word.
 fn prose(page: &str) -> (Vec<usize>, Vec<String>) {
     let mut blocks: Vec<String> = vec![String::new()];
     let mut skipped = 0;
@@ -149,7 +150,7 @@ fn prose(page: &str) -> (Vec<usize>, Vec<String>) {
     (lengths, long)
 }
 
-/// What falls short: crate or document, rule, cases.
+/// Violations: crate or document, rule, cases.
 #[derive(Default)]
 struct Findings(BTreeMap<(String, &'static str), Vec<String>>);
 
@@ -177,7 +178,7 @@ impl Findings {
         }
     }
 
-    /// A function or a type.
+    /// Checks the name of a function or a type.
     fn check_item(&mut self, part: &str, file: &str, name: &str) {
         match says_nothing(name) {
             Some(_) => self.add(part, NAMES, format!("{file}: {name} says nothing alone")),
@@ -185,7 +186,7 @@ impl Findings {
         }
     }
 
-    /// Names of a header, without its comments and what is written in quotes.
+    /// Checks the names of a header, without its comments and quoted texts.
     fn check_header(&mut self, part: &str, file: &str, text: &str) {
         let mut code = String::new();
         for line in text.lines().filter(|line| !line.trim_start().starts_with(['*', '/'])) {
@@ -240,7 +241,7 @@ fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| a.path().is_ident("cfg") && in_test(a) || a.path().is_ident("test"))
 }
 
-/// Whether a type is written as JSON: its fields are keys.
+/// Returns whether a type is serialized, so that its fields are JSON keys.
 fn is_serialized(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| {
         a.path().is_ident("derive") && a.meta.require_list().is_ok_and(|l| l.tokens.to_string().contains("Serialize"))
@@ -274,7 +275,7 @@ impl Reader {
         }
     }
 
-    /// Keys in the tokens of `json!`: texts before a colon.
+    /// Collects the keys in the tokens of `json!`: texts before a colon.
     fn keys(&mut self, tokens: proc_macro2::TokenStream) {
         let mut last = None;
         for token in tokens {
@@ -365,7 +366,7 @@ impl<'ast> Visit<'ast> for Reader {
     }
 }
 
-/// Files with an ending below a folder, in order.
+/// Lists files with an extension below a folder, sorted.
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut entries: Vec<PathBuf> = match std::fs::read_dir(folder) {

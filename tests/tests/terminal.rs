@@ -1,4 +1,4 @@
-//! One place writes to the terminal and escapes what strangers' texts hold (`src/output/src/terminal.rs`); nothing else prints.
+//! Only `src/output/src/terminal.rs` writes to the terminal, and it escapes control characters in texts from files.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::cli::run;
@@ -9,7 +9,7 @@ fn nothing_prints_beside_the_one_place() {
     let (mut seen, mut wrong) = (0, Vec::new());
     for file in rust_files(&root().join("src")).unwrap() {
         let name = file.strip_prefix(root()).unwrap().display().to_string();
-        // Programs of developers, build scripts, and what the window prints of itself.
+        // Excluded are programs of developers, build scripts, and the window's own messages.
         let own = ["/tests/", "/examples/", "build.rs", "/ui_tests/", "src/output/src/", "src/gui/src/main.rs"];
         if own.iter().any(|own| name.contains(own)) {
             continue;
@@ -23,13 +23,13 @@ fn nothing_prints_beside_the_one_place() {
             }
         }
     }
-    // Both ask whether there is a terminal, and clap's help is asked for by the user.
+    // The first file only asks whether there is a terminal; the second prints clap's help on the user's request.
     wrong.retain(|line| !line.starts_with("src/cli/src/progress.rs") && !line.starts_with("src/cli/src/main.rs"));
     assert!(seen > 300, "only {seen} files were seen");
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Escape sequences and marks of direction in names, headings, profiles and arguments are shown, not done.
+/// Escape sequences and direction marks in names, headings, profiles and arguments are displayed and have no effect.
 #[test]
 fn texts_of_strangers_do_not_act_on_the_terminal() {
     let folder = tempfile::tempdir().unwrap();

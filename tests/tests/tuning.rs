@@ -1,21 +1,22 @@
-//! Numbers of judgement stand in one file a crate, `tuning.rs`. Each has a documentation that ends with the test that notices when it moves.
+//! Tuning constants are in one file per crate, `tuning.rs`. The documentation of each ends with the test that fails
+//! when the value moves.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Crates with such a file, and how many of its numbers no test notices. The count may only go down.
+/// Crates with such a file, and the number of constants that no test covers. The count may only fall.
 const UNNOTICED: &[(&str, usize)] = &[("records", 30)];
 
-/// A number with its documentation.
+/// A constant with its documentation.
 struct Entry {
     name: String,
     /// Lines of the documentation, trimmed.
     documentation: Vec<String>,
 }
 
-/// The constants of a file, those in its modules among them.
+/// Collects the constants of a file, including those in its modules.
 fn entries(items: &[syn::Item], found: &mut Vec<Entry>) {
     for item in items {
         match item {
@@ -39,7 +40,7 @@ fn entries(items: &[syn::Item], found: &mut Vec<Entry>) {
     }
 }
 
-/// Names of all functions in the Rust files of a crate.
+/// Returns the names of all functions in the Rust files of a crate.
 fn functions(folder: &Path) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for file in rust_files(folder).unwrap() {

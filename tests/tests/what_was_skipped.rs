@@ -1,7 +1,7 @@
-//! The last line of a whole run of the tests: how many could not run on this machine, and why.
+//! Prints the last line of a whole test run: the number of tests that could not run on this machine, and the reasons.
 //!
-//! No test program, but one that cargo runs like one. Cargo runs them in the order of their packages' and their own names, and examples in
-//! documentation after all of them: this one looks itself that nothing comes after it.
+//! This is not a test, but a program that cargo runs like one. Cargo runs the test programs in the order of their
+//! packages and names, and then the documentation examples. This program verifies that it is the last one.
 
 use dashpot_tests::library::root;
 use std::path::Path;
@@ -29,7 +29,7 @@ fn main() {
             "{name}: examples in documentation run last; make it a test, doctest = false"
         );
     }
-    // Whoever lists or filters tests asks for none of this.
+    // Print only in a whole run, without filters or a request for the list of tests.
     if std::env::args().len() == 1 {
         println!("{}", dashpot_test_support::counted());
     }

@@ -1,4 +1,4 @@
-//! The window: views arranged around a session.
+//! The window: views of a session.
 
 use crate::dialogs::{Ask, Dialogs, Reply};
 use crate::session::recent::Recent;
@@ -23,23 +23,23 @@ use std::time::Duration;
 
 /// The window.
 pub struct App {
-    /// What is open.
+    /// The open session.
     pub session: Session,
-    /// How it is looked at.
+    /// State of the display.
     pub view: View,
     dialogs: Box<dyn Dialogs>,
     waker: Waker,
-    /// Work called for the window to be drawn, and it was not since.
+    /// Whether a task has requested a frame that is not drawn yet.
     called: Arc<AtomicBool>,
     pictures: (Sender<Picture>, Receiver<Picture>),
-    /// What was drawn last.
+    /// Layout of the last frame.
     drawn: Option<Layout>,
 }
 
-/// What decides how much room a plot has.
+/// Inputs of the plot layout. A change of one of them triggers a second frame.
 type Layout = (u64, usize, words::Language, Corner, Units);
 
-/// A part of the window as it was drawn, and where it goes.
+/// A screenshot of a part of the window, and the path of its file.
 struct Picture {
     path: PathBuf,
     part: [f32; 4],
@@ -47,18 +47,18 @@ struct Picture {
     image: Arc<ColorImage>,
 }
 
-/// Size of the smallest letters, px.
+/// Smallest font size, px.
 const SMALLEST: f32 = 11.0;
-/// How often the window looks at work under way while nothing else moves.
+/// Interval of polling running tasks while nothing else changes.
 const LOOK: Duration = Duration::from_millis(60);
 
 impl App {
-    /// Nothing is open; texts in the language of the system where there is one.
+    /// Opens an empty window, in the language of the system if it is translated.
     pub fn new(ctx: &egui::Context, dialogs: Box<dyn Dialogs>) -> App {
         App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
     }
 
-    /// Opens the window with a list of recent campaigns of one's own.
+    /// Opens the window with a given list of recent campaigns.
     pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
         let called = Arc::new(AtomicBool::new(false));
         let (own, calls) = (ctx.clone(), called.clone());
@@ -66,7 +66,7 @@ impl App {
             calls.store(true, Ordering::Release);
             own.request_repaint();
         });
-        // egui's small letters have 9 px, which a screen of a rig's control room does not show.
+        // egui's small letters have 9 px, unreadable on a screen in a rig's control room.
         ctx.all_styles_mut(|style| {
             for font in style.text_styles.values_mut() {
                 font.size = font.size.max(SMALLEST);
@@ -84,16 +84,17 @@ impl App {
         }
     }
 
-    /// Takes what work has brought and asks to be drawn while there is any, or while work called and nothing was drawn since. Where a picture comes
-    /// a quarter of a second late, as on a busy machine or behind other windows, eframe runs the logic alone and drops the request
-    /// for the picture: what was asked for once would stay away until the mouse moves.
+    /// Collects results of tasks, and requests a frame while a task runs or a requested frame is pending.
+    ///
+    /// If a frame is a quarter of a second late (busy or hidden window), eframe runs only the logic and drops the
+    /// request. A single request would then stay without effect until the mouse moves.
     fn stay_awake(&mut self, ctx: &egui::Context) {
         if self.session.poll() || self.called.load(Ordering::Acquire) {
             ctx.request_repaint_after(LOOK);
         }
     }
 
-    /// What the plots are drawn from and beside: where it changes, their axes find their place in a second picture.
+    /// Returns the inputs of the plot layout. After a change, a second frame places the axes.
     fn layout(&self) -> Layout {
         (self.session.generation, self.session.selected.len(), self.view.language, self.view.corner, self.view.units)
     }
@@ -107,7 +108,7 @@ impl App {
         self.take_drops(ui);
         self.called.store(false, Ordering::Release);
         self.stay_awake(ui.ctx());
-        // An answer that came is shown; with a fit it was not asked for the panel before.
+        // Show a new result. The panel of a fit was not selected when the fit began.
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
             self.view.side = Side::Result;
         }
@@ -153,7 +154,7 @@ impl App {
         }
     }
 
-    /// Does what was asked about files, with those that were named.
+    /// Carries out a request with the chosen files.
     fn obey(&mut self, ctx: &egui::Context, ask: Ask, paths: Vec<PathBuf>) {
         let Some(first) = paths.first().cloned() else { return };
         let session = &mut self.session;
@@ -197,7 +198,7 @@ impl App {
     }
 }
 
-/// A part of the window as a PNG file.
+/// Encodes a part of the window as a PNG file.
 fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>> {
     let whole = Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(image.width() as f32, image.height() as f32));
     let [left, top, right, bottom] = part.map(|v| (v * scale).round());
@@ -215,8 +216,8 @@ fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>
     Ok(bytes)
 }
 
-/// Draws within the rest of a panel. What is wider is cut and does not push the panel wider: its tabs would move away from under the pointer, and
-/// the plots beside it would shrink.
+/// Draws in the remaining space of a panel. Wider contents are clipped: widening the panel would move its tabs away
+/// from the pointer and shrink the plots.
 fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
     let rest = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rest));
@@ -228,7 +229,7 @@ fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
 fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let always = [(Side::Tune, w.tune), (Side::Result, w.result), (Side::Records, w.records), (Side::Study, w.study)];
-    // Behind the others, so that those stay where they are.
+    // Optional tabs come last, so that the others keep their positions.
     let valve = session.has_valve().then_some((Side::Valve, w.valve));
     let drawing = session.drawing.is_some().then_some((Side::Drawing, w.drawing));
     let sides: Vec<_> = always.into_iter().chain(valve).chain(drawing).collect();
@@ -316,7 +317,8 @@ mod waking {
     use super::*;
     use crate::dialogs::Message;
 
-    /// What work brought is drawn, however often eframe runs the logic without a picture before it comes to one; then the window rests.
+    /// The result of a task is drawn even if eframe runs the logic several times without a frame; then the window
+    /// idles.
     #[test]
     fn a_call_is_not_forgotten_before_it_is_drawn() {
         let ctx = egui::Context::default();
@@ -343,9 +345,9 @@ mod pictures {
     use super::*;
     use eframe::egui::Color32;
 
-    /// The part of a window that a plot covers, on a screen of two pixels a point.
+    /// The screenshot of a plot contains the plot's part of the window, on a screen of two pixels per point.
     ///
-    /// It ends where the plot reaches over the edge.
+    /// It is clipped at the edge of the window.
     #[test]
     fn the_picture_of_a_plot_holds_its_pixels() {
         let colour = |x: usize, y: usize| Color32::from_rgb(10 * x as u8, 20 * y as u8, 7);

@@ -1,4 +1,4 @@
-//! Files and folders that the user names, in the system's own dialogs, beside the window.
+//! The system's dialogs for files and folders, which do not block the window.
 
 use crate::session::Waker;
 use crate::session::exports::Host;
@@ -9,7 +9,7 @@ use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
-/// What is asked for.
+/// Request for a file or folder.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ask {
     /// A folder of records.
@@ -22,20 +22,20 @@ pub enum Ask {
     Model,
     /// A file of dimensions.
     Dimensions,
-    /// Where to save the model.
+    /// File for the model.
     SaveModel,
-    /// Where to export to.
+    /// File or folder for an export.
     Export(Host),
-    /// Where a report or a workbook goes.
+    /// File for a report or a workbook.
     Paper(Paper),
-    /// Where a text goes, with the name that is proposed.
+    /// File for a text, with the proposed name.
     Text(&'static str, String),
-    /// Where a picture of a part of the window goes: left, top, right, bottom.
+    /// File for a picture of a part of the window: left, top, right, bottom.
     Picture([f32; 4]),
 }
 
 impl Ask {
-    /// Name that is proposed, and the endings of names that fit.
+    /// Returns the proposed name and the accepted extensions.
     pub fn proposed(&self) -> (&'static str, &'static [&'static str]) {
         match self {
             Ask::Folder | Ask::Reference => ("", &[]),
@@ -52,40 +52,41 @@ impl Ask {
 }
 
 impl Ask {
-    /// Whether a folder is asked for.
+    /// Returns whether the request is for a folder.
     pub fn is_of_folder(&self) -> bool {
         matches!(self, Ask::Folder | Ask::Reference | Ask::Export(Host::Adams))
     }
 
-    /// Whether something that exists is asked for.
+    /// Returns whether the file or folder must exist.
     pub fn is_of_input(&self) -> bool {
         matches!(self, Ask::Folder | Ask::Reference | Ask::Files | Ask::Model | Ask::Dimensions)
     }
 }
 
-/// What came of a question.
+/// Result of a request.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Reply {
-    /// What was named; nothing where the user thought better of it.
+    /// The chosen paths; empty if the user cancelled.
     Paths(Vec<PathBuf>),
     /// The system shows no dialogs.
     NoDialog,
 }
 
-/// Who asks the user.
+/// Source of the user's choices.
 pub trait Dialogs {
-    /// Asks, beginning in a folder; does not wait.
+    /// Opens a dialog that begins in a folder; does not wait.
     fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
-    /// Returns the reply to a question, once.
+    /// Returns the reply to a request once.
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// A dialog that is closed sooner was never shown.
+/// Shortest duration of a dialog that was really shown.
 ///
-/// No hand is so fast, and a portal that is missing or has no backend fails within this.
+/// No user is faster, and a desktop portal that is missing or has no backend fails within this time.
 const SHOWN: Duration = Duration::from_millis(800);
 
-/// Whether the system may show dialogs: over the desktop portal, which is called over D-Bus, or by zenity. Windows and macOS always do.
+/// Tests whether the system may show dialogs: over the desktop portal (D-Bus) or by zenity. Windows and macOS always
+/// do.
 fn may_show() -> bool {
     if cfg!(any(windows, target_os = "macos")) {
         return true;
@@ -118,7 +119,7 @@ impl Dialogs for Native {
             waker();
             return;
         }
-        // On a thread of its own: the dialog waits for the user.
+        // The dialog blocks until the user replies, so it has its own thread.
         let asking = move || {
             let (name, endings) = ask.proposed();
             let dialog = rfd::FileDialog::new();
@@ -143,19 +144,19 @@ impl Dialogs for Native {
     }
 }
 
-/// Answers given beforehand, for tests.
+/// Prepared replies, for tests.
 #[derive(Default)]
 pub struct Message {
     paths: Vec<Vec<PathBuf>>,
     asked: Vec<Ask>,
-    /// Where each question began.
+    /// Initial folder of each request.
     pub began: Rc<RefCell<Vec<Option<PathBuf>>>>,
     /// Whether the system shows no dialogs.
     pub without: bool,
 }
 
 impl Message {
-    /// What will be named, question by question; nothing stands for a user who thinks better of it.
+    /// Prepares one reply per request; an empty list means that the user cancels.
     pub fn naming(paths: Vec<Vec<PathBuf>>) -> Message {
         Message { paths, ..Message::default() }
     }

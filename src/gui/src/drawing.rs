@@ -1,16 +1,18 @@
-//! What draws the window: Direct3D 12 on Windows, OpenGL elsewhere and where Windows has no Direct3D 12.
+//! Graphics backends of the window: Direct3D 12 on Windows, OpenGL elsewhere and on Windows without Direct3D 12.
 //!
-//! Windows has OpenGL only from the maker of the graphics card: not over remote desktop, not in most virtual machines. Direct3D 12 is a part of
-//! Windows 10 and later, with a driver in software (WARP) that serves where no card does. On Linux Mesa has such a driver for OpenGL.
+//! On Windows, OpenGL needs the driver of the graphics card's maker; it is missing over remote desktop and in most
+//! virtual machines. Direct3D 12 is a part of Windows 10 and later, with a software driver (WARP) as a fallback. On
+//! Linux, Mesa provides a software driver for OpenGL.
 //!
-//! wgpu's checks of indirect calls stay on, although nothing here makes such calls: they compile a shader while the device is made, so that a
-//! system without a shader compiler (Wine 8) is refused there, where OpenGL can still be tried, and not with a panic at the first picture.
+//! wgpu's checks of indirect calls stay on, although this program makes no such calls. They compile a shader when the
+//! device is created. A system without a shader compiler (Wine 8) thus fails there, where OpenGL is the fallback, and
+//! does not panic at the first frame.
 
 use eframe::Renderer;
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// The ways to draw here, the one to try first in front.
+/// Returns the graphics backends, the preferred one first.
 fn ways() -> Vec<(&'static str, Renderer)> {
     vec![
         #[cfg(windows)]
@@ -19,10 +21,11 @@ fn ways() -> Vec<(&'static str, Renderer)> {
     ]
 }
 
-/// Opens the window by the first way that works; `open` sets its flag as soon as the window stands.
+/// Opens the window with the first backend that works; `open` sets its flag once the window is open.
 ///
 /// # Errors
-/// A sentence with what each way said. A window that stood and fails later is not opened again: what was in it is gone, and the user has to know.
+/// A sentence with the error of each backend. A window that fails after it was open does not reopen: its contents are
+/// lost, and the user must know.
 pub fn run(open: impl Fn(Renderer, &Rc<Cell<bool>>) -> eframe::Result) -> Result<(), String> {
     first_that_works(ways(), open)
 }

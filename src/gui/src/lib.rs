@@ -1,15 +1,15 @@
-//! The window: what dyno software is to a test engineer. Records and a model are opened, looked at, tuned by hand, fitted,
-//! validated, diagnosed and exported; everything it does is a verb of the command too.
+//! The window, comparable to the software of a shock dyno. It opens, plots, tunes, fits, validates, diagnoses and
+//! exports records and a model. Each of its functions is also a verb of the command.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | [`session`] | everything that is open and under way, without a window |
-//! | [`views`] | what is drawn, one file a view |
-//! | [`words`] | every text, in every language |
-//! | [`app`] | the window itself: views arranged around a session |
-//! | [`drawing`] | by what it is drawn |
-//! | [`dialogs`] | files that the user names |
-//! | [`units`] | SI inside, an engineer's units on the screen |
+//! | [`session`] | all open data and running tasks, without a window |
+//! | [`views`] | the views, one file each |
+//! | [`words`] | all texts, in every language |
+//! | [`app`] | the window: views of a session |
+//! | [`drawing`] | graphics backends |
+//! | [`dialogs`] | dialogs for files |
+//! | [`units`] | conversion from SI to the units on screen |
 
 pub mod app;
 pub mod dialogs;

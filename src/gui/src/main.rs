@@ -1,6 +1,6 @@
-//! `dashpot-window [CAMPAIGN] [MODEL]`: what `dashpot open` starts.
+//! `dashpot-window [CAMPAIGN] [MODEL]`: the program that `dashpot open` starts.
 
-// Windows opens no console beside it.
+// This attribute prevents a console window on Windows.
 #![cfg_attr(windows, windows_subsystem = "windows")]
 
 use dashpot_gui::app::App;
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
         Err(error) => {
             let told = format!("no window can be opened here ({error}); on a machine without a screen use the verbs");
             if cfg!(windows) {
-                // Nobody would read it elsewhere.
+                // Without a console, a message box is the only visible output.
                 rfd::MessageDialog::new().set_title("dashpot").set_description(told.as_str()).show();
             }
             dashpot_output::warn(&format!("dashpot: {told}"));

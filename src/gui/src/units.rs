@@ -1,15 +1,15 @@
-//! SI inside, an engineer's units on the screen. The only place of the window where units change.
+//! Converts SI to the units on screen, and back. All conversions of the window are here.
 
-/// Factor from SI and the symbol that is shown.
+/// Factor from SI and the displayed symbol.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
-    /// Shown = factor · SI.
+    /// Displayed value divided by the SI value.
     pub factor: f64,
     /// Symbol; empty for a pure number.
     pub symbol: String,
 }
 
-/// Unit of velocities; lengths go with it.
+/// Unit of velocities, which also selects the unit of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Velocity {
     /// m/s, and mm.
@@ -34,32 +34,32 @@ pub enum Force {
 }
 
 impl Velocity {
-    /// All of them.
+    /// All units of velocity.
     pub const ALL: [Velocity; 3] =
         [Velocity::MetersPerSecond, Velocity::MillimetersPerSecond, Velocity::InchesPerSecond];
 }
 
 impl Force {
-    /// All of them.
+    /// All units of force.
     pub const ALL: [Force; 3] = [Force::Newtons, Force::Kilonewtons, Force::Pounds];
 }
 
-/// An inch, m: by definition.
+/// Length of an inch, m, by definition.
 const INCH: f64 = 0.0254;
-/// A pound of force, N: by definition (0.45359237 kg times 9.80665 m/s²).
+/// Pound-force, N, by definition (0.45359237 kg times 9.80665 m/s²).
 const POUND: f64 = 4.448_221_615_260_5;
 
 /// The units that the user chose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Units {
-    /// Of velocities, and with them of lengths.
+    /// Unit of velocities and lengths.
     pub velocity: Velocity,
-    /// Of forces.
+    /// Unit of forces.
     pub force: Force,
 }
 
 impl Units {
-    /// How velocities are shown.
+    /// Returns the displayed unit of velocities.
     pub fn velocity(self) -> Shown {
         Shown::new(match self.velocity {
             Velocity::MetersPerSecond => (1.0, "m/s"),
@@ -68,12 +68,12 @@ impl Units {
         })
     }
 
-    /// How lengths are shown.
+    /// Returns the displayed unit of lengths.
     pub fn length(self) -> Shown {
         Shown::new(if self.velocity == Velocity::InchesPerSecond { (1.0 / INCH, "in") } else { (1e3, "mm") })
     }
 
-    /// How forces are shown.
+    /// Returns the displayed unit of forces.
     pub fn force(self) -> Shown {
         Shown::new(match self.force {
             Force::Newtons => (1.0, "N"),
@@ -82,7 +82,8 @@ impl Units {
         })
     }
 
-    /// How a quantity of an SI unit is shown. One unit a parameter, whatever its value: a slider must not change it while it moves.
+    /// Returns the displayed unit for an SI unit. It does not depend on the value, so that it stays constant while a
+    /// slider moves.
     pub fn shown(self, unit: &str) -> Shown {
         let (force, length, velocity) = (self.force(), self.length(), self.velocity());
         let per_length = |power: i32, mark: &str| Shown {
@@ -117,12 +118,12 @@ impl Shown {
     }
 }
 
-/// A number with four significant digits, as people write it.
+/// Formats a number with four significant digits.
 pub fn digits(value: f64) -> String {
     dashpot_report::numbers::digits(value, 4)
 }
 
-/// A number for a field that is typed into: as few digits as say it to six places.
+/// Formats a number for an input field: the fewest digits that represent it to six significant places.
 pub fn typed(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
@@ -136,7 +137,7 @@ pub fn typed(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// What was typed into a field: with a decimal comma or point, whatever the language, and any minus sign.
+/// Parses the text of an input field: with decimal comma or point, whatever the language, and any minus sign.
 pub fn read(text: &str) -> Option<f64> {
     let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
     plain.parse().ok().filter(|value: &f64| value.is_finite())

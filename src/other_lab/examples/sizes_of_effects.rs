@@ -1,7 +1,7 @@
-//! How much every law changes the force.
+//! Prints the change of force by every law.
 //!
-//! The rms of the change over all tests in units of the noise (2 % of each test's rms and 0.5 N), before any refit, at
-//! strengths 0.1 and 1.
+//! The change is the rms over all tests, before any refit, at strengths 0.1 and 1. Its unit is the noise (2 % of each
+//! test's rms plus 0.5 N).
 //!
 //! `cargo run --release -p dashpot-other-lab --example sizes_of_effects [-- SEED]`
 

@@ -1,4 +1,4 @@
-//! A campaign: the tests one after the other on one damper, and what the sensors read.
+//! A campaign: successive tests on one damper, and the sensor readings.
 
 use crate::LabError;
 use crate::case::{Case, InjectedEffect, Prepared};
@@ -14,70 +14,70 @@ use crate::sensors::Sensors;
 use crate::trace::interpolate;
 use serde::Serialize;
 
-/// What was measured, and what is true.
+/// Records and truth of a campaign.
 #[derive(Debug, Clone)]
 pub struct Campaign {
-    /// The tests in the order in which they were run.
+    /// The tests in the order of execution.
     pub tests: Vec<TestRecord>,
-    /// What is hidden.
+    /// The true damper and effects.
     pub truth: Truth,
 }
 
 /// One test.
 #[derive(Debug, Clone)]
 pub struct TestRecord {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Time; the clock of the campaign runs on from test to test, s.
+    /// Time on the clock of the campaign, which continues from test to test, s.
     pub time_s: Vec<f64>,
-    /// Displacement of the driven end, extension positive, m.
+    /// Displacement of the moving end, extension positive, m.
     pub displacement_m: Vec<f64>,
-    /// Its velocity, where it is measured, m/s.
+    /// Velocity of the moving end, m/s, if measured.
     pub velocity_m_s: Option<Vec<f64>>,
     /// Force, tension positive, N.
     pub force_n: Vec<f64>,
-    /// Force without noise, hum, offset and rounding, but as late as the channel is, N.
+    /// Force without noise, hum, offset and rounding, but with the delay of the channel, N.
     pub clean_force_n: Vec<f64>,
-    /// Side force, where the plan has any, N.
+    /// Side force, N, if the plan has side force.
     pub side_force_n: Option<Vec<f64>>,
-    /// Temperature of the oil, where it is measured, °C.
+    /// Temperature of the oil, °C, if measured.
     pub temperature_c: Option<Vec<f64>>,
-    /// Whether the test is kept from the identification.
+    /// Whether the test is excluded from identification.
     pub left_out: bool,
 }
 
-/// What is true of a campaign.
+/// True properties of a campaign.
 #[derive(Debug, Clone, Serialize)]
 pub struct Truth {
     /// Kind of damper.
     pub plant: String,
-    /// Seed of the damper and of what is hidden.
+    /// Seed of the damper and the injected effects.
     pub seed: u64,
     /// Seed of the noise.
     pub noise_seed: u64,
     /// Injected effects.
     pub injected: Vec<InjectedEffect>,
-    /// What the damper is like.
+    /// Characteristic values of the damper.
     pub scale: Scale,
-    /// How it was measured.
+    /// Protocol of the measurement.
     pub protocol: Protocol,
-    /// Names of the tests that are kept from the identification.
+    /// Names of the tests excluded from identification.
     pub left_out: Vec<String>,
 }
 
-/// How exactly a campaign is simulated.
+/// Accuracy of the simulation.
 #[derive(Debug, Clone, Copy)]
 pub struct Accuracy {
-    /// Relative error of a step.
+    /// Relative error tolerance of a step.
     pub relative: f64,
-    /// Multiplies the tolerances of the states.
+    /// Factor on the absolute tolerances of the states.
     pub absolute: f64,
-    /// Multiplies the longest step of a motion.
+    /// Factor on the longest step of a motion.
     pub longest: f64,
 }
 
 impl Default for Accuracy {
-    /// Errors stay well below a tenth of the noise: a test compares it with steps of half the size.
+    /// Returns a tolerance with errors well below a tenth of the noise, as a test with half the step size shows.
     fn default() -> Accuracy {
         Accuracy { relative: 4e-4, absolute: 0.4, longest: 1.0 }
     }
@@ -85,12 +85,12 @@ impl Default for Accuracy {
 
 /// Temperature of the laboratory, °C.
 const AMBIENT_C: f64 = 22.0;
-/// Heat capacity of oil and tube, J/K, and heat given to the air, W/K.
+/// Heat capacity of oil and tube, J/K. [`COOLING`] is the heat transfer to the air, W/K.
 const CAPACITY: f64 = 700.0;
 const COOLING: f64 = 4.0;
 /// Pause between two tests, s.
 const PAUSE_S: f64 = 25.0;
-/// The rig waits before the oil gets hotter than this, °C.
+/// Oil temperature above which the rig waits before the next test, °C.
 const HOTTEST_C: f64 = 85.0;
 
 struct Simulated {
@@ -103,8 +103,8 @@ impl Case {
     /// Runs the campaign.
     ///
     /// # Errors
-    /// [`LabError`] for an effect, law or strength that does not exist, a protocol that cannot be run, or a simulation that
-    /// finds no numbers.
+    /// [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation without a
+    /// finite force.
     pub fn run(&self) -> Result<Campaign, LabError> {
         self.run_with(&Accuracy::default())
     }
@@ -112,12 +112,12 @@ impl Case {
     /// Runs the campaign with another accuracy.
     ///
     /// # Errors
-    /// As [`Case::run`].
+    /// The errors of [`Case::run`].
     pub fn run_with(&self, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         self.run_prepared(self.prepare()?, accuracy)
     }
 
-    /// Runs the campaign of a damper that was prepared.
+    /// Runs the campaign of a prepared damper.
     pub(crate) fn run_prepared(&self, prepared: Prepared, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         let Prepared { plant, effects, truth } = prepared;
         let p = &self.protocol;
@@ -171,7 +171,7 @@ impl Case {
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
                 left_out: test.left_out,
             });
-            // Runs that nobody records, sines alone; then a pause in which it cools.
+            // Unrecorded conditioning runs (of sines only) heat the oil; then it cools during a pause.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);
@@ -193,7 +193,7 @@ impl Case {
         })
     }
 
-    /// The tests in the order in which they are run.
+    /// Returns the tests in the order of execution.
     fn ordered(&self) -> Vec<Test> {
         let tests = self.protocol.plan.tests(self.protocol.road_s);
         if !self.protocol.shuffled {
@@ -208,7 +208,7 @@ impl Case {
         rest
     }
 
-    /// Times of the samples.
+    /// Computes the times of the samples.
     fn samples(&self, test: &Test, seconds: f64) -> Vec<f64> {
         let p = &self.protocol;
         let all = seconds * p.sample_rate_hz;

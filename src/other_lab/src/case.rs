@@ -1,4 +1,4 @@
-//! What is asked for: a damper, what is hidden in it, how it is measured.
+//! A case: a damper, its injected effects, and the protocol of measurement.
 
 use crate::LabError;
 use crate::draw::Draw;
@@ -7,31 +7,31 @@ use crate::plant::{Kind, Plant};
 use crate::protocol::Protocol;
 use serde::Serialize;
 
-/// A damper, what is hidden, and how it is measured.
+/// A damper, its injected effects, and the protocol of measurement.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Which kind of damper.
+    /// Kind of damper.
     pub plant: Kind,
-    /// Names and strengths of what is hidden; `name:law` asks for a law, otherwise the seed chooses.
+    /// Names and strengths of the injected effects; `name:law` selects a law, otherwise the seed does.
     pub effects: Vec<(String, f64)>,
-    /// How it is measured.
+    /// Protocol of the measurement.
     pub protocol: Protocol,
-    /// Seed of the damper, of the effects' sizes and of the order of the tests.
+    /// Seed of the damper, of the effects' parameters and of the order of the tests.
     pub seed: u64,
-    /// Seed of the sensors' noise: another one is another measurement of the same damper.
+    /// Seed of the sensors' noise; another seed gives another measurement of the damper.
     pub noise_seed: u64,
 }
 
-/// What is hidden.
+/// An injected effect.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InjectedEffect {
-    /// Its name.
+    /// Name.
     pub effect: String,
-    /// The law.
+    /// Law.
     pub law: String,
-    /// Its strength.
+    /// Strength.
     pub strength: f64,
-    /// Whether it is in the list of effects that a diagnosis names.
+    /// Whether a diagnosis should name the effect.
     pub known: bool,
 }
 
@@ -42,19 +42,20 @@ pub(crate) struct Prepared {
 }
 
 impl Case {
-    /// A damper with nothing hidden, measured in the usual way.
+    /// Makes a case without injected effects, with the default protocol.
     pub fn new(plant: Kind, seed: u64) -> Case {
         Case { plant, effects: Vec::new(), protocol: Protocol::default(), seed, noise_seed: seed }
     }
 
-    /// One more effect hidden.
+    /// Adds an injected effect.
     #[must_use]
     pub fn hiding(mut self, effect: &str, strength: f64) -> Case {
         self.effects.push((effect.to_owned(), strength));
         self
     }
 
-    /// The reference: the damper without the injected effect, on the same tests in the same order, with other noise.
+    /// Returns the reference: the damper without the injected effects, on the same tests in the same order, with other
+    /// noise.
     #[must_use]
     pub fn reference(&self) -> Case {
         Case { effects: Vec::new(), noise_seed: self.noise_seed ^ 0x5265_6665_7265_6e63, ..self.clone() }

@@ -1,4 +1,4 @@
-//! Random draws that depend on a seed and on what they are for, and on nothing else: not on what was drawn before.
+//! Random draws that depend only on a seed and a purpose, not on previous draws.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -9,9 +9,9 @@ use rand_distr::{Distribution, StandardNormal};
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {
-    /// The stream of a seed for a purpose.
+    /// Makes the stream of a seed for a purpose.
     pub fn new(seed: u64, purpose: &str) -> Draw {
-        // FNV-1a, twice with other starts: the 128 bits tell purposes apart for good.
+        // Two FNV-1a hashes with different start values give 128 bits, which reliably distinguish purposes.
         let hash = |start: u64| {
             purpose.bytes().fold(start, |h, byte| (h ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
         };
@@ -22,37 +22,37 @@ impl Draw {
         Draw(ChaCha8Rng::from_seed(key))
     }
 
-    /// Evenly from 0 to 1.
+    /// Draws uniformly from 0 to 1.
     pub fn fraction(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Evenly between two numbers.
+    /// Draws uniformly between two numbers.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.fraction()
     }
 
-    /// Evenly on a logarithmic scale between two positive numbers.
+    /// Draws log-uniformly between two positive numbers.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * libm::pow(high / low, self.fraction())
     }
 
-    /// One of `count`.
+    /// Draws an index below `count`.
     pub fn choice(&mut self, count: usize) -> usize {
         ((self.fraction() * count as f64) as usize).min(count.saturating_sub(1))
     }
 
-    /// +1 or -1.
+    /// Draws +1 or -1.
     pub fn sign(&mut self) -> f64 {
         if self.fraction() < 0.5 { -1.0 } else { 1.0 }
     }
 
-    /// From the normal distribution with deviation 1.
+    /// Draws from the normal distribution with standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }
 
-    /// In random order.
+    /// Shuffles items.
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             items.swap(last, self.choice(last + 1));

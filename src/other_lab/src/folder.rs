@@ -1,4 +1,4 @@
-//! A campaign on disk: one CSV file a test, and the truth beside them.
+//! A campaign on disk: one CSV file per test, and the truth.
 
 use crate::LabError;
 use crate::campaign::{Campaign, TestRecord};
@@ -6,15 +6,15 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-/// Name of the file with what is true.
+/// Name of the file of the truth.
 pub const TRUTH_FILE: &str = "truth.json";
 
 impl Campaign {
-    /// Writes `<test>.csv` for every test and [`TRUTH_FILE`] into a folder, which must be new or empty. The folder appears
-    /// whole or not at all.
+    /// Writes `<test>.csv` for every test and [`TRUTH_FILE`] into a folder, which must be new or empty. A failure
+    /// leaves no incomplete folder.
     ///
     /// # Errors
-    /// [`LabError::Folder`] if the folder holds something; [`LabError::Io`] if it cannot be written.
+    /// [`LabError::Folder`] if the folder is not empty; [`LabError::Io`] if it is not writable.
     pub fn write(&self, folder: &Path) -> Result<(), LabError> {
         let io = |path: &Path| {
             let path = path.to_owned();
@@ -43,13 +43,13 @@ impl Campaign {
             fs::rename(&aside, folder).map_err(io(folder))
         })();
         if written.is_err() {
-            // What is left of it helps nobody; the error is what matters.
+            // An error of the removal is ignored; the first error is reported.
             let _ = fs::remove_dir_all(&aside);
         }
         written
     }
 
-    /// The campaign with an ideal force channel.
+    /// Returns the campaign with an ideal force channel.
     #[must_use]
     pub fn without_noise(&self) -> Campaign {
         let mut clean = self.clone();
@@ -61,7 +61,7 @@ impl Campaign {
 }
 
 impl TestRecord {
-    /// The record as CSV, SI units, extension and tension positive.
+    /// Formats the record as CSV, SI units, extension and tension positive.
     pub fn csv(&self) -> String {
         let channels = [
             ("velocity_m_s", &self.velocity_m_s, 6),

@@ -1,48 +1,50 @@
 //! RODAS3 (Sandu et al., Atmos. Environ. 31, 1997): a Rosenbrock method of order 3 with an error estimate of order 2.
-//! L-stable, so the fast parts of a damper (oil columns, a mount with a small mass, bristles) do not set the step.
+//!
+//! It is L-stable, so the fast parts of a damper (oil columns, a mount with a small mass, bristles) do not limit the
+//! step.
 
-/// What is integrated.
+/// A system of differential equations.
 pub trait Equations {
-    /// What drives the states at an instant.
+    /// Inputs at an instant.
     type Drive;
-    /// The drive at time `t`.
+    /// Computes the inputs at time `t`.
     fn drive(&self, t: f64) -> Self::Drive;
-    /// Rates of the states.
+    /// Computes the rates of the states.
     fn rates(&self, drive: &Self::Drive, y: &[f64], rates: &mut [f64]);
-    /// Longest step from here that resolves what is read off the states, s.
+    /// Returns the longest step from here that resolves the outputs, s.
     fn longest(&self, _: &Self::Drive) -> f64 {
         f64::INFINITY
     }
-    /// Error that each state may have in a step, beside `relative` of its size.
+    /// Returns the absolute error tolerance of each state per step, in addition to `relative` times its magnitude.
     fn tolerances(&self) -> &[f64];
 }
 
-/// Order of the steps, and what they may miss.
+/// Step control: limits of the steps and error tolerances.
 #[derive(Debug, Clone, Copy)]
 pub struct Steps {
     /// Longest step, s.
     pub longest: f64,
-    /// Multiplies what the equations say of the longest step.
+    /// Factor on the longest step from the equations.
     pub resolution: f64,
-    /// Relative error of a step.
+    /// Relative error tolerance of a step.
     pub relative: f64,
-    /// Multiplies the tolerances of the states.
+    /// Factor on the absolute tolerances of the states.
     pub absolute: f64,
 }
 
-/// Shortest step, s: below it an error is accepted as it is (an exact corner has no step that resolves it).
+/// Shortest step, s. At this length every error is accepted, because no step resolves an exact corner.
 const SHORTEST: f64 = 1e-7;
 const DIAGONAL: f64 = 0.5;
 const A: [[f64; 3]; 4] = [[0.0; 3], [0.0; 3], [2.0, 0.0, 0.0], [2.0, 0.0, 1.0]];
 const C: [[f64; 3]; 4] = [[0.0; 3], [4.0, 0.0, 0.0], [1.0, -1.0, 0.0], [1.0, -1.0, -8.0 / 3.0]];
 const M: [f64; 4] = [2.0, 0.0, 1.0, 1.0];
 const GAMMA: [f64; 4] = [0.5, 1.5, 0.0, 0.0];
-/// Share of a step over which the rates of change in time are found: the error of that is this share of the step's own.
+/// Fraction of a step for the finite difference with respect to time; its error is this fraction of the step's error.
 const AHEAD: f64 = 1e-4;
-/// States move by this multiple of their tolerance, or this share of their size, to find the Jacobian.
+/// Increments for the Jacobian: a multiple of the tolerance, plus a fraction of the state's magnitude.
 const NUDGE: (f64, f64) = (1e-1, 1e-7);
 
-/// Advances states in steps of its own choice; buffers are kept.
+/// Integrates states with adaptive steps; the buffers are reused.
 pub struct Integrator {
     n: usize,
     jacobian: Vec<f64>,
@@ -55,7 +57,7 @@ pub struct Integrator {
 }
 
 impl Integrator {
-    /// For `n` states.
+    /// Makes an integrator for `n` states.
     pub fn new(n: usize) -> Integrator {
         let row = || vec![0.0; n];
         Integrator {
@@ -70,8 +72,10 @@ impl Integrator {
         }
     }
 
-    /// From `start` to `end`; `each` is told every accepted step's end with its drive and states. False if the states are no
-    /// numbers any more.
+    /// Integrates from `start` to `end`, and calls `each` with the time, inputs and states at the end of every accepted
+    /// step.
+    ///
+    /// Returns false if the states are not finite.
     pub fn run<E: Equations>(
         &mut self,
         equations: &E,
@@ -133,7 +137,7 @@ impl Integrator {
         }
     }
 
-    /// One step into `trial`; the error relative to what is allowed.
+    /// Attempts one step into `trial`. Returns the error relative to the tolerance.
     fn attempt<E: Equations>(&mut self, e: &E, drive_end: &E::Drive, y: &[f64], h: f64, steps: &Steps) -> f64 {
         let n = self.n;
         for (i, (m, j)) in self.matrix.iter_mut().zip(&self.jacobian).enumerate() {
@@ -168,7 +172,7 @@ impl Integrator {
         (sum / n as f64).sqrt()
     }
 
-    /// LU with row exchange.
+    /// Computes the LU factors with row exchange. Returns false for a singular matrix.
     fn factorise(&mut self) -> bool {
         let (n, m) = (self.n, &mut self.matrix);
         for column in 0..n {
@@ -221,7 +225,7 @@ fn solve(m: &[f64], pivots: &[usize], b: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Prothero and Robinson's problem: y follows cos t however stiff, beside a stiff pair that rotates and decays.
+    /// Prothero and Robinson's problem: y follows cos t at any stiffness. A stiff pair of states rotates and decays.
     struct Stiff(Vec<f64>);
 
     impl Equations for Stiff {
@@ -250,7 +254,7 @@ mod tests {
     fn stiff_part_follows_and_the_rest_has_order_three() {
         let exact = end(1e-3, 1e-9);
         assert!((exact[0] - 3f64.cos()).abs() < 1e-6);
-        // Steps are set by `longest` alone.
+        // `longest` alone determines the steps.
         let error = |h: f64| {
             let y = end(h, 1e3);
             libm::hypot(y[1] - exact[1], y[2] - exact[2])

@@ -1,61 +1,61 @@
-//! A quantity with its first and second derivative over time.
+//! A quantity with its first and second derivative with respect to time.
 //!
-//! A motion is stated once, and its velocity and acceleration follow exactly.
+//! A motion is defined once; velocity and acceleration follow exactly by automatic differentiation.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Value, rate and second rate.
+/// A value with its first and second derivative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
-    /// The value.
+    /// Value.
     pub x: f64,
-    /// Its rate.
+    /// First derivative.
     pub v: f64,
-    /// The rate of its rate.
+    /// Second derivative.
     pub a: f64,
 }
 
 impl Jet {
-    /// Something that stands still.
+    /// Makes a constant.
     pub const fn constant(x: f64) -> Jet {
         Jet { x, v: 0.0, a: 0.0 }
     }
 
-    /// Time itself.
+    /// Makes the time variable.
     pub const fn time(t: f64) -> Jet {
         Jet { x: t, v: 1.0, a: 0.0 }
     }
 
-    /// f(self) from f, f' and f'' there.
+    /// Applies a function, from its value and its first and second derivative at this value.
     pub fn through(self, f: f64, first: f64, second: f64) -> Jet {
         Jet { x: f, v: first * self.v, a: second * self.v * self.v + first * self.a }
     }
 
-    /// Sine.
+    /// Computes the sine.
     pub fn sin(self) -> Jet {
         let (s, c) = libm::sincos(self.x);
         self.through(s, c, -s)
     }
 
-    /// Arc sine.
+    /// Computes the arc sine.
     pub fn asin(self) -> Jet {
         let rest = 1.0 - self.x * self.x;
         let root = rest.sqrt();
         self.through(libm::asin(self.x), 1.0 / root, self.x / (rest * root))
     }
 
-    /// A power.
+    /// Computes a power.
     pub fn powf(self, p: f64) -> Jet {
         let f = libm::pow(self.x, p);
         self.through(f, p * f / self.x, p * (p - 1.0) * f / (self.x * self.x))
     }
 
-    /// Times a number.
+    /// Multiplies by a number.
     pub fn times(self, by: f64) -> Jet {
         Jet { x: self.x * by, v: self.v * by, a: self.a * by }
     }
 
-    /// From 0 at 0 to 1 at 1 with no jump in the acceleration; constant outside.
+    /// Computes a step from 0 at 0 to 1 at 1 without a jump in acceleration; constant outside.
     pub fn smooth_step(self) -> Jet {
         let u = self.x;
         if u <= 0.0 {

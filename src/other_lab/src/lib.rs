@@ -1,9 +1,9 @@
 //! A second laboratory with dampers and rig campaigns by laws of the literature.
 //!
-//! It shares no code and no law with the identified model, nor with the first virtual rig. A diagnosis proves itself
-//! on dampers that nobody tuned it for.
+//! It shares no code and no law with the identified model or the first virtual rig. It therefore tests a diagnosis on
+//! dampers for which nobody tuned the diagnosis.
 //!
-//! Signs and units are those of the project: SI, extension and rebound positive, tension positive.
+//! Signs and units follow the project: SI, extension and rebound positive, tension positive.
 
 mod campaign;
 mod case;
@@ -30,61 +30,61 @@ pub use protocol::plan::{LEFT_OUT_PREFIX, Plan};
 
 use std::path::PathBuf;
 
-/// What can go wrong.
+/// Errors of the laboratory.
 #[derive(Debug, thiserror::Error)]
 pub enum LabError {
-    /// No such effect.
+    /// An unknown effect.
     #[error("there is no effect '{name}' to hide; choose one of: {names}")]
     Effect {
-        /// What was asked for.
+        /// The requested effect.
         name: String,
-        /// What there is.
+        /// The available effects.
         names: String,
     },
-    /// No such law.
+    /// An unknown law.
     #[error("'{effect}' has no law '{law}'; choose one of: {laws}")]
     Law {
         /// The effect.
         effect: String,
-        /// What was asked for.
+        /// The requested law.
         law: String,
-        /// What there is.
+        /// The available laws.
         laws: String,
     },
-    /// A strength that is none.
+    /// An invalid strength.
     #[error("the strength of '{effect}' is {strength}: it has to be 0 or more")]
     Strength {
         /// The effect.
         effect: String,
-        /// What was asked for.
+        /// The requested strength.
         strength: f64,
     },
-    /// A protocol that cannot be run.
+    /// An invalid protocol.
     #[error("the protocol cannot be run: {what}: {why}")]
     Protocol {
         /// The entry.
         what: &'static str,
-        /// What is wrong with it.
+        /// The problem with the entry.
         why: &'static str,
     },
-    /// The simulation found no numbers.
+    /// A simulation without a finite force.
     #[error("the simulation of '{test}' finds no finite force: choose a smaller strength or another seed")]
     NoNumbers {
         /// The test.
         test: String,
     },
-    /// A folder that holds something.
+    /// A folder that is not empty.
     #[error("'{path}' is not an empty folder: choose a new one, so that records of two campaigns do not mix")]
     Folder {
         /// The folder.
         path: PathBuf,
     },
-    /// A file that cannot be written.
+    /// A file that is not writable.
     #[error("cannot write '{path}'")]
     Io {
         /// The file.
         path: PathBuf,
-        /// Why.
+        /// The system's reason.
         source: std::io::Error,
     },
 }

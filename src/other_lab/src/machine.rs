@@ -1,4 +1,4 @@
-//! Damper, mount and what is hidden, as one set of equations.
+//! Equations of a damper with its mount and injected effects.
 
 use crate::effects::{EffectModel, Here};
 use crate::integrator::Equations;
@@ -11,18 +11,18 @@ const X: usize = 1;
 const V: usize = 2;
 const BRISTLE: usize = 3;
 const OIL: usize = 4;
-/// Temperature at which the valves are stated, °C.
+/// Reference temperature of the valves, °C.
 const REFERENCE_C: f64 = 25.0;
-/// Viscosity of damper oil falls by about this much a kelvin.
+/// Approximate relative decrease of the oil's viscosity per kelvin.
 const THINS: f64 = 0.022;
 
-/// Velocity within which friction turns over, m/s.
+/// Velocity scale of the friction's reversal, m/s.
 const TURNS: f64 = 1.5e-3;
 
-/// What surrounds a test.
+/// Conditions of a test.
 #[derive(Debug, Clone, Copy)]
 pub struct Around {
-    /// Time in the campaign at the record's start, s, and the campaign's length, s.
+    /// Time in the campaign at the record's start, s.
     pub clock: f64,
     /// Length of the campaign, s.
     pub campaign: f64,
@@ -32,14 +32,14 @@ pub struct Around {
     pub oil_c: f64,
 }
 
-/// A damper with what is hidden, in one test.
+/// A damper with its injected effects in one test.
 pub struct Machine<'a> {
     plant: &'a Plant,
     hidden: &'a [Box<dyn EffectModel>],
     motion: &'a Ready,
     around: Around,
     tolerances: Vec<f64>,
-    /// Where the states of each effect begin.
+    /// Index of the first state of each effect.
     begins: Vec<usize>,
 }
 
@@ -48,12 +48,12 @@ pub struct Machine<'a> {
 pub struct Instant {
     /// Time in the record, s.
     pub t: f64,
-    /// Motion of the driven end.
+    /// Motion of the moving end.
     pub input: Jet,
 }
 
 impl<'a> Machine<'a> {
-    /// A damper in a test.
+    /// Makes the equations of a damper in a test.
     pub fn new(plant: &'a Plant, hidden: &'a [Box<dyn EffectModel>], motion: &'a Ready, around: Around) -> Machine<'a> {
         let mut tolerances = vec![0.1, 5e-7, 2e-5, 2e-3 * plant.seal.length()];
         tolerances.resize(OIL + plant.oil.states(), 0.0);
@@ -66,7 +66,7 @@ impl<'a> Machine<'a> {
         Machine { plant, hidden, motion, around, tolerances, begins }
     }
 
-    /// States at rest.
+    /// Returns the states in equilibrium.
     pub fn rest(&self) -> Vec<f64> {
         let mut y = vec![0.0; self.tolerances.len()];
         let at = self.drive(0.0);
@@ -106,7 +106,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// All that acts beside the oil on the rod, or on the whole damper.
+    /// Computes all forces in parallel with the oil, or with the whole damper, N.
     fn parallel(&self, here: &Here, y: &[f64]) -> f64 {
         let plant = self.plant;
         let mut force = plant.seal.force(here.v, y[BRISTLE]) + plant.slight.gas[0] * gas(here.x, plant.slight.gas[1]);
@@ -119,7 +119,7 @@ impl<'a> Machine<'a> {
         force
     }
 
-    /// What the series path's own rate is, and the force of its damper.
+    /// Computes the rate of the mount's force, and the forces in parallel with the mount.
     fn series(&self, here: &mut Here, at: &Instant, y: &[f64]) -> (f64, f64) {
         let mount = &self.plant.mount;
         let own = mount.compliance(y[MOUNT]);
@@ -136,7 +136,7 @@ impl<'a> Machine<'a> {
         (rate, beside)
     }
 
-    /// Force at the load cell, and the power that goes into heat.
+    /// Computes the force at the load cell, N.
     pub fn force(&self, at: &Instant, y: &[f64]) -> f64 {
         let mut here = self.here(at, y);
         let (_, beside) = self.series(&mut here, at, y);
@@ -148,7 +148,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// A gas column's force relative to stiffness times length, without its constant part: softer as it expands.
+/// Computes the position-dependent force of a gas column, divided by its stiffness, m: softer in extension.
 fn gas(x: f64, length: f64) -> f64 {
     x / (1.0 + x / length).max(0.2)
 }
@@ -164,7 +164,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Friction turns over within about a millimetre per second, and where it acts beside the mount no state knows of it.
+    /// Limits the step, because friction reverses within about a millimeter per second. If it acts in parallel with the
+    /// mount, no state resolves the reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

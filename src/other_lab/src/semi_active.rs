@@ -1,6 +1,8 @@
-//! A semi-active damper: a monotube whose piston has a solenoid valve beside its shims, and its campaign on a rig.
+//! A semi-active damper, and its campaign on a rig: a monotube with a solenoid valve in parallel with the shims of the
+//! piston.
 //!
-//! It shares nothing with the identified model: the actuator there is a lag with a dead time, here it is a coil, a magnet, a spool and a main stage.
+//! Its equations differ from those of the identified model. There the actuator is a lag with a dead time; here it
+//! consists of a coil, a magnet, a spool and a main stage.
 
 use crate::LabError;
 use crate::campaign::{Accuracy, TestRecord};
@@ -24,7 +26,7 @@ const SEAL: usize = 3;
 const OIL: usize = 4;
 const VALVE: usize = 6;
 const STATES: usize = VALVE + solenoid_valve::STATES;
-/// Time for which the first command of a test has been on, s.
+/// Duration of the first command before a test, s.
 const LONG: f64 = 0.6;
 /// Longest step of the simulation, s.
 const STEP: f64 = 1e-3;
@@ -50,9 +52,9 @@ pub struct SemiActivePlant {
 /// A commanded current over time.
 #[derive(Debug, Clone)]
 pub enum Command {
-    /// Levels from instants on, s and A; the first from the beginning.
+    /// Levels with their start times, s and A; the first level applies from the beginning.
     Levels(Vec<[f64; 2]>),
-    /// A mean, A, and waves about it: amplitude, A, angular frequency and phase.
+    /// A mean, A, and superposed waves: amplitude, A, angular frequency and phase.
     Waves(f64, Vec<[f64; 3]>),
 }
 
@@ -70,7 +72,7 @@ impl Command {
         }
     }
 
-    /// Instants at which it jumps before an end.
+    /// Returns the times of its jumps before `end`.
     fn jumps(&self, end: f64) -> Vec<f64> {
         match self {
             Command::Levels(levels) => {
@@ -84,7 +86,7 @@ impl Command {
 /// A test of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActiveTest {
-    /// Its name.
+    /// Name.
     pub name: String,
     /// Motion of the moving end.
     pub motion: Motion,
@@ -92,23 +94,23 @@ pub struct SemiActiveTest {
     pub cycles: f64,
     /// The command.
     pub command: Command,
-    /// Whether it is kept from the identification.
+    /// Whether the test is excluded from identification.
     pub left_out: bool,
 }
 
-/// What a test of a semi-active damper gave.
+/// Record of a test of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActiveRecord {
     /// The ordinary channels.
     pub record: TestRecord,
     /// Commanded current at the samples, A.
     pub command_a: Vec<f64>,
-    /// True place of the main stage of the valve, m.
+    /// True position of the valve's main stage, m.
     pub stage_m: Vec<f64>,
 }
 
 impl SemiActivePlant {
-    /// The damper of a seed.
+    /// Draws the damper of a seed.
     pub fn new(seed: u64) -> SemiActivePlant {
         let mut drawn = Draw::new(seed, "semi-active");
         let d = &mut drawn;
@@ -118,7 +120,7 @@ impl SemiActivePlant {
         let (piston, rod) = (area(d.between(0.040, 0.046)), area(d.between(0.011, 0.013)));
         let soft = d.between(0.1, 0.18) * rebound;
         let (most, annulus) = (1.6, piston - rod);
-        // The opening that passes all of the oil at 0.5 m/s under the soft force.
+        // At this opening, the soft force drives the whole flow of 0.5 m/s through the valve.
         let opening = 0.5 * annulus / (0.65 * (2.0 * soft / annulus / 850.0).sqrt());
         let needed = 2.6 * compression / (annulus * BAR);
         SemiActivePlant {
@@ -144,7 +146,7 @@ impl SemiActivePlant {
         (y[OIL] - y[OIL + 1]) * BAR * self.annulus()
     }
 
-    /// The valve after its first command has been on for long, from no current on.
+    /// Computes the steady state of the valve at a current, approached from zero current.
     fn valve_at_rest(&self, current: f64) -> Vec<f64> {
         let alone = Alone { valve: &self.valve, current };
         let mut y = vec![0.0; solenoid_valve::STATES];
@@ -153,7 +155,8 @@ impl SemiActivePlant {
         y
     }
 
-    /// Place of the main stage, m, over the current, A, on the way up: the valve at rest without flow.
+    /// Computes the position of the main stage, m, over the increasing current, A, for the valve in equilibrium without
+    /// flow.
     pub fn stage_map(&self) -> Vec<[f64; 2]> {
         const CURRENTS: u32 = 64;
         let mut y = vec![0.0; solenoid_valve::STATES];
@@ -184,10 +187,11 @@ impl SemiActivePlant {
         (y[OIL] * self.annulus() - y[OIL + 1] * self.piston + self.rod) * BAR
     }
 
-    /// Runs a test with sensors of a protocol. The largest force of the campaign, N, sets the range of the load cell.
+    /// Runs a test with the sensors of a protocol. The largest force of the campaign, N, determines the range of the
+    /// load cell.
     ///
     /// # Errors
-    /// [`LabError::NoNumbers`] where the simulation finds no finite force.
+    /// [`LabError::NoNumbers`] if the simulation has no finite force.
     pub fn run(
         &self,
         test: &SemiActiveTest,
@@ -209,7 +213,7 @@ impl SemiActivePlant {
         ends.push(end);
         let mut begin = 0.0;
         for end in ends {
-            // A level holds to the instant of its end.
+            // A level is constant within each interval, including its end.
             let held = match &test.command {
                 Command::Levels(_) => Some(test.command.at(0.5 * (begin + end))),
                 Command::Waves(..) => None,
@@ -258,7 +262,7 @@ impl SemiActivePlant {
 }
 
 impl SemiActiveRecord {
-    /// The record as CSV with its command, SI units and A.
+    /// Formats the record as CSV with its command, SI units and A.
     pub fn csv(&self) -> String {
         let text = self.record.csv();
         let mut lines = text.lines();
@@ -323,7 +327,7 @@ impl Machine<'_> {
         (relative / own, self.plant.mount.damping * relative)
     }
 
-    /// Force at the load cell.
+    /// Computes the force at the load cell, N.
     fn force(&self, at: &Instant, y: &[f64]) -> f64 {
         y[MOUNT] + self.mount_rate(at, y).1
     }
@@ -370,7 +374,7 @@ impl Equations for Machine<'_> {
 
 /// Currents of the sines, A.
 pub const CURRENTS: [f64; 8] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6];
-/// Prefix of the names of tests that are kept from the identification.
+/// Prefix of the names of tests excluded from identification.
 pub const LEFT_OUT: &str = "holdout_";
 /// Amplitude, mm, and peak velocity, m/s, of the sines at each current.
 const SINES: [(f64, f64); 6] = [(30.0, 0.02), (30.0, 0.15), (30.0, 0.5), (30.0, 0.9), (6.0, 0.25), (6.0, 0.6)];
@@ -380,7 +384,7 @@ const STEPS: [(f64, f64, f64); 5] =
 /// Amplitude of the triangles, m.
 const TRIANGLE: f64 = 0.04;
 
-/// Sines at constant currents.
+/// Makes sines at constant currents.
 pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
     let of = |current: f64| {
         SINES.map(|(amplitude, peak)| {
@@ -397,12 +401,14 @@ pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
     currents.iter().flat_map(|current| of(*current)).collect()
 }
 
-/// Steps of current up and down at constant speed. The instant of each step is drawn within the middle of a stroke, and every third
-/// stroke has none, so that both directions see both steps.
+/// Makes tests with steps of current up and down at constant speed.
+///
+/// The time of each step is drawn within the middle of a stroke. Every third stroke has no step, so that both
+/// directions have both steps.
 pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
     let of = |(place, (low, high, speed)): (usize, &(f64, f64, f64))| {
         let mut d = Draw::new(seed, &format!("steps {place}"));
-        // Half a stroke from the rest and the run-up of one cycle on.
+        // Strokes are counted from half a stroke after the standstill and the fade-in of one cycle.
         let stroke = 2.0 * TRIANGLE / speed;
         let cycles = 9.0;
         let mut levels = vec![[0.0, *low]];
@@ -426,13 +432,13 @@ pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
     STEPS.iter().enumerate().map(of).collect()
 }
 
-/// A random current during a random motion.
+/// Makes a random current during a random motion.
 pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTest {
     let mut d = Draw::new(seed, "random current");
     let waves: Vec<[f64; 3]> =
         (0..14).map(|_| [d.between(0.4, 1.0), TAU * d.scale(0.3, 12.0), TAU * d.fraction()]).collect();
     let square: f64 = waves.iter().map(|[size, ..]| 0.5 * size * size).sum();
-    // Two standard deviations reach the ends of the range.
+    // Scale two standard deviations to half the range.
     let factor = 0.25 * most / square.sqrt();
     let waves = waves.into_iter().map(|[size, omega, phase]| [factor * size, omega, phase]).collect();
     SemiActiveTest {
@@ -444,7 +450,7 @@ pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTes
     }
 }
 
-/// The campaign: sines at each current, steps, and a random current that is kept from the identification.
+/// Returns the campaign: sines at each current, steps, and a left-out test with random current.
 pub fn protocol(seed: u64, most: f64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&CURRENTS);
     tests.extend(steps(seed));
@@ -500,7 +506,7 @@ mod tests {
             let ((up, high), (down, low)) = (answer(0.3, 1.2), answer(1.2, 0.3));
             assert!((2e-3..40e-3).contains(&up) && (2e-3..60e-3).contains(&down), "{seed}: {up} {down}");
             assert!(high > low);
-            // The middle from below and from above.
+            // Compare the main stage at a middle current, approached from below and from above.
             let mut from_above = plant.valve_at_rest(1.6);
             let alone = Alone { valve: &plant.valve, current: 0.6 };
             let steps = Steps { longest: 2e-4, resolution: 1.0, relative: 1e-4, absolute: 1.0 };

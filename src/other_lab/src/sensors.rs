@@ -1,26 +1,26 @@
-//! What sensors and converter make of the truth.
+//! Errors of sensors and converters.
 
 use crate::draw::Draw;
 use crate::protocol::Protocol;
 use std::f64::consts::TAU;
 
-/// Noise of the load cell's amplifier beside the share of the test's force, N.
+/// Noise of the load cell's amplifier, N, in addition to the noise relative to the test's force.
 pub const LEAST_NOISE_N: f64 = 0.5;
 /// Noise of the displacement transducer, m: an LVDT of 100 mm.
 const DISPLACEMENT_M: f64 = 2e-6;
-/// Noise of the velocity channel as a share of its largest value.
+/// Noise of the velocity channel, relative to its largest value.
 const VELOCITY_SHARE: f64 = 1.5e-3;
 const SIDE_FORCE_N: f64 = 1.0;
 const TEMPERATURE_K: f64 = 0.1;
 const HUM_HZ: f64 = 50.0;
-/// Range of a converter: the largest value of the campaign with this reserve.
+/// Ratio of a converter's range to the largest value of the campaign.
 const RESERVE: f64 = 1.3;
 /// Range of the displacement transducer, m.
 const STROKE_M: f64 = 0.1;
 
 /// The sensors of a campaign in one test.
 pub struct Sensors<'a> {
-    /// How it is measured.
+    /// Protocol of the measurement.
     pub protocol: &'a Protocol,
     /// Seed of the noise.
     pub seed: u64,
@@ -49,7 +49,7 @@ impl Sensors<'_> {
         }
     }
 
-    /// Noise, hum, offset and steps on the force.
+    /// Adds noise, hum, offset and quantization to the force.
     pub fn force(&self, time: &[f64], force: &mut [f64]) {
         let p = self.protocol;
         if p.noise_percent > 0.0 {
@@ -70,25 +70,25 @@ impl Sensors<'_> {
         self.rounded(RESERVE * self.peak_n, force);
     }
 
-    /// Noise, offset and steps on the displacement.
+    /// Adds noise, offset and quantization to the displacement.
     pub fn displacement(&self, values: &mut [f64]) {
         self.white("displacement", DISPLACEMENT_M, values);
         values.iter_mut().for_each(|value| *value += self.protocol.displacement_offset_m);
         self.rounded(STROKE_M, values);
     }
 
-    /// Noise on the velocity.
+    /// Adds noise to the velocity.
     pub fn velocity(&self, values: &mut [f64]) {
         let peak = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         self.white("velocity", VELOCITY_SHARE * peak, values);
     }
 
-    /// Noise on the side force.
+    /// Adds noise to the side force.
     pub fn side(&self, values: &mut [f64]) {
         self.white("side force", SIDE_FORCE_N, values);
     }
 
-    /// Noise on the temperature.
+    /// Adds noise to the temperature.
     pub fn temperature(&self, values: &mut [f64]) {
         self.white("temperature", TEMPERATURE_K, values);
     }

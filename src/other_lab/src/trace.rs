@@ -1,7 +1,8 @@
-//! A quantity at uneven instants, read in between.
+//! Interpolation of a quantity with unequal time steps.
 
-/// `values` at `time`s, read at `t` by Hermite's cubic with the slope of the parabola through each three instants; the first
-/// and last value outside.
+/// Interpolates `values` at `time`s to `t` by Hermite's cubic; constant outside.
+///
+/// The slope at each point is that of the parabola through three points.
 pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
     if t <= time[0] || n < 3 {
@@ -15,7 +16,7 @@ pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
         let k = k.min(n - 2).max(1);
         let (before, after) = (time[k] - time[k - 1], time[k + 1] - time[k]);
         let (m0, m1) = ((values[k] - values[k - 1]) / before, (values[k + 1] - values[k]) / after);
-        // Flat at a corner's top: no overshoot.
+        // The slope is zero at an extremum, which avoids overshoot.
         if m0 * m1 <= 0.0 { 0.0 } else { (m0 * after + m1 * before) / (before + after) }
     };
     let h = time[i + 1] - time[i];

@@ -1,21 +1,21 @@
-//! The true set of a campaign, by ablation: every effect whose removal moves the force visibly.
+//! The true effects of a campaign, by ablation: every effect whose removal visibly changes the force.
 
 use crate::plant::Part;
 use crate::{Accuracy, Campaign, Case, LabError};
 
-/// Part of a test's root mean square force that a removal has to move, where there is less noise than that. Smaller changes are
-/// not worth a name.
+/// Smallest visible change of the force when an effect is removed, relative to the test's root mean square force. It
+/// applies if the noise is lower.
 const LEAST_PART: f64 = 0.005;
 /// Constant part of the force noise of a protocol, N.
 const NOISE_N: f64 = 0.5;
 
 impl Case {
-    /// Names of all effects whose removal, everything else kept, visibly changes the force.
+    /// Returns the names of all effects whose individual removal visibly changes the force.
     ///
-    /// The force of at least one test changes by more than its noise and 0.5 % of its root mean square. Injected effects come first, then
-    /// the damper's own.
+    /// A change is visible if it exceeds the noise and 0.5 % of the root mean square force in at least one test.
+    /// Injected effects come first, then the damper's own.
     ///
-    /// The damper is simulated once for each of them.
+    /// The damper is simulated once for each effect.
     ///
     /// # Errors
     /// The errors of [`Case::run`].
@@ -29,7 +29,8 @@ impl Case {
         };
         for k in 0..self.effects.len() {
             let mut without = self.clone();
-            // Strength 0 and not removal: the law of an effect may depend on its position in the list.
+            // Set the strength to 0 instead of removing the effect, because its law may depend on its position in the
+            // list.
             without.effects[k].1 = 0.0;
             if self.is_moved(&whole, &without.run()?) {
                 add(self.effects[k].0.split(':').next().unwrap_or_default());

@@ -1,4 +1,5 @@
-//! The laboratory as a whole: dampers take energy, the integrator converges, every law does what it says.
+//! The laboratory as a whole: dampers dissipate energy, the integrator converges, and every law has its described
+//! effect.
 
 use dashpot_other_lab::{
     Accuracy, Campaign, Case, Kind, LEFT_OUT_PREFIX, LabError, Plan, Protocol, TRUTH_FILE, effects,
@@ -6,7 +7,7 @@ use dashpot_other_lab::{
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
-/// A case without noise on the reduced plan, which is quick.
+/// Makes a case without noise on the reduced plan, which is fast.
 fn quiet(kind: Kind, seed: u64) -> Case {
     let protocol = Protocol { plan: Plan::Reduced, noise_percent: 0.0, ..Protocol::default() };
     Case { protocol, ..Case::new(kind, seed) }
@@ -19,14 +20,14 @@ fn laws() -> impl Iterator<Item = (&'static str, String)> {
         .flat_map(|effect| effect.laws.iter().map(|(law, _)| (effect.name, format!("{}:{law}", effect.name))))
 }
 
-/// Root mean square over the tests of what differs, in units of 2 % noise.
+/// Computes the root mean square difference over the tests, in units of 2 % noise.
 fn change(a: &Campaign, b: &Campaign) -> f64 {
     let of_test = a.tests.iter().zip(&b.tests).map(|(a, b)| {
         assert_eq!((&a.name, a.time_s.len()), (&b.name, b.time_s.len()));
         let count = b.clean_force_n.len() as f64;
         let noise = 0.02 * (b.clean_force_n.iter().map(|f| f * f).sum::<f64>() / count).sqrt() + 0.5;
         let force = a.clean_force_n.iter().zip(&b.clean_force_n).map(|(a, b)| ((a - b) / noise).powi(2)).sum::<f64>();
-        // A wrong displacement is counted against 0.1 mm.
+        // The unit of a displacement error is 0.1 mm.
         let place = a.displacement_m.iter().zip(&b.displacement_m).map(|(a, b)| ((a - b) / 1e-4).powi(2)).sum::<f64>();
         (force + place) / count
     });
@@ -39,14 +40,14 @@ fn dampers_take_energy_over_closed_cycles() {
         for seed in 0..6 {
             let campaign = quiet(kind, seed).run().unwrap();
             for test in campaign.tests {
-                // The last cycle of three, by the trapezoidal rule over the displacement.
+                // Integrate over the displacement of the last of three cycles, by the trapezoidal rule.
                 let frequency: f64 = test.name.split('_').find_map(|w| w.strip_suffix("Hz")).unwrap().parse().unwrap();
                 let begin = test.time_s.last().unwrap() - 1.0 / frequency - 1e-9;
                 let from = test.time_s.partition_point(|t| *t < begin);
                 let (x, f) = (&test.displacement_m[from..], &test.clean_force_n[from..]);
                 let work: f64 = (1..x.len()).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
                 let swing = x.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-                // A damper at least has the friction of its seal: 15 N over four amplitudes.
+                // A seal friction of 15 N acts over four amplitudes per cycle; require at least half of this work.
                 assert!(work > 15.0 * 2.0 * swing, "{kind:?} {seed} {}: {work} J", test.name);
             }
         }
@@ -68,8 +69,10 @@ fn peak_forces_are_those_of_car_dampers() {
     }
 }
 
-/// The laws that every run tests: one in `ONE_IN`. All of them are tested by
-/// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored`, in a minute.
+/// Divisor of the laws that every run tests: one in `ONE_IN`.
+///
+/// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored` tests all of them in a
+/// minute.
 const ONE_IN: usize = 4;
 
 fn some(i: usize) -> bool {
@@ -110,7 +113,7 @@ fn laws_grow_from_nothing(is_tested: impl Fn(usize) -> bool) {
         let [tiny, small, whole] = [1e-4, 0.2, 1.0].map(at);
         assert!(tiny < 0.03, "{law} at 1e-4: {tiny}");
         assert!(tiny < small && small < whole, "{law}: {tiny} {small} {whole}");
-        // Beyond the noise of one sample in the mean over all samples.
+        // The rms change must be comparable to the noise of one sample.
         assert!(whole > 0.8, "{law} at 1: {whole}");
     }
 }
@@ -155,7 +158,7 @@ fn same_seed_gives_the_same_bytes_and_a_reference_differs_in_noise_alone() {
             .collect()
     };
     let first = bytes("first", &case);
-    // Other threads have other work at the same time.
+    // Another thread has other work at the same time.
     let again = std::thread::scope(|s| {
         let other = s.spawn(|| quiet(Kind::Monotube, 9).run().unwrap());
         let again = bytes("again", &case);
@@ -184,7 +187,7 @@ fn delay_and_offsets_are_those_asked_for() {
     let (plain, late) = (case.run().unwrap(), late.run().unwrap());
     let of = |c: &Campaign| c.tests.iter().find(|t| t.name == "sine_25mm_4Hz").unwrap().clone();
     let (plain, late) = (of(&plain), of(&late));
-    // Thinned to 1 kHz: the force of five samples before.
+    // The sample rate is 1 kHz; the delayed force equals that of five samples before.
     for i in 500..plain.force_n.len() {
         assert!((late.force_n[i] - 25.0 - plain.force_n[i - 5]).abs() < 0.02 * plain.force_n[i - 5].abs() + 8.0, "{i}");
         assert!((late.displacement_m[i] - plain.displacement_m[i] - 0.003).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! The model beside those of the literature, on the tests that they were identified from and on those left out.
+//! Compares the model with models of the literature, on the tests used in the fit and on the left-out tests.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
@@ -11,20 +11,20 @@ use dashpot_identification::validation::{Against, AgainstSummary, Compared, Vali
 /// A model of the literature and its force at the samples of every test.
 #[derive(Debug, Clone)]
 pub struct Rival {
-    /// Its name on the command line.
+    /// Name on the command line.
     pub name: &'static str,
-    /// Its force at every sample of every test, in the order of the tests, N.
+    /// Force at every sample of every test, in the order of the tests, N.
     pub forces: Vec<Vec<f64>>,
 }
 
 impl Rival {
-    /// A model of the literature by its name; `None` where there is no such model.
+    /// Finds a model of the literature by its name. Returns `None` if no such model exists.
     pub fn named(name: &str, forces: Vec<Vec<f64>>) -> Option<Rival> {
         MODELS.iter().find(|model| model.0 == name).map(|model| Rival { name: model.0, forces })
     }
 }
 
-/// The section; `None` where nothing was compared.
+/// Builds the section. Returns `None` if no model was compared.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival], words: &Words) -> Option<Section> {
     if validation.against.is_empty() {
         return None;
@@ -44,7 +44,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival]
     Some(Section::new("against", words.against_section, blocks))
 }
 
-/// The test that the validated model misses by the largest share of its force.
+/// Finds the test with the largest relative error of the validated model.
 fn hardest(validation: &Validation, used: bool) -> Option<usize> {
     let tests = &validation.tests;
     (0..tests.len())

@@ -1,6 +1,6 @@
-//! What a report is made of: sections of paragraphs, tables and figures, free of any markup.
+//! Building blocks of a report: sections of paragraphs, tables and figures, without markup.
 //!
-//! All texts are plain; the page makes them safe.
+//! All texts are plain text; the page escapes them.
 
 use crate::cells::Cell;
 use dashpot_identification::limits::Overall;
@@ -14,18 +14,18 @@ pub struct Section {
     pub title: String,
     /// Contents in reading order.
     pub blocks: Vec<Block>,
-    /// Parts the reader may choose between, one at a time (the single tests); usually none.
+    /// Alternative parts that the reader selects one at a time (the single tests); usually none.
     pub choices: Vec<Section>,
-    /// Whether it is printed only where everything is.
+    /// Whether only the complete print includes the section.
     pub beyond: bool,
-    /// Whether it stands behind its title until that is clicked.
+    /// Whether the section is collapsed until the reader clicks its title.
     pub folded: bool,
 }
 
 /// One piece of a section.
 #[derive(Debug, Clone)]
 pub enum Block {
-    /// The sentences everybody reads, in larger type.
+    /// The sentences for every reader, in larger type.
     Lead(String),
     /// A verdict and its sentence.
     Verdict(Overall, String),
@@ -33,15 +33,15 @@ pub enum Block {
     Heading(String),
     /// Plain text.
     Paragraph(String),
-    /// Something the reader must know before trusting the figures.
+    /// A caution that the reader must know before trusting the figures.
     Warning(String),
     /// A list of remarks.
     List(Vec<String>),
     /// A table.
     Table(Table),
-    /// A table that stands behind its title until that is clicked.
+    /// A table that is collapsed until the reader clicks its title.
     Folded(String, Table),
-    /// Figures side by side, as many as fit the page's width.
+    /// Figures side by side, as many as fit into the width of the page.
     Figures(Vec<Figure>),
     /// One figure at its own width.
     Wide(Figure),
@@ -52,7 +52,7 @@ pub enum Block {
 pub struct Figure {
     /// File name without extension, unique in the report.
     pub file: String,
-    /// The picture, a complete SVG document.
+    /// The drawing, a complete SVG document.
     pub svg: String,
     /// Text below it; may be empty.
     pub caption: String,
@@ -61,7 +61,7 @@ pub struct Figure {
 /// A table.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// What the figures are and how they were reckoned.
+    /// Meaning and calculation of the figures.
     pub caption: String,
     /// Columns.
     pub columns: Vec<Column>,
@@ -74,38 +74,38 @@ pub struct Table {
 /// A column of a table.
 #[derive(Debug, Clone)]
 pub struct Column {
-    /// Heading above neighbouring columns of one group; empty for none.
+    /// Heading shared by neighboring columns of one group; empty for none.
     pub group: &'static str,
     /// Heading with unit.
     pub heading: &'static str,
-    /// Whether the cells are figures, set right.
+    /// Whether the cells are numbers, aligned right.
     pub figures: bool,
-    /// Whether the cells are sentences, which wrap.
+    /// Whether the cells are sentences, which may wrap.
     pub wraps: bool,
 }
 
 impl Section {
-    /// A section without choices.
+    /// Creates a section without alternative parts.
     pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
         Self { id: id.into(), title: title.into(), blocks, choices: Vec::new(), beyond: false, folded: false }
     }
 
-    /// Leaves the section out of the short print.
+    /// Excludes the section from the brief print.
     pub fn beyond(self) -> Self {
         Self { beyond: true, ..self }
     }
 
-    /// Puts the section behind its title, out of the short print.
+    /// Collapses the section and excludes it from the brief print.
     pub fn folded(self) -> Self {
         Self { folded: true, ..self.beyond() }
     }
 
-    /// The section and the parts to choose between, in reading order.
+    /// Iterates over the section and its alternative parts, in reading order.
     pub fn parts(&self) -> impl Iterator<Item = &Section> {
         std::iter::once(self).chain(&self.choices)
     }
 
-    /// All figures in reading order.
+    /// Returns all figures in reading order.
     pub fn figures(&self) -> Vec<&Figure> {
         let mut figures: Vec<&Figure> = Vec::new();
         for block in &self.blocks {
@@ -121,7 +121,7 @@ impl Section {
 }
 
 impl Figure {
-    /// A figure without caption.
+    /// Creates a figure without caption.
     pub fn new(file: impl Into<String>, svg: String) -> Self {
         Self { file: file.into(), svg, caption: String::new() }
     }
@@ -133,17 +133,17 @@ impl Figure {
 }
 
 impl Column {
-    /// A column of words.
+    /// Creates a column of words.
     pub fn words(heading: &'static str) -> Self {
         Self { group: "", heading, figures: false, wraps: false }
     }
 
-    /// A column of figures.
+    /// Creates a column of numbers.
     pub fn figures(heading: &'static str) -> Self {
         Self { group: "", heading, figures: true, wraps: false }
     }
 
-    /// A column of sentences.
+    /// Creates a column of sentences.
     pub fn sentences(heading: &'static str) -> Self {
         Self { wraps: true, ..Self::words(heading) }
     }

@@ -1,4 +1,4 @@
-//! Pass or fail on a page: the verdict, the diagram with its windows, every limit, and what it was made from.
+//! The certificate, a page of its own: verdict, diagram with the windows, every limit, and the origin of the data.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -11,12 +11,12 @@ use crate::words::Words;
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, NEAR, Overall, Quantity, Value, Verdict};
 use dashpot_records::Record;
 
-/// What a certificate is written from.
+/// Input of a certificate.
 #[derive(Debug, Clone)]
 pub struct CertificateInput<'a> {
-    /// The answers.
+    /// Results of the limits.
     pub certificate: &'a Certificate,
-    /// The records that were judged, which say what was measured, when and by whom.
+    /// The records behind the verdicts, with the test object, the date and the operator.
     pub records: &'a [&'a Record],
     /// Name of the data.
     pub data: String,
@@ -24,13 +24,13 @@ pub struct CertificateInput<'a> {
     pub limits: String,
     /// Force of the model at constant velocity, m/s and N; may be empty.
     pub curve: &'a [[f64; 2]],
-    /// What it was made from.
+    /// Origin of the results.
     pub made: &'a Made,
     /// The language.
     pub words: &'a Words,
 }
 
-/// The certificate as a page by itself.
+/// Renders the certificate as a page of its own.
 pub fn render(input: &CertificateInput<'_>) -> String {
     let words = input.words;
     let figure = peaks::against_limits(input.certificate, input.curve, words);
@@ -50,7 +50,7 @@ pub fn render(input: &CertificateInput<'_>) -> String {
     )
 }
 
-/// The verdict with its limits, as a section of a report.
+/// Builds the verdict with its limits as a section of a report.
 pub fn section(found: &Certificate, words: &Words) -> Section {
     let mut blocks = vec![Block::Verdict(found.overall, headline(found, words))];
     if found.model_passed.is_some() {
@@ -103,14 +103,14 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let row = |one: &Checked| {
         let limit = &one.limit;
         let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
-        // A force between two tests was measured in neither.
+        // The force was interpolated between two tests; neither test measured it.
         let between = limit.quantity == Quantity::Force && one.measured.as_ref().is_some_and(|v| v.tests.len() > 1);
         let tests = if between { words.fill(words.certificate_interpolated, &[("tests", &tests)]) } else { tests };
         vec![
             label(one, words).into(),
-            // As every velocity of a report, and of its figures.
+            // Every velocity of a report and of its figures is in mm/s.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
-            // A response has its time in ms beside forces in N.
+            // The unit of a bound stands in its own column, because times in ms and forces in N share the table.
             limit.quantity.display().0.into(),
             bound(limit.quantity, limit.low),
             bound(limit.quantity, limit.high),
@@ -142,7 +142,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
     }
 }
 
-/// Names of tests; of many the first and the last.
+/// Lists names of tests. Of more than three names only the first and the last appear.
 fn in_short(tests: &[String]) -> String {
     match tests {
         [first, .., last] if tests.len() > 3 => format!("{first} … {last} ({})", tests.len()),
@@ -150,7 +150,7 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
-/// What is limited: the name that the file gives it beside the quantity.
+/// Formats the limited quantity with the name from the limit file.
 fn label(one: &Checked, words: &Words) -> String {
     let limit = &one.limit;
     let quantity = match limit.quantity {
@@ -202,7 +202,7 @@ mod tests {
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
-        // What the record does not say is left to be filled in, and no clock is read.
+        // The certificate leaves missing metadata blank for filling in, and does not read the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(
@@ -213,7 +213,7 @@ mod tests {
         assert!(some.contains("INCOMPLETE. The 1 limits tested are kept; 1 more could not be tested"));
         let both = page_of(&format!("{missed}friction,,1,2\n"), Language::English);
         assert!(both.contains("FAIL. 1 of the 1 limits tested are not kept; 1 more could not be tested"));
-        // How a force between two tests comes about is said.
+        // The certificate explains the interpolation of a force between two tests.
         assert!(
             untested
                 .contains("interpolated linearly between two tests whose velocities differ by a factor of 2 at most")

@@ -1,4 +1,4 @@
-//! The single tests: figures, plots and what cleaning noticed.
+//! The single tests: figures, plots and notes of the cleaning.
 
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
@@ -6,10 +6,10 @@ use crate::plot::{in_space, of_test};
 use crate::words::Words;
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
-/// Tests whose plots still make a page that a browser opens at once (about 70 kB each).
+/// Largest number of plotted tests for which a browser opens the page without delay (about 70 kB each).
 const MOST_SHOWN: usize = 120;
 
-/// One choice per test, the worst first.
+/// Builds one alternative part per test, the worst test first.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Section {
     let cycles = of_test::CYCLES_SHOWN.to_string();
     let mut blocks = vec![Block::Paragraph(words.fill(words.single_about, &[("cycles", &cycles)]))];
@@ -22,7 +22,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -
     Section { choices, ..Section::new("single-tests", words.single_section, blocks) }
 }
 
-/// The loops of one test and where it is missed, for the first page.
+/// Builds the loops and errors of one test for the first page.
 pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, words: &Words) -> Section {
     let (figures, compared) = (&validation.tests[index], &tests[index]);
     let title = words.fill(words.worst_section, &[("test", &figures.name)]);
@@ -36,7 +36,7 @@ pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, word
     Section::new("worst", title, vec![Block::Figures(plots), Block::Paragraph(about)])
 }
 
-/// Places of the tests to plot, the worst first: all, or the worst where they would be too many for a page.
+/// Returns the indices of the tests to plot, the worst first, at most as many as a page allows.
 fn by_error(validation: &Validation) -> Vec<usize> {
     let mut places: Vec<usize> = (0..validation.tests.len()).collect();
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
@@ -69,7 +69,7 @@ fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>, words: &
     Section::new(format!("test-{number}"), figures.name.clone(), blocks)
 }
 
-/// The test's own figures as sentences.
+/// Formats the figures of one test as sentences.
 fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) -> String {
     let (amplitude, velocity) = (milli(figures.amplitude_m), milli(figures.peak_velocity_m_s));
     let motion = if figures.frequency_hz > 0.0 {
@@ -107,7 +107,7 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) ->
     sentences.join(" ")
 }
 
-/// A test's name as part of a file name: what no file system minds. The running number keeps it unique.
+/// Converts a test's name to a portable part of a file name. The running number keeps the file name unique.
 fn file_name(name: &str) -> String {
     let safe = |c: char| {
         if c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '.' { c } else { '_' }

@@ -1,4 +1,4 @@
-//! Errors by amplitude, by peak velocity and test by test.
+//! Errors by amplitude, by peak velocity and by test.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
@@ -7,7 +7,7 @@ use crate::plot::overview;
 use crate::words::Words;
 use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 
-/// The error matrix as a picture, and the error of every test.
+/// Builds the error matrix as a picture, and the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
     let mut blocks = Vec::new();
     let map = overview::error_map(validation, words);
@@ -16,7 +16,7 @@ pub fn pictures(validation: &Validation, words: &Words) -> Section {
     Section::new("matrix", words.matrix_section, blocks)
 }
 
-/// The error matrix in figures.
+/// Builds the error matrix as tables.
 pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, second] = labelled(&validation.matrix, words, milli);
     if by_amplitude.is_empty() {
@@ -30,7 +30,7 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     ]
 }
 
-/// The rows of a matrix with their names: those of one amplitude, those of tests that stand apart, those of one peak velocity.
+/// Labels the rows of a matrix: by amplitude, of tests outside the matrix (slow or not periodic), and by peak velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
     let named = |row: &MatrixRow, text: &str, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
     let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
@@ -42,7 +42,7 @@ fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [V
     ]
 }
 
-/// The table of single tests.
+/// Builds the table of single tests.
 pub fn tests(validation: &Validation, words: &Words) -> Section {
     let rows = validation
         .tests
@@ -74,9 +74,9 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Errors by amplitude and peak velocity, before and after an improvement of the model.
+/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model.
 ///
-/// They replace the columns of the curve and the model.
+/// These errors replace the columns of the curve and the model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
@@ -88,7 +88,7 @@ pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     blocks
 }
 
-/// [`milli`] without zeros at its end.
+/// Formats by [`milli`] without trailing zeros.
 fn short(si: f64) -> String {
     let text = milli(si);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
@@ -139,7 +139,7 @@ fn error_columns(words: &Words) -> Vec<Column> {
     model.into_iter().chain(curve).collect()
 }
 
-/// Cells below [`error_columns`].
+/// Builds the cells below [`error_columns`].
 fn figures(errors: &Errors) -> Vec<Cell> {
     let Errors { model, fv_only } = errors;
     let mut cells = vec![
@@ -153,7 +153,7 @@ fn figures(errors: &Errors) -> Vec<Cell> {
     cells
 }
 
-/// Mean error, error in percent and rms error.
+/// Formats mean error, error in percent and rms error.
 pub(crate) fn three(figures: &Deviation) -> [Cell; 3] {
     [
         Cell::number(figures.mean_error_n, error),
@@ -162,7 +162,7 @@ pub(crate) fn three(figures: &Deviation) -> [Cell; 3] {
     ]
 }
 
-/// The first cells of a row of several tests.
+/// Builds the first cells of a row that summarizes several tests.
 fn start(label: Cell, row: &MatrixRow) -> Vec<Cell> {
     vec![label, Cell::count(row.tests), Cell::number(row.max_force_n, force)]
 }

@@ -1,4 +1,4 @@
-//! What a fit found, as tables; it has no report of its own.
+//! Result of a fit as tables; a fit has no HTML report.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -12,7 +12,7 @@ use dashpot_identification::Fit;
 use dashpot_identification::validation::Deviation;
 use dashpot_records::Unusable;
 
-/// The tables of a fit, with its error over whole records, what could not be used, and the names of the model and the data.
+/// Builds the tables of a fit, with its error over whole records, the unusable files, and the names of model and data.
 pub fn workbook(
     (fit, error): (&Fit, &Deviation),
     unusable: &[Unusable],
@@ -29,7 +29,7 @@ pub fn workbook(
     }
 }
 
-/// Inventory, estimates, what the records are off by, the tests used, and remarks.
+/// Builds the sections: inventory, estimates, measurement errors, used tests, and remarks.
 fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
     let answer = words.fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);

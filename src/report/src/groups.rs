@@ -1,4 +1,4 @@
-//! The report over many dampers, or one at many settings: `dashpot diagnose --group`.
+//! The report on many dampers, or on one damper at many settings: `dashpot diagnose --group`.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::diagnosis::changed_name;
@@ -19,7 +19,7 @@ fn finding(finding: &Finding, words: &Words) -> String {
     words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &fraction(finding.confidence))])
 }
 
-/// The report for people.
+/// Builds the report for people.
 pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Words) -> Page {
     let mut first: Vec<Block> = curves(answers, words).map(Block::Wide).into_iter().collect();
     first.push(Block::Table(of_groups(answers, words)));
@@ -49,7 +49,7 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     Page { subtitle, sections, made, words }
 }
 
-/// Name of a group, with what it was compared with where that is not the reference of all.
+/// Formats the name of a group. It includes the group's reference if that differs from the common reference.
 fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String {
     if answer.reference == answers.reference {
         return answer.group.clone();
@@ -57,7 +57,7 @@ fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String 
     words.fill(words.group_against, &[("group", &answer.group), ("reference", &answer.reference)])
 }
 
-/// A row a group: its answer and its errors.
+/// Builds a table with one row per group: its verdict and its errors.
 fn of_groups(answers: &GroupResults, words: &Words) -> Table {
     let has_names = answers.groups.iter().any(|answer| !answer.diagnosis.findings.is_empty());
     let of_group = |answer: &GroupResult| {
@@ -80,14 +80,14 @@ fn of_groups(answers: &GroupResults, words: &Words) -> Table {
     Table { caption: words.groups_caption.to_owned(), columns, rows, sortable: true }
 }
 
-/// Size of the figure, px: printed across the page.
+/// Size of the figure, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
-/// Groups that have a hue each; further ones are drawn in grey.
+/// Number of groups with a distinct hue; further groups are gray.
 const HUES: usize = 8;
 
-/// The FV curves of all groups over each other, with that of the reference.
+/// Draws the FV curves of all groups and of the reference in one figure.
 ///
-/// Friction and gas included, as far as the tests of each reach.
+/// The curves include friction and gas force, over the velocity range of each group's tests.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
@@ -131,13 +131,13 @@ fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
 }
 
-/// Whether a number of a group was compared with the reference's: the records of the group say something of it.
+/// Tests whether the records of a group determine a parameter, so that a comparison with the reference is valid.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
     if diagnosis.reference.is_none() {
         return false;
     }
     match velocity {
-        // A point beyond the tests of a group is a guess there.
+        // A point beyond the velocities of the group's tests is extrapolated.
         Some(v) => {
             diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).any(|of| of * v > 0.0 && of.abs() >= v.abs())
         }
@@ -145,7 +145,7 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
     }
 }
 
-/// Every number that changed in any group, of the reference and of all groups.
+/// Builds the table of every parameter that changed in any group, for the reference and all groups.
 fn numbers(answers: &GroupResults, words: &Words) -> Table {
     let mut numbers: BTreeMap<String, (&Change, &str, String)> = BTreeMap::new();
     for (answer, one) in answers.groups.iter().flat_map(|a| a.diagnosis.changes.iter().map(move |one| (a, one))) {
@@ -189,14 +189,14 @@ pub struct Page {
 }
 
 impl Page {
-    /// As HTML.
+    /// Renders the report as HTML.
     pub fn render(&self) -> String {
         let mut sections = self.sections.clone();
         sections.push(made::section(&self.made, self.words));
         crate::render_sections(self.words.groups_title, &self.subtitle, &sections, self.words)
     }
 
-    /// As a workbook.
+    /// Returns the tables as a workbook.
     pub fn workbook(&self) -> Workbook<'static> {
         Workbook {
             title: self.words.groups_title.to_owned(),

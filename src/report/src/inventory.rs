@@ -1,4 +1,4 @@
-//! The inventory of a model as a table: each effect with the force that it carries and its probability.
+//! The inventory of a model as a table: each effect with its force and its probability.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
@@ -7,7 +7,7 @@ use crate::plot::inventory::stacked;
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// The section of a diagnosis; `None` where neither model has an effect beside the FV curve.
+/// Builds the section of a diagnosis. Returns `None` if neither model has an effect other than the FV curve.
 pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<Section> {
     let mut table = table(items, true, words)?;
     words.inventory_caption.clone_into(&mut table.caption);
@@ -18,7 +18,7 @@ pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(Section::new("inventory", words.inventory_section, blocks))
 }
 
-/// The table; without a given model nothing was kept or replaced, and there is no `status`.
+/// Builds the table. Without a given model, no effect was kept or replaced, and `status` is false.
 pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Table> {
     if items.is_empty() {
         return None;
@@ -44,7 +44,7 @@ pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Tab
     Some(Table { caption: String::new(), columns, rows: items.iter().map(row).collect(), sortable: true })
 }
 
-/// A probability in percent; one that rounds to 0 or 100 is not certain.
+/// Formats a probability in percent. A value that rounds to 0 or 100 is marked as a bound.
 pub fn probability(value: f64) -> String {
     match value {
         v if v > 0.995 => format!(">\u{a0}{}", fraction(0.99)),
@@ -53,7 +53,7 @@ pub fn probability(value: f64) -> String {
     }
 }
 
-/// What became of an effect, with the effect that it replaces.
+/// Formats the status of an effect, with the effect that it replaces.
 pub fn status_text(item: &InventoryItem, words: &Words) -> String {
     let status = match item.status {
         Status::Kept => words.status_kept,

@@ -2,11 +2,12 @@
 //!
 //! [`diagnosis`] writes the report of `dashpot diagnose` with the same blocks.
 //!
-//! A report is a list of [`Section`]s made of a few kinds of [`Block`]. Every section builder lives in its own file
-//! and knows nothing of HTML; [`page`] knows HTML and nothing of dampers. A further section (before/after pictures, a
-//! diagnosis) is a [`Section`] put into [`ReportInput::extra`]; its figures are written by [`svgs`] too.
+//! A report is a list of [`Section`]s made of a few kinds of [`Block`]. Every section builder lives in its own file and
+//! does not contain HTML; [`page`] writes the HTML and is independent of dampers. [`ReportInput::extra`] adds further
+//! sections (before/after pictures, a diagnosis); [`svgs`] writes their figures too.
 //!
-//! The same input gives the same bytes: no clock, no random name, no machine. All text is in [`words`], one file a language.
+//! Equal input gives equal bytes: the report contains no clock time, no random name and no machine name. All text is in
+//! [`words`], one file per language.
 
 pub mod against;
 pub mod blocks;
@@ -52,40 +53,40 @@ use dashpot_records::Campaign;
 use dashpot_simulation::comparison;
 use std::path::{Path, PathBuf};
 
-/// Everything a report tells.
+/// Contents of a report.
 #[derive(Debug, Clone)]
 pub struct ReportInput<'a> {
     /// Language of the report.
     pub words: &'static Words,
-    /// What a printer puts on paper.
+    /// Extent of the printed report.
     pub print: Print,
-    /// What it is made from.
+    /// Origin of the report.
     pub made: Made,
     /// Force of the model at constant velocity, m/s and N.
     pub curve: Vec<[f64; 2]>,
-    /// Name of the model file compared.
+    /// Name of the validated model file.
     pub model_file: String,
-    /// Name of the data folder or file compared with.
+    /// Name of the data folder or file.
     pub data: String,
-    /// Figures of the comparison.
+    /// Results of the comparison.
     pub validation: &'a Validation,
     /// The tests compared, in the order of `validation.tests`; they supply the plots and cleaning notes.
     pub tests: &'a [Compared<'a>],
     /// Parameters of the model; the section is left out when empty.
     pub parameters: Vec<ParameterRow>,
-    /// How the model was identified: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
+    /// Description of the identification: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
     pub extra: Vec<Section>,
-    /// The damper over a setting, whose curves come first; absent for an ordinary damper.
+    /// The adjustable damper, whose curves come first; absent for an ordinary damper.
     pub family: Option<FamilyReport<'a>>,
 }
 
 impl<'a> ReportInput<'a> {
-    /// All that a model file, the records it was compared with and the comparison have to tell, in full.
+    /// Collects the complete report of a model file, its records and their comparison.
     ///
     /// # Errors
-    /// When no step can be taken with the model's parameters.
+    /// If the simulation cannot step with the model's parameters.
     pub fn from_validation(
         model: &ModelFile,
         campaign: &Campaign,
@@ -110,7 +111,7 @@ impl<'a> ReportInput<'a> {
     }
 }
 
-/// The tables of the report as a workbook.
+/// Returns the tables of the report as a workbook.
 pub fn workbook<'a>(input: &ReportInput<'a>) -> Workbook<'a> {
     Workbook {
         title: input.words.title_validation.to_owned(),
@@ -121,20 +122,20 @@ pub fn workbook<'a>(input: &ReportInput<'a>) -> Workbook<'a> {
     }
 }
 
-/// The report as one HTML document.
+/// Renders the report as one HTML document.
 pub fn render(input: &ReportInput<'_>) -> String {
     page::page(input.words.title_validation, &subtitle(input), &sections(input), input.words, input.print)
 }
 
-/// A report of other sections, in the same format.
+/// Renders other sections in the format of the report.
 pub fn render_sections(title: &str, subtitle: &str, sections: &[Section], words: &Words) -> String {
     page::page(title, subtitle, sections, words, Print::Whole)
 }
 
-/// Writes the report, replacing an older one only when the new one is complete.
+/// Writes the report. It replaces an older report only once the new one is complete.
 ///
 /// # Errors
-/// When the folder does not exist or cannot be written; the older report then stays.
+/// If the folder does not exist or is not writable; the older report then stays.
 pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> {
     write_page(&render(input), path)
 }
@@ -143,11 +144,12 @@ fn write_page(page: &str, path: &Path) -> anyhow::Result<()> {
     replace_file(path, page.as_bytes()).with_context(|| format!("writing the report {}", path.display()))
 }
 
-/// Writes every figure of the report as a file of its own into a folder, which is made if missing. Returns the paths in
-/// the order of the report.
+/// Writes every figure of the report as a file into a folder, and creates the folder if it is missing.
+///
+/// Returns the paths in the order of the report.
 ///
 /// # Errors
-/// When the folder or a file cannot be written.
+/// If the folder or a file is not writable.
 pub fn svgs(input: &ReportInput<'_>, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     write_figures(&sections(input), folder)
 }
@@ -163,14 +165,14 @@ fn write_figures(sections: &[Section], folder: &Path) -> anyhow::Result<Vec<Path
     Ok(written)
 }
 
-/// All sections in reading order: the answer, the pictures that it rests on, then every test and every table.
+/// Returns all sections in reading order: the result, its figures, then every test and every table.
 fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let (validation, words) = (input.validation, input.words);
     let mut sections = Vec::new();
     let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
     let limits_id = limits.as_ref().map(|section| section.id.clone());
     let mut answer = summary::section(validation, words);
-    // The verdict is the first sentence; its table follows the first picture, and is printed by the certificate.
+    // The verdict comes first. Its table follows the first figure; the certificate prints that table.
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
@@ -203,7 +205,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     sections.extend(parameters::section(&input.parameters, words).map(Section::beyond));
     sections.push(made::section(&input.made, words).beyond());
     if input.family.is_some() {
-        // Curves, errors and loops by setting are the report; a verdict on limits is one too.
+        // Only curves, errors and loops by setting, and a verdict on limits, stay expanded.
         let kept = limits_id.as_deref();
         for section in sections.iter_mut().skip(first).filter(|section| Some(section.id.as_str()) != kept) {
             *section = section.clone().folded();
@@ -212,7 +214,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     sections
 }
 
-/// What was compared with what.
+/// Formats the names of the model and the data that were compared.
 fn subtitle(input: &ReportInput<'_>) -> String {
     let text =
         input.words.fill(input.words.subtitle_validation, &[("model", &input.model_file), ("data", &input.data)]);
@@ -268,7 +270,7 @@ mod tests {
         ] {
             assert!(html.contains(expected), "{expected}");
         }
-        // The only address allowed is the name of the SVG language.
+        // The only allowed address is the SVG namespace.
         let addresses = html.matches("http").count();
         assert_eq!(addresses, html.matches("xmlns=\"http://www.w3.org/2000/svg\"").count());
         assert!(!html.contains(" src=") && !html.contains("@import") && !html.contains("url("));
@@ -321,7 +323,7 @@ mod tests {
             let html =
                 with_input(&records(), |input| render(&ReportInput { words: language.words(), ..input.clone() }));
             assert!(html.contains(&format!("<html lang=\"{code}\">")) && html.contains(language.words().axis_force));
-            // Nothing of another language slips in where a text exists.
+            // No text of another language may appear where a translation exists.
             if language != words::Language::English {
                 for english in
                     [words::EN.axis_velocity, words::EN.fv_caption, words::EN.single_about, words::EN.key_section]

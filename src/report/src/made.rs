@@ -1,7 +1,7 @@
-//! What a report was made from, so that it can be made again.
+//! Origin of a report, which allows its reproduction.
 //!
-//! Version, command, files with their hashes, and a date where one is given. The clock is not read: the same input
-//! gives the same bytes.
+//! The origin consists of version, command, files with their hashes, and an optional date. The clock is not read: equal
+//! input gives equal bytes.
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -14,15 +14,15 @@ use std::path::Path;
 /// A file that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MadeFrom {
-    /// Its name as given.
+    /// Name as given.
     pub name: String,
-    /// Its size.
+    /// Size in bytes.
     pub bytes: u64,
     /// SHA-256 of its content, hexadecimal.
     pub sha256: String,
 }
 
-/// What a report was made from.
+/// Origin of a report.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Made {
     /// Version of dashpot.
@@ -36,21 +36,23 @@ pub struct Made {
 }
 
 impl Made {
-    /// What was made from these files by this version.
+    /// Describes results made by this version from files.
     pub fn from_files<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
         Self::of_known(files.into_iter().filter_map(MadeFrom::read).collect())
     }
 
-    /// What was made by this version from files that were looked at already.
+    /// Describes results made by this version from files that are already hashed.
     pub fn of_known(files: Vec<MadeFrom>) -> Self {
         Self { version: env!("CARGO_PKG_VERSION").to_owned(), files, ..Self::default() }
     }
 }
 
-/// The date of a report: the one given; without it that of `SOURCE_DATE_EPOCH`, or none, so that the same input gives the same report.
+/// Returns the date of a report: the given date, else the date of `SOURCE_DATE_EPOCH`, else none.
+///
+/// The clock is not read, so equal input gives an equal report.
 ///
 /// # Errors
-/// Where `SOURCE_DATE_EPOCH` holds no number of seconds.
+/// If `SOURCE_DATE_EPOCH` is not a number of seconds.
 pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     match (given, std::env::var("SOURCE_DATE_EPOCH")) {
         (Some(date), _) => Ok(Some(date.to_owned())),
@@ -62,7 +64,7 @@ pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     }
 }
 
-/// Words as a line that a shell takes apart into the same words.
+/// Quotes words as one line that a shell splits into the same words.
 pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
     let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
     let quoted = |word: String| match () {
@@ -73,7 +75,7 @@ pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
 }
 
 impl MadeFrom {
-    /// Looks at a file; `None` where it cannot be read again.
+    /// Reads and hashes a file. Returns `None` if the file is not readable.
     pub fn read(path: &Path) -> Option<Self> {
         let mut file = std::fs::File::open(path).ok()?;
         let (mut hash, mut bytes) = (Sha256::new(), 0);
@@ -89,7 +91,7 @@ impl MadeFrom {
         Some(Self { name: path.display().to_string(), bytes, sha256: hexadecimal(hash.finalize().as_slice()) })
     }
 
-    /// A file whose content is at hand.
+    /// Hashes given content.
     pub fn of_content(name: &str, content: &[u8]) -> Self {
         let sha256 = hexadecimal(Sha256::digest(content).as_slice());
         Self { name: name.to_owned(), bytes: content.len() as u64, sha256 }
@@ -103,7 +105,7 @@ fn hexadecimal(bytes: &[u8]) -> String {
 /// Anchor of the section.
 pub(crate) const ID: &str = "made";
 
-/// Version, date and command, and how to make it again.
+/// Lists version, date and command, with instructions to reproduce the report.
 pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     let mut lines = vec![words.fill(words.made_version, &[("version", &made.version)])];
     lines.extend(made.date.as_ref().map(|date| words.fill(words.made_date, &[("date", date)])));
@@ -119,7 +121,7 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
-/// The last section of a report.
+/// Builds the last section of a report.
 pub fn section(made: &Made, words: &Words) -> Section {
     let mut blocks: Vec<Block> = vec![Block::List(lines(made, words))];
     let row = |f: &MadeFrom| vec![f.name.as_str().into(), Cell::count(f.bytes as usize), f.sha256.as_str().into()];
@@ -134,10 +136,10 @@ pub fn section(made: &Made, words: &Words) -> Section {
     Section::new(ID, words.made_section, blocks)
 }
 
-/// A day of the Gregorian calendar from seconds since 1970, as `SOURCE_DATE_EPOCH` counts them.
+/// Converts seconds since 1970, the unit of `SOURCE_DATE_EPOCH`, to a day of the Gregorian calendar.
 pub fn day_of(seconds: u64) -> String {
-    // Days are counted from 1 March of year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date
-    // algorithms).
+    // Days are counted from 1 March of year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level
+    // date algorithms).
     let days = seconds / 86_400 + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);
     let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;

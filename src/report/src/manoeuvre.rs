@@ -1,7 +1,7 @@
-//! What a manoeuvre shows.
+//! Report of a manoeuvre.
 //!
-//! The forces of the dampers with the model and with its FV curve alone, the road, the chassis, the region that the
-//! dampers saw, and the vehicle.
+//! It contains the forces of the dampers with the model and with its FV curve alone. It also contains the road, the
+//! chassis, the operating region of the dampers, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -26,58 +26,57 @@ pub struct Region {
     pub velocity_m_s: [f64; 2],
 }
 
-/// What one damper saw and gave.
+/// Operating region, forces and energy of one damper.
 #[derive(Serialize, Debug, Clone)]
 pub struct CornerFigures {
     /// Name of the corner.
     pub corner: &'static str,
-    /// What the damper saw.
+    /// Region of displacement and velocity in the manoeuvre.
     pub saw: Region,
     /// Largest force with the model, N.
     pub largest_force_n: f64,
     /// Largest force with the curve, N.
     pub largest_force_fv_n: f64,
-    /// rms of the difference of the two forces, N, free of what the exchange adds to them ([`Figures::quiet_step_s`]).
+    /// rms difference of the two forces, N, without the error of the coupling step ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
-    /// rms of what the exchange in the host's step adds to the force with the model and with the curve, N.
+    /// rms error, N, that the coupling in the host's step adds to the force with the model and with the curve.
     ///
-    /// None where it does not chatter.
+    /// `None` if the coupling does not chatter.
     pub rms_chatter_n: Option<[f64; 2]>,
     /// rms of the force with the model about its mean, N.
     pub rms_force_n: f64,
-    /// Energy taken with the model, J.
+    /// Dissipated energy with the model, J.
     pub energy_j: f64,
-    /// Energy taken with the curve, J.
+    /// Dissipated energy with the curve, J.
     pub energy_fv_j: f64,
-    /// Share of the time near which rig tests came.
+    /// Fraction of the time within a tenth of the tests' region from a rig test.
     pub fraction_inside_tests: Option<f64>,
-    /// Velocities, m/s, at which the model's FV curve ends; none where it has no ends.
+    /// Velocities, m/s, at which the model's FV curve ends; `None` for a curve without ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
-    /// Share of the time beyond them, where the curve goes straight on.
+    /// Fraction of the time beyond the ends of the curve, where the force is extrapolated linearly.
     pub fraction_beyond_curve: f64,
 }
 
-/// What was driven, in figures; its JSON form is what `dashpot manoeuvre` writes.
+/// Figures of a driven manoeuvre; `dashpot manoeuvre` writes them as JSON.
 #[derive(Serialize, Debug, Clone)]
 pub struct Figures {
     /// Name of the manoeuvre.
     pub manoeuvre: String,
     /// Step, s.
     pub step_s: f64,
-    /// With the model and with the curve, m/s².
+    /// Largest heave acceleration with the model and with the curve, m/s².
     pub largest_heave_acceleration_m_s2: [f64; 2],
-    /// With the model and with the curve, m/s².
+    /// rms heave acceleration with the model and with the curve, m/s².
     pub rms_heave_acceleration_m_s2: [f64; 2],
-    /// m, free of what the exchange adds.
+    /// rms difference of heave between model and curve, m, without the error of the coupling step.
     pub rms_heave_difference_m: f64,
-    /// Step, s, in which model and curve were compared because the exchange of force and motion chatters with one of
-    /// them in the host's.
+    /// Step, s, of the comparison if the coupling of force and motion chatters in the host's step with either model.
     ///
-    /// None where it does not.
+    /// `None` if the coupling does not chatter.
     pub quiet_step_s: Option<f64>,
-    /// Largest c h / m.
+    /// Largest ratio c h / m of the coupling: damping times step over mass.
     pub coupling: f64,
-    /// Note for moving dampers.
+    /// Largest ratio c h / m of moving dampers.
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,
@@ -88,9 +87,9 @@ pub struct Figures {
 /// Points of displacement and velocity that the rig tests covered.
 #[derive(Debug, Clone)]
 pub struct Covered {
-    /// Their region.
+    /// Displacement and velocity range of the tests.
     pub region: Region,
-    /// Their loops.
+    /// Loops of the tests: displacement and velocity.
     pub loops: Vec<Vec<[f64; 2]>>,
 }
 
@@ -102,14 +101,14 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 }
 
 impl Covered {
-    /// The loops of records.
+    /// Takes the loops from records.
     pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
         Covered { region: region(loops.iter().flatten().copied()), loops }
     }
 
-    /// Whether a test came near: within a tenth of the tests' region in both directions.
+    /// Returns a predicate: whether a point lies within a tenth of the tests' region from a test, in both directions.
     fn near(&self) -> impl Fn([f64; 2]) -> bool {
         const CELLS: usize = 20;
         let r = self.region;
@@ -137,7 +136,7 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
     (sum / n.max(1) as f64).sqrt()
 }
 
-/// Measures what was driven with the model and with the curve; `quiet` are both in shorter steps.
+/// Evaluates the runs with the model and with the curve; `quiet` are both runs in shorter steps.
 pub fn figures(
     name: &str,
     step: f64,
@@ -200,44 +199,44 @@ pub fn figures(
     }
 }
 
-/// The runs with model and curve that differ by the dampers alone.
+/// Selects the runs with model and curve whose difference is due to the dampers alone.
 fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
     quiet.map_or(host, |quiet| quiet.runs.each_ref())
 }
 
-/// What a report of a manoeuvre is written from.
+/// Input of the report of a manoeuvre.
 #[derive(Debug, Clone)]
 pub struct ManoeuvreInput<'a> {
     /// The figures.
     pub figures: &'a Figures,
     /// Name of the model file.
     pub model_file: String,
-    /// Driven with the model.
+    /// Run with the model.
     pub model: &'a Run,
-    /// Driven with the FV curve.
+    /// Run with the FV curve.
     pub curve: &'a Run,
-    /// Both without chatter, where there is any.
+    /// Both runs in shorter steps, if the coupling chatters.
     pub quiet: Option<&'a Quiet>,
-    /// Rig tests, where there are any.
+    /// Rig tests, if available.
     pub covered: Option<&'a Covered>,
     /// The vehicle.
     pub car: &'a Car,
     /// Its speed, m/s.
     pub speed: f64,
-    /// What it was made from.
+    /// Origin of the report.
     pub made: &'a Made,
     /// The language.
     pub words: &'a Words,
 }
 
 impl ManoeuvreInput<'_> {
-    /// The report as one HTML document.
+    /// Renders the report as one HTML document.
     pub fn render(&self) -> String {
         let [title, subtitle] = self.titles();
         crate::render_sections(&title, &subtitle, &self.sections(), self.words)
     }
 
-    /// The tables of the report as a workbook.
+    /// Returns the tables of the report as a workbook.
     pub fn workbook(&self) -> Workbook<'_> {
         let [title, subtitle] = self.titles();
         Workbook { title, subtitle, sections: self.sections(), made: self.made.clone(), words: self.words }
@@ -270,7 +269,7 @@ impl ManoeuvreInput<'_> {
         ]
     }
 
-    /// Where model and curve differ most.
+    /// Describes the largest difference between model and curve.
     fn answer(&self) -> String {
         let by = |c: &CornerFigures| c.rms_force_difference_n;
         let worst = self.figures.corners.iter().max_by(|a, b| by(a).total_cmp(&by(b)));
@@ -304,7 +303,7 @@ impl ManoeuvreInput<'_> {
         self.words.fill(self.words.manoeuvre_chassis, &figures)
     }
 
-    /// Lines of both runs in drawing order: the model on top.
+    /// Returns the lines of both runs in drawing order: the model on top.
     fn both(&self, point: &dyn Fn(&Sample) -> [f64; 2]) -> Vec<Series> {
         vec![
             series(Role::FvOnly, self.words.fv_curve, self.curve, point),
@@ -312,7 +311,7 @@ impl ManoeuvreInput<'_> {
         ]
     }
 
-    /// A figure over time, from beginning to end.
+    /// Draws a figure over the whole time of the run.
     fn over_time(&self, title: String, y: &str, series: Vec<Series>) -> String {
         let mut plane = plane(title, self.words.axis_time, y, series);
         let end = self.model.samples.last().map_or(1.0, |s| s.time);
@@ -334,7 +333,7 @@ impl ManoeuvreInput<'_> {
             let less = Series { role: Role::Model, label: words.model, lines, marks: Marks::Line };
             let svg = self.over_time(title(words.corner_difference), words.axis_difference, vec![less]);
             figures.push(Figure::new(format!("difference-time-{name}"), svg));
-            // The curve last: it is narrow and would be buried under the model's loops.
+            // The curve is drawn last: it is narrow, and the model's loops would cover it.
             let loops =
                 self.both(&|s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force]).into_iter().rev().collect();
             let plane = plane(title(words.corner_force_velocity), words.axis_velocity, words.axis_force, loops);
@@ -433,7 +432,9 @@ impl ManoeuvreInput<'_> {
     }
 }
 
-/// That model and curve were compared in shorter steps, and what the host's add to their forces, where that is so.
+/// Notes that model and curve were compared in shorter steps, and quantifies the error of the host's step.
+///
+/// Returns `None` if the host's step was used.
 pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     let most =
         |of: usize| f.corners.iter().filter_map(|c| c.rms_chatter_n).map(|chatter| chatter[of]).fold(0.0, f64::max);
@@ -443,7 +444,9 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_quiet, &figures))
 }
 
-/// That a damper leaves the velocities that its FV curve was identified at, where one does: the one that does so longest.
+/// Notes the damper that spends the most time beyond the velocities of its identified FV curve.
+///
+/// Returns `None` if no damper leaves these velocities.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
     let share = |c: &&CornerFigures| c.fraction_beyond_curve;
     let worst =
@@ -455,7 +458,7 @@ pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_beyond, &figures))
 }
 
-/// What the exchange of force and motion asks of a host, where it asks anything.
+/// Formats the requirements of the coupling on a host, if there are any.
 pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     let [all, moving, mass, slow] =
         [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));
@@ -466,7 +469,7 @@ pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     (f.coupling > RINGS).then(|| words.fill(words.coupling_chatter, &figures))
 }
 
-/// A range in mm or mm/s.
+/// Formats a range in mm or mm/s.
 fn span(range: [f64; 2]) -> Cell {
     Cell::span(range.map(|end| 1e3 * end), numbers::error)
 }

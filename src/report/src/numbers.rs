@@ -1,38 +1,38 @@
-//! How the report writes figures: as many digits as mean something, in a damper engineer's units.
+//! Number formats of the report: significant digits only, in a damper engineer's units.
 
 use crate::plot::ticks::number;
 use crate::words::{Words, fill};
 use dashpot_records::newtons::places;
 use dashpot_records::reading_unit;
 
-/// A force, N: whole, or two digits of one below 10 N, as a small damper has them.
+/// Formats a force, N: without decimals, or below 10 N with two digits, as small dampers need.
 pub fn force(newton: f64) -> String {
     number(newton, places(newton, 0))
 }
 
-/// A difference of forces, N.
+/// Formats a difference of forces, N.
 ///
-/// To a tenth, or two digits of one below 1 N, which may be all that a small damper is off by.
+/// It has one decimal, or two digits below 1 N, which may be the whole error of a small damper.
 pub fn error(newton: f64) -> String {
     number(newton, places(newton, 1))
 }
 
-/// A percentage, to a hundredth.
+/// Formats a percentage with two decimals.
 pub fn percent(value: f64) -> String {
     number(value, 2)
 }
 
-/// A displacement in mm or a velocity in mm/s from SI, three digits.
+/// Formats a displacement in mm or a velocity in mm/s from SI, with three digits.
 pub fn milli(si: f64) -> String {
     digits(1e3 * si, 3)
 }
 
-/// A frequency, Hz, three digits.
+/// Formats a frequency, Hz, with three digits.
 pub fn frequency(hertz: f64) -> String {
     digits(hertz, 3)
 }
 
-/// A value to so many significant digits; very large and very small ones as a power of ten.
+/// Formats a value with `significant` digits; very large and very small values as a power of ten.
 pub fn digits(value: f64, significant: i32) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { "–".into() };
@@ -47,25 +47,26 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
 }
 
-/// A value with as many decimals as give `reference` three digits.
+/// Formats a value with the decimals that give `reference` three digits.
 ///
-/// Figures compared with each other end at the same place, and what is nothing beside the reference reads as nothing.
+/// Figures in one comparison then end at the same decimal, and values negligible relative to `reference` appear as
+/// zero.
 pub fn comparable(value: f64, reference: f64) -> String {
     let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
-/// A value in the unit that engineers use for it: mm, N/mm, ms; four digits.
+/// Formats a value in the unit that engineers use for the quantity: mm, N/mm, ms; four digits.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let (factor, unit) = reading_unit(value, unit);
     spaced(digits(factor * value, 4), &unit)
 }
 
-/// A value with the ends of its interval, all in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
+/// Formats a value and its interval in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
 pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
     let (factor, unit) = reading_unit(value, unit);
     let [value, low, high] = [value, low, high].map(|v| factor * v);
-    // Digits beyond the first two of the interval's half width say nothing.
+    // Digits beyond the first two of the interval's half width are not significant.
     let half = 0.5 * (high - low).abs();
     let write = |v: f64| match half {
         half if half.is_finite() && half > 0.0 && (1e-4..1e6).contains(&value.abs()) => {
@@ -83,12 +84,12 @@ fn spaced(figures: String, unit: &str) -> String {
     if unit.is_empty() { figures } else { format!("{figures}\u{a0}{unit}") }
 }
 
-/// A fraction in percent, without decimals.
+/// Formats a fraction in percent, without decimals.
 pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
 }
 
-/// A whole number in raised digits.
+/// Formats a whole number as a superscript.
 fn superscript(value: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = value.unsigned_abs().to_string();

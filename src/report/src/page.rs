@@ -1,4 +1,4 @@
-//! Sections as one HTML page: all markup, style and script of the report.
+//! Renders sections as one HTML page: all markup, style and script of the report.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::cells::{Cell, Value};
@@ -9,10 +9,10 @@ use dashpot_identification::limits::Overall;
 use dashpot_output::GENERATOR;
 use std::fmt::Write as _;
 
-/// What of a page goes on paper.
+/// Extent of the printed page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Print {
-    /// The answer and what it rests on: two pages.
+    /// The result and its evidence: two pages.
     #[default]
     Brief,
     /// Everything.
@@ -21,11 +21,11 @@ pub enum Print {
     Certificate,
 }
 
-/// Style of folded sections, for pages that have any.
+/// Style of collapsed sections, for pages that contain any.
 const FOLDED_CSS: &str =
     "details.folded > summary > h2 { display: inline-block; margin: 12px 0; border: 0; color: var(--link); }\n";
 
-/// The whole document.
+/// Renders the whole document.
 pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, print: Print) -> String {
     let mut html = String::new();
     let title = escape(title);
@@ -61,7 +61,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, pr
     html
 }
 
-/// What the script writes on its buttons.
+/// Serializes the labels of the script's buttons.
 fn texts_of_script(words: &Words) -> String {
     let texts = [
         ("all", words.all_tests_shown),
@@ -80,7 +80,7 @@ fn section(html: &mut String, section: &Section, (words, print): (&Words, Print)
     let class = if section.beyond { " class=\"beyond\"" } else { "" };
     let (id, title) = (escape(&section.id), escape(&section.title));
     if section.folded {
-        // Paper cannot be clicked.
+        // A printed section cannot be expanded, so the complete print expands all.
         let open = if print == Print::Whole { " open" } else { "" };
         let _ = writeln!(
             html,
@@ -159,7 +159,7 @@ fn figure(html: &mut String, figure: &Figure, class: &str) {
 fn table(html: &mut String, table: &Table, words: &Words) {
     let class = if table.sortable { " class=\"sortable\"" } else { "" };
     if !table.caption.is_empty() {
-        // Not a <caption>: that would be as wide as the table and scroll away with it.
+        // A <caption> element would be as wide as the table and scroll with it, so a paragraph serves instead.
         let sorts = if table.sortable {
             format!(" <span class=\"sorts\">{}</span>", escape(words.sort_help))
         } else {
@@ -185,12 +185,12 @@ fn table(html: &mut String, table: &Table, words: &Words) {
     html.push_str("</tbody>\n</table>\n</div>\n");
 }
 
-/// A number is written as the language does; a workbook takes it in full instead.
+/// Formats a number for the language of the page. A workbook stores the full number instead.
 fn cell_text(cell: &Cell, words: &Words) -> String {
     if cell.value == Value::Words { cell.text.clone() } else { words.number(&cell.text) }
 }
 
-/// The row of group headings, where there are any.
+/// Writes the row of group headings, if any column has a group.
 fn groups(html: &mut String, columns: &[Column]) {
     if columns.iter().all(|column| column.group.is_empty()) {
         return;
@@ -204,7 +204,7 @@ fn groups(html: &mut String, columns: &[Column]) {
     html.push_str("</tr>\n");
 }
 
-/// Figures stand right; the first column of a group has a line before it.
+/// Returns the class of a column: numbers align right, and a line precedes the first column of a group.
 fn class_of(columns: &[Column], index: usize) -> &'static str {
     let Some(column) = columns.get(index) else {
         return "";

@@ -14,7 +14,7 @@ use dashpot_estimation::priors;
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
-/// One parameter of the model.
+/// A parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterRow {
     /// Name as in the model file.
@@ -27,24 +27,24 @@ pub struct ParameterRow {
     pub low: Option<f64>,
     /// Upper end of the range, where known.
     pub high: Option<f64>,
-    /// Where the value comes from: identified, measured, default, given.
+    /// Source of the value: identified, measured, default, given.
     pub source: String,
     /// Remark.
     pub remark: Remark,
-    /// Where the data could not determine it: what was assumed in its place, and from what.
+    /// Assumption and its source, for a value that the data could not determine.
     pub assumed: Option<String>,
 }
 
-/// What a table says of a parameter beside its numbers.
+/// Remark of a table on a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remark {
-    /// What it means, in the kernel's words.
+    /// Meaning of the parameter, as in the kernel.
     Meaning(&'static str),
-    /// At which velocity a force of the FV table stands, m/s.
+    /// Velocity of a force in the FV table, m/s.
     AtVelocity(f64),
-    /// At which displacement a force of the lookup spring stands, m.
+    /// Displacement of a force in the lookup spring, m.
     AtDisplacement(f64),
-    /// Nothing.
+    /// No remark.
     Nothing,
 }
 
@@ -53,7 +53,7 @@ impl Remark {
         parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.meaning))
     }
 
-    /// In words.
+    /// Formats the remark as text.
     fn said(self, words: &Words) -> String {
         match self {
             Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
@@ -68,12 +68,14 @@ impl Remark {
     }
 }
 
-/// What was assumed of a number that the data could not determine, and from what; `why` its element is off, where it is.
+/// Formats the assumption about a parameter that the data could not determine, and its source.
+///
+/// `why` states the reason for which its element is off, if it is off.
 pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
     assumed_by(name, value, (params, &PriorSet::default()), why, words)
 }
 
-/// What was assumed of a number of a damper with priors of its own.
+/// Formats the assumption about a parameter of a damper that has its own priors.
 fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: Option<&str>, words: &Words) -> String {
     let Some(row) = parameter::find(name).filter(|row| !matches!(row.parameter.shape, Shape::List(_))) else {
         return words.not_identified.to_owned();
@@ -88,7 +90,7 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
     let median = prior.map(|prior| prior.distribution.center());
     let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
-    // Where the value is neither, a fit left it there: between what dampers show and what the records hardly say.
+    // Any other value comes from the fit: a compromise between the prior and weak evidence of the records.
     let source = match (prior, median) {
         _ if of_damper.is_some_and(|own| (value / own.center() - 1.0).abs() < NEAR) => {
             words.fill(words.assumed_dimensions, &[("source", of_damper.map_or("", |own| own.facts()))])
@@ -101,7 +103,7 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     words.fill(words.not_identified_assumed, &[("value", &value), ("source", &source)])
 }
 
-/// The table of parameters; `None` without any.
+/// Builds the table of parameters. Returns `None` without parameters.
 pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     if parameters.is_empty() {
         return None;
@@ -134,7 +136,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     Some(Section::new("parameters", words.parameters_section, vec![Block::Table(table)]))
 }
 
-/// Those of a model file, with what its fit says of them.
+/// Lists the parameters of a model file, with the results of its fit.
 pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
@@ -151,7 +153,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
                     _ => (None, None),
                 };
-                // Rows of the other form of an element say nothing here.
+                // Parameters of the element's other form are omitted.
                 if low.is_none() && !missing && values == p.default {
                     continue;
                 }
@@ -194,11 +196,11 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     rows
 }
 
-/// Those that a fit estimated.
+/// Lists the parameters that a fit estimated.
 pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
     let row = |e: &Estimate| ParameterRow {
         name: e.index.map_or_else(|| e.name.to_owned(), |k| format!("{}[{k}]", e.name)),
-        // What the records leave open has no number of theirs.
+        // A parameter that the records do not determine has no value.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
         source: words.say(&e.from),
         assumed: assumed_of_damper(e, (&fit.params, &fit.priors), words),
@@ -207,7 +209,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
     fit.estimates.iter().map(row).collect()
 }
 
-/// Those of the improved model of a diagnosis.
+/// Lists the parameters of the improved model of a diagnosis.
 pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
     let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
     let row = |e: &Estimate| ParameterRow {
@@ -234,17 +236,17 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
     }
 }
 
-/// Distance from the center of a damper's own prior, relative to it, within which a number that the records leave open stands there.
+/// Largest relative distance from the center of a damper's own prior at which a value counts as the prior's.
 const NEAR: f64 = 0.1;
 
-/// What was assumed of an estimate that the data could not determine.
+/// Formats the assumption about an estimate that the data could not determine.
 pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
     assumed_of_damper(e, (params, &PriorSet::default()), words)
 }
 
-/// What was assumed of an estimate of a damper with priors of its own.
+/// Formats the assumption about an estimate of a damper that has its own priors.
 pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) -> Option<String> {
-    // A point of a curve that the records leave loose was fitted all the same: its interval says how loose.
+    // An undetermined point of a curve was fitted nevertheless; its interval shows the uncertainty.
     if e.index.is_some() {
         return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
     }

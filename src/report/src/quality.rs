@@ -1,22 +1,22 @@
-//! How good a fit is, in one sentence: beside the noise and beside the plain FV curve.
+//! Rates a fit in one sentence: in comparison with the noise and with the FV curve alone.
 
 use crate::numbers::digits;
 use crate::words::Words;
 use dashpot_simulation::whole_records::Quality;
 
-/// Errors up to so many times the noise are as good as the records allow: beyond, the model's form shows.
+/// Ratio of error to noise up to which the records allow no better fit. A larger ratio indicates a deficiency of the
+/// model.
 const NOISE: f64 = 1.5;
-/// Largest mean error, percent of a test's largest force, of a good fit.
+/// Largest mean error of a good fit, percent of a test's largest force.
 ///
-/// A damper repeats itself within 1 to 2 % from test to test (Dixon, *The Shock Absorber Handbook*, 2007, chapter
-/// 10).
+/// A damper repeats itself within 1 to 2 % from test to test (Dixon, *The Shock Absorber Handbook*, 2007, chapter 10).
 const GOOD: f64 = 2.0;
-/// Limit of a fair fit; beyond it, friction, gas or hysteresis are not reproduced.
+/// Largest mean error of a fair fit; beyond it, friction, gas or hysteresis are not reproduced.
 const FAIR: f64 = 5.0;
-/// Ratio of the errors from which the model is better than the curve.
+/// Ratio of the curve's error to the model's error from which the model counts as better.
 const BETTER: f64 = 1.05;
 
-/// The sentence.
+/// Formats the sentence.
 pub fn sentence(quality: &Quality, words: &Words) -> String {
     let Quality { model, fv_only, noise_n } = quality;
     let by_noise = model.mean_error_n / noise_n;

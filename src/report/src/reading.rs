@@ -1,13 +1,15 @@
-//! What was noticed when the records were read: the sign that was worked out, gaps, channels that do not fit.
+//! Remarks from reading the records: the detected sign, gaps, and inconsistent channels.
 
 use crate::blocks::Block;
 use crate::words::Words;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
-/// Confidence below which the reader of a report must be warned of the sign that was worked out.
+/// Confidence below which a report warns of a detected sign.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those that a model file keeps.
+/// Returns the remarks for a report: first the sign, as a warning if it is doubtful, then the other remarks and `kept`.
+///
+/// `kept` are the remarks stored in a model file.
 pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
@@ -20,13 +22,13 @@ pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block>
     blocks
 }
 
-/// The sign and the remarks, a sentence each.
+/// Returns the sign and the remarks, one sentence each.
 pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()
 }
 
-/// The sign that was found or given, in a sentence.
+/// Formats the detected or given sign as a sentence.
 pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
     let direction = match sign.positive {
         Positive::Rebound => words.rebound,

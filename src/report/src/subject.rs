@@ -1,15 +1,18 @@
-//! What was measured, by whom and when, as the files say it; what they do not say is left to be filled in by hand.
+//! Test object, operator and date of the measurement, as in the files. Missing entries stay blank for filling in by
+//! hand.
 
 use super::numbers::digits;
 use crate::words::Words;
 use dashpot_records::{Record, TestMetadata, clock};
 
-/// Most values that are listed one by one.
+/// Largest number of values that are listed individually.
 const LISTED: usize = 3;
-/// Below it a time is of an unknown day, s.
+/// Times below this limit, s, are relative to an unknown day.
 const DAY: f64 = 86_400.0;
 
-/// A line each: part, serial number, tester and date, which a certificate needs, and the rig and the temperature where they are known.
+/// Returns one line each for part, serial number, operator and date, which a certificate requires.
+///
+/// Rig and temperature follow if they are known.
 pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     let said = |of: fn(&TestMetadata) -> &Option<String>| {
         let mut values: Vec<String> = Vec::new();
@@ -33,7 +36,7 @@ pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     lines
 }
 
-/// Of many values the first and the last.
+/// Lists values. Of more than [`LISTED`] values only the first and the last appear.
 fn in_short(values: &[String], words: &Words) -> Option<String> {
     match values {
         [] => None,
@@ -42,7 +45,7 @@ fn in_short(values: &[String], words: &Words) -> Option<String> {
     }
 }
 
-/// The day on which the records were measured, or the first and the last.
+/// Returns the day of the measurement, or the first and the last day.
 fn when(records: &[&Record], words: &Words) -> Option<String> {
     let begins = records.iter().filter_map(|record| record.begins).filter(|seconds| *seconds >= DAY);
     let (first, last) = begins.fold((f64::MAX, f64::MIN), |(low, high), s| (low.min(s), high.max(s)));
@@ -83,7 +86,7 @@ mod tests {
                 "Temperatur bei der Messung: 22,0 bis 24,5 °C",
             ]
         );
-        // A time of an unknown day is no date.
+        // A time on an unknown day does not give a date.
         let clock = Record { begins: Some(3600.0), ..Record::default() };
         let empty = lines(&[&clock], &EN);
         assert_eq!(empty.len(), 4);

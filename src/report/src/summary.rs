@@ -1,4 +1,4 @@
-//! The answer: how close the model comes, in a few sentences.
+//! The result in a few sentences: the error of the model.
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{digits, error, force, percent};
@@ -6,7 +6,7 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
-/// The first section.
+/// Builds the first section.
 pub fn section(validation: &Validation, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(validation, words))];
     blocks.extend(left_out(validation, words).map(Block::Paragraph));
@@ -15,12 +15,12 @@ pub fn section(validation: &Validation, words: &Words) -> Section {
     Section::new("answer", words.answer, blocks)
 }
 
-/// The figures behind the answer.
+/// Builds the table of the figures that support the result.
 pub fn figures(validation: &Validation, words: &Words) -> Section {
     Section::new("key", words.key_section, vec![Block::Table(key_table(validation, words))])
 }
 
-/// The result beside that of the force–velocity curve alone.
+/// Compares the result with that of the force–velocity curve alone.
 fn headline(validation: &Validation, words: &Words) -> String {
     let Errors { model, fv_only } = validation.overall.errors;
     let closer = validation.tests.iter().filter(|test| is_closer(test)).count().to_string();
@@ -52,7 +52,7 @@ fn headline(validation: &Validation, words: &Words) -> String {
     words.fill(words.headline, &figures)
 }
 
-/// How the model does where identification did not look.
+/// Describes the error of the model in the tests left out of the fit.
 fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     let figures = |errors: &Errors| {
         let figures = [
@@ -78,7 +78,7 @@ fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     }
 }
 
-/// Place of the test with the largest error percent; of equal ones the first.
+/// Returns the index of the test with the largest relative error; among equal errors, the first.
 pub fn worst(validation: &Validation) -> Option<usize> {
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
     (0..validation.tests.len()).min_by(|a, b| percent(b).total_cmp(&percent(a)))
@@ -97,7 +97,7 @@ fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
     ))
 }
 
-/// What no model can do better than.
+/// Describes the noise, which is the lower bound of any model's error.
 fn noise(validation: &Validation, words: &Words) -> Option<String> {
     let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {
@@ -108,7 +108,7 @@ fn noise(validation: &Validation, words: &Words) -> Option<String> {
     Some(words.fill(words.noise_sentence, &[("noise", &digits(mean, 2))]))
 }
 
-/// Model beside curve, overall and for fitted and left-out tests.
+/// Compares model and curve, overall and for fitted and left-out tests.
 fn key_table(validation: &Validation, words: &Words) -> Table {
     let mut rows = Vec::new();
     let groups = [

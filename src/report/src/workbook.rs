@@ -1,9 +1,9 @@
 //! The tables of a report as one workbook for Excel.
 //!
-//! A sheet a table, behind a first sheet that says what they are and what they were made from.
+//! Each table has a sheet. The first sheet lists the tables and their origin.
 //!
-//! A number is a number with all its digits, shown with those of the page. The same input gives the same bytes: the date in the
-//! file's properties is fixed, and the one that a reader sees is that of the report.
+//! A number keeps all its digits and is displayed with the digits of the page. Equal input gives equal bytes: the date
+//! in the file's properties is fixed, and the displayed date is that of the report.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::{Cell, Value};
@@ -13,40 +13,40 @@ use anyhow::Context as _;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Workbook as Book, Worksheet, XlsxError};
 use std::path::Path;
 
-/// What a workbook is written from.
+/// Input of a workbook.
 #[derive(Debug, Clone)]
 pub struct Workbook<'a> {
     /// Title of the report.
     pub title: String,
-    /// What was compared with what.
+    /// Names of the compared model and data.
     pub subtitle: String,
     /// The report's sections; their tables become sheets.
     pub sections: Vec<Section>,
-    /// What it was made from.
+    /// Origin of the results.
     pub made: Made,
     /// The language.
     pub words: &'a Words,
 }
 
-/// Longest name of a sheet that Excel takes.
+/// Longest name of a sheet that Excel accepts.
 const LONGEST_NAME: usize = 31;
-/// Widest column that is still read without scrolling, characters.
+/// Largest width of a column, characters, that is readable without scrolling.
 const WIDEST: usize = 60;
-/// Rows above which looking for the widest cell gains nothing.
+/// Number of rows that determine the width of a column; further rows rarely change it.
 const ROWS_LOOKED_AT: usize = 1000;
 
 impl Workbook<'_> {
-    /// The file's bytes.
+    /// Returns the bytes of the file.
     ///
     /// # Errors
-    /// When a table is larger than a sheet of Excel.
+    /// If a table is larger than a sheet of Excel.
     pub fn bytes(&self) -> anyhow::Result<Vec<u8>> {
         Ok(self.book()?.save_to_buffer()?)
     }
 
     fn book(&self) -> Result<Book, XlsxError> {
         let mut book = Book::new();
-        // The author tells our own workbooks from those that somebody has edited (`dashpot_output::Kind`).
+        // The author property distinguishes generated workbooks from edited ones (`dashpot_output::Kind`).
         let properties = DocProperties::new()
             .set_author(dashpot_output::AUTHOR)
             .set_title(&self.title)
@@ -60,7 +60,7 @@ impl Workbook<'_> {
         Ok(book)
     }
 
-    /// All tables with the names of their sheets. What the report was made from stands on the first sheet.
+    /// Returns all tables with the names of their sheets. The first sheet contains the origin of the report.
     fn sheets(&self) -> Vec<Sheet<'_>> {
         let mut sheets: Vec<Sheet<'_>> = Vec::new();
         let parts = self.sections.iter().flat_map(Section::parts).filter(|part| part.id != made::ID);
@@ -80,7 +80,7 @@ impl Workbook<'_> {
         sheets
     }
 
-    /// The title, the answer, the list of sheets, and what the workbook was made from.
+    /// Writes the title, the result, the list of sheets, and the origin of the workbook.
     fn first(&self, sheet: &mut Worksheet, sheets: &[Sheet<'_>]) -> Result<(), XlsxError> {
         let (bold, wrapped) = (Format::new().set_bold(), Format::new().set_text_wrap().set_align(FormatAlign::Top));
         let large = Format::new().set_bold().set_font_size(14);
@@ -128,17 +128,17 @@ impl Workbook<'_> {
     }
 }
 
-/// Writes the workbook, replacing an older one only when the new one is complete.
+/// Writes the workbook. It replaces an older workbook only once the new one is complete.
 ///
 /// # Errors
-/// When a table is too large for a sheet, the folder is missing, or something else is there already.
+/// If a table is too large for a sheet, the folder is missing, or another file exists at the path.
 pub fn write_workbook(workbook: &Workbook<'_>, path: &Path) -> anyhow::Result<()> {
     let named = || format!("writing the workbook {}", path.display());
     let bytes = workbook.bytes().with_context(named)?;
     dashpot_output::replace_file(path, &bytes).with_context(named)
 }
 
-/// A table on its way to a sheet.
+/// A table with the properties of its sheet.
 struct Sheet<'a> {
     name: String,
     section: &'a str,
@@ -147,20 +147,20 @@ struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// What it shows: the section, the heading below which it stands, and the words above it.
+    /// Describes the table: its section, the heading above it, and its caption.
     fn about(&self) -> String {
         let texts = [self.section, self.heading, &self.table.caption];
         texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" – ")
     }
 }
 
-/// A text without what Excel refuses in the name of a sheet.
+/// Removes characters that Excel rejects in the name of a sheet.
 fn safe(text: &str) -> String {
     let kept: String = text.chars().map(|c| if "[]:*?/\\".contains(c) { ' ' } else { c }).collect();
     shortened(kept.trim().trim_matches('\''), LONGEST_NAME)
 }
 
-/// The beginning of a text; Excel counts in UTF-16.
+/// Truncates a text to `most` UTF-16 units, the units in which Excel counts.
 fn shortened(text: &str, most: usize) -> String {
     let mut units = 0;
     let fits = |c: &char| {
@@ -170,10 +170,10 @@ fn shortened(text: &str, most: usize) -> String {
     text.chars().take_while(fits).collect::<String>().trim_end().to_owned()
 }
 
-/// The section's title, with a number where a sheet of that name is there already.
+/// Returns the section's title, with a number if a sheet of that name already exists.
 fn free_name(title: &str, sheets: &[Sheet<'_>], words: &Words) -> String {
     let first = safe(title);
-    // Excel takes names that differ in case alone for one.
+    // Excel treats names that differ only in case as equal.
     let same = |a: &str, b: &str| a.to_lowercase() == b.to_lowercase();
     let taken = |name: &str| same(name, &safe(words.workbook_contents)) || sheets.iter().any(|s| same(&s.name, name));
     let numbered = (2..).map(|k: u32| {
@@ -184,17 +184,17 @@ fn free_name(title: &str, sheets: &[Sheet<'_>], words: &Words) -> String {
     names.next().unwrap_or(first)
 }
 
-/// What a column of the page becomes.
+/// Layout of a page's column in the workbook.
 enum Kind {
     /// Text, or one number.
     One,
-    /// A number, and its unit in a column of its own because the rows have different ones.
+    /// A number and its unit in a second column, because the rows have different units.
     WithUnit,
-    /// Both ends of an interval, with a column for the unit where the rows have different ones.
+    /// Both ends of an interval, with a column for the unit if the rows have different units.
     Ends(bool),
 }
 
-/// A column of the page with what it becomes and the one unit of all its cells.
+/// Returns the layout of a page's column and the common unit of its cells.
 fn kind(table: &Table, place: usize) -> (Kind, Option<&str>) {
     let mut units: Vec<&str> = Vec::new();
     let mut ends = false;
@@ -221,7 +221,7 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     let width = |sheet: &mut Worksheet, at: u16, text: &str, cells: &[String]| -> Result<(), XlsxError> {
         sheet.write_string_with_format(0, at, text, &heading)?;
         let widest = cells.iter().take(ROWS_LOOKED_AT).map(|c| columns_of(c)).max().unwrap_or(0);
-        // A heading may take three lines.
+        // A heading may occupy three lines.
         let wanted = widest.max(columns_of(text).div_ceil(3)).max(10) + 2;
         sheet.set_column_width(at, wanted.min(WIDEST) as f64).map(drop)
     };
@@ -258,7 +258,8 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     Ok(())
 }
 
-/// One part of a cell: the whole of it, or the low and the high end of an interval. What is not there stays empty.
+/// Writes one part of a cell: the whole cell, or the low or high end of an interval. A missing part leaves the cell
+/// empty.
 fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize) -> Result<(), XlsxError> {
     let number = match &cell.value {
         Value::Words => {
@@ -275,7 +276,7 @@ fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize
     sheet.write_number_with_format(row, at, number, &format).map(drop)
 }
 
-/// Excel's format for the digits that the page shows.
+/// Returns Excel's format for the digits on the page.
 fn number_format(text: &str) -> String {
     let number: String =
         text.chars().skip_while(|c| !c.is_ascii_digit()).take_while(|c| c.is_ascii_digit() || *c == '.').collect();
@@ -284,20 +285,20 @@ fn number_format(text: &str) -> String {
     if text.contains("\u{b7}10") { format!("0{point}E+00") } else { format!("0{point}") }
 }
 
-/// The heading in one line: group, heading, unit of the cells.
+/// Formats the heading in one line: group, heading, unit of the cells.
 fn named(column: &Column, unit: Option<&str>) -> String {
     let mut name = column.heading.replace('\u{a0}', " ");
     if !column.group.is_empty() {
         name = format!("{}: {name}", column.group);
     }
     match unit {
-        // A share may say so in its heading already.
+        // The heading of a fraction may contain the unit already.
         Some(unit) if !name.contains(unit) => format!("{name}, {unit}"),
         _ => name,
     }
 }
 
-/// Places that a text takes in a column; Chinese is twice as wide.
+/// Counts the columns of text width; Chinese letters are twice as wide.
 fn columns_of(text: &str) -> usize {
     text.chars().map(|c| if c > '\u{2e80}' { 2 } else { 1 }).sum()
 }

@@ -1,4 +1,4 @@
-//! How much force every hidden effect is worth at strength 1, over several dampers and in every physical form drawn.
+//! Prints the force of every injected effect at strength 1, over several dampers and in every drawn physical form.
 //!
 //! `cargo run --release -p dashpot-rig --example effect_sizes [SEEDS] [STRENGTH]`
 

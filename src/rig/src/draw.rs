@@ -1,18 +1,18 @@
-//! Random draws that keep a list of what was drawn, so that the truth of a case can be written down.
+//! Random draws that record the drawn values, so that the truth of a case can be written.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// A random stream of its own for one purpose of one seed.
+/// A separate random stream for one purpose of one seed.
 #[derive(Debug, Clone)]
 pub(crate) struct Draw {
     stream: ChaCha8Rng,
-    /// Names (with unit) and values, in the order drawn.
+    /// Names (with unit) and values, in the order of the draws.
     pub values: Vec<(String, f64)>,
 }
 
 impl Draw {
-    /// The stream depends on seed and purpose only: what else is drawn in a case changes nothing here.
+    /// Initializes a stream that depends only on seed and purpose, independent of all other draws of a case.
     pub fn new(seed: u64, purpose: &str) -> Self {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -21,32 +21,32 @@ impl Draw {
         Self { stream: ChaCha8Rng::from_seed(key), values: Vec::new() }
     }
 
-    /// Uniform in 0..1; not listed.
+    /// Draws uniformly in 0..1, without recording.
     pub fn unit(&mut self) -> f64 {
         (self.stream.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform between two values.
+    /// Draws uniformly between two values.
     pub fn between(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low + (high - low) * self.unit();
         self.values.push((name.into(), value));
         value
     }
 
-    /// Between two positive values, every octave equally likely.
+    /// Draws log-uniformly between two positive values.
     pub fn ratio(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low * libm::pow(high / low, self.unit());
         self.values.push((name.into(), value));
         value
     }
 
-    /// One of `count`, all equally likely; not listed.
+    /// Draws one of `count` equally likely indices, without recording.
     pub fn choice(&mut self, count: usize) -> usize {
         ((self.unit() * count as f64) as usize).min(count - 1)
     }
 }
 
-/// FNV-1a: unlike the standard library's hash, the same in every release.
+/// Computes the hash FNV-1a, which, unlike the standard library's hash, does not change between releases.
 pub(crate) fn fnv1a(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }

@@ -1,17 +1,17 @@
-//! The actuator's motion during one test: rest, ramp up, whole cycles at full amplitude, ramp down, rest.
+//! The actuator's motion during one test: standstill, ramp up, whole cycles at full amplitude, ramp down, standstill.
 
 use std::f64::consts::TAU;
 
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Rest before the motion and after it, s.
+/// Standstill before and after the motion, s.
 const REST_S: f64 = 0.25;
-/// A ramp lasts whole cycles, but not less than this, s: an actuator does not start at 25 Hz in one cycle.
+/// Shortest ramp, s. A ramp has whole cycles; an actuator does not start at 25 Hz within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
-/// Tests slower than this ramp over half a cycle only, Hz: half a cycle takes ten seconds and more.
+/// Frequency, Hz, below which tests ramp over half a cycle only, because half a cycle takes ten seconds and more.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
-/// Rests and ramps of a brief test: a rest of a quarter cycle within these limits, s.
+/// Limits of a brief test's standstill, a quarter cycle, s.
 const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
 const BRIEF_RAMP_S: f64 = 0.08;
 
@@ -28,7 +28,7 @@ pub struct Drive {
     road: Option<Road>,
 }
 
-/// Where the motion is.
+/// Displacement and its derivatives at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
     pub displacement_m: f64,
@@ -47,7 +47,7 @@ impl Drive {
         Self::with(point, REST_S, ramp)
     }
 
-    /// With rests and ramps as short as they can be: for campaigns in which time is dear.
+    /// Makes a test with the shortest standstills and ramps, for short campaigns.
     pub fn brief(point: &TestPoint) -> Self {
         let period = 1.0 / point.frequency_hz;
         let ramp = if point.frequency_hz < 2.0 * SLOW_FREQUENCY_HZ {
@@ -72,23 +72,24 @@ impl Drive {
         }
     }
 
-    /// Time at which the rig is at rest again for good, s.
+    /// Returns the time from which the rig stays at standstill, s.
     pub fn duration_s(&self) -> f64 {
         self.full.1 + self.ramp + self.rest
     }
 
-    /// First and last time of the whole cycles at full amplitude, s. They begin and end at the mean displacement, extending.
+    /// Returns the start and end of the whole cycles at full amplitude, s. Both are at the mean displacement during
+    /// extension.
     pub fn full_cycles_s(&self) -> (f64, f64) {
         self.full
     }
 
-    /// Displacement (m) and velocity (m/s) at a time (s).
+    /// Computes displacement (m) and velocity (m/s) at a time (s).
     pub fn motion(&self, time: f64) -> (f64, f64) {
         let motion = self.motion_with_acceleration(time);
         (motion.displacement_m, motion.velocity_m_s)
     }
 
-    /// Displacement, velocity and acceleration at a time (s).
+    /// Computes displacement, velocity and acceleration at a time (s).
     pub fn motion_with_acceleration(&self, time: f64) -> Motion {
         let (start, end) = self.full;
         let (envelope, rate, curvature) = if time < start {
@@ -125,7 +126,7 @@ struct Road {
 
 impl Road {
     const WAVES: usize = 24;
-    /// Slowest and fastest component, Hz: body motion to above the wheel's resonance.
+    /// Lowest and highest frequency of the components, Hz: from body motion to above the wheel's resonance.
     const BAND_HZ: (f64, f64) = (0.4, 16.0);
 
     fn new(seed: u64, point: &TestPoint, full: std::ops::Range<f64>) -> Self {
@@ -135,7 +136,7 @@ impl Road {
             .map(|index| {
                 let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
                 let hz = low * libm::pow(high / low, place);
-                // Body mode, then a plateau of velocity up to the wheel's resonance, then off.
+                // The spectrum has the body mode, then constant velocity up to the wheel's resonance, then a roll-off.
                 let size = libm::pow(hz, -1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
                 [size, TAU * hz, TAU * draw.unit()]
             })
@@ -162,7 +163,7 @@ impl Road {
     }
 }
 
-/// From 0 to 1 with no jump in velocity or acceleration, its slope and its curvature.
+/// Computes a step from 0 to 1 without jumps in velocity or acceleration, with its first and second derivative.
 fn smooth_step(share: f64) -> (f64, f64, f64) {
     let s = share.clamp(0.0, 1.0);
     (

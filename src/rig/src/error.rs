@@ -1,12 +1,12 @@
-//! What can go wrong on the rig, in words that say where and what to do.
+//! Errors of the rig; the messages name the location and a remedy.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Everything the virtual rig refuses or fails at.
+/// Errors of the virtual rig.
 #[derive(Debug, thiserror::Error)]
 pub enum RigError {
-    /// A cell or row of a matrix file cannot be used.
+    /// A cell or row of a matrix file is invalid.
     #[error("{}, line {line}, column {column}: {problem}", file.display())]
     MatrixCell {
         /// The matrix file.
@@ -15,25 +15,25 @@ pub enum RigError {
         line: u64,
         /// Name of the column, as in the file's header.
         column: String,
-        /// What is wrong and what to do.
+        /// The problem and a remedy.
         problem: String,
     },
-    /// A matrix file as a whole cannot be used.
+    /// A matrix file as a whole is invalid.
     #[error("{}, line {line}: {problem}", file.display())]
     MatrixFile {
         /// The matrix file.
         file: PathBuf,
         /// Line in the file, counted from 1.
         line: u64,
-        /// What is wrong and what to do.
+        /// The problem and a remedy.
         problem: String,
     },
-    /// A test point lies outside what the rig or its damper can do.
+    /// A test point exceeds the limits of the rig or the damper.
     #[error("test '{test}': {problem}")]
     TestPoint {
         /// Name of the test.
         test: String,
-        /// What is wrong and what to do.
+        /// The problem and a remedy.
         problem: String,
     },
     /// An option is out of range.
@@ -41,10 +41,10 @@ pub enum RigError {
     Option {
         /// Name of the option.
         option: &'static str,
-        /// What is wrong and what to do.
+        /// The problem and a remedy.
         problem: String,
     },
-    /// The motion of the damper could not be solved.
+    /// The solver failed on the motion of the damper.
     #[error(
         "test '{test}': the damper's motion could not be solved beyond {time_s:.4} s ({problem}); \
          check the test's amplitude, frequency and side force"
@@ -52,23 +52,23 @@ pub enum RigError {
     Motion {
         /// Name of the test.
         test: String,
-        /// Time reached.
+        /// Time reached, s.
         time_s: f64,
-        /// What stopped the solver.
+        /// Reason for which the solver stopped.
         problem: String,
     },
-    /// The output folder holds something else than an earlier campaign.
+    /// The output folder contains anything but an earlier campaign.
     #[error("{}: {problem}", folder.display())]
     Folder {
         /// The output folder.
         folder: PathBuf,
-        /// What is wrong and what to do.
+        /// The problem and a remedy.
         problem: String,
     },
     /// A file could not be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     Io {
-        /// What was attempted, e.g. "read".
+        /// The attempted action, e.g. "read".
         action: &'static str,
         /// The file or folder.
         path: PathBuf,
@@ -78,7 +78,7 @@ pub enum RigError {
 }
 
 impl RigError {
-    /// For `map_err`: wraps a system error with the action and the path.
+    /// Returns a closure for `map_err` that wraps a system error with the action and the path.
     pub(crate) fn io(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::Io { action, path, source }

@@ -1,4 +1,4 @@
-//! Files that are written whole or not at all.
+//! Writes files completely or not at all.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::RigError;
 
-/// Writes a file to its end, onto the disk.
+/// Writes a file completely and flushes it to the disk.
 pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), RigError> {
     let write = || {
         let mut out = BufWriter::with_capacity(1 << 16, fs::File::create(path)?);
@@ -16,7 +16,7 @@ pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io
     write().map_err(RigError::io("write", path))
 }
 
-/// Writes a file in one step: completed beside its place under another name, then renamed.
+/// Replaces a file atomically: writes a temporary file in its folder, then renames it.
 pub(crate) fn replace_file(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -28,7 +28,7 @@ pub(crate) fn replace_file(
     let outcome =
         write_file(&aside, content).and_then(|()| fs::rename(&aside, path).map_err(RigError::io("write", path)));
     if outcome.is_err() {
-        // Nothing more can be done when this fails as well; the first fault is the one to report.
+        // An error of the removal is ignored, because the first error is the one to report.
         let _ = fs::remove_file(&aside);
     }
     outcome

@@ -1,11 +1,12 @@
-//! Two heat nodes of a damper on the rig: the oil takes the dissipated power, the body passes it to the air.
+//! Two thermal nodes of a damper on the rig: the dissipated power heats the oil, which heats the body, which heats the
+//! air.
 
 use crate::draw::Draw;
 
 /// Temperature of the laboratory, °C.
 pub(crate) const AIR_C: f64 = 22.0;
 
-/// Capacities (J/K) and conductances (W/K).
+/// Heat capacities (J/K) and thermal conductances (W/K).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Heat {
     oil_j_k: f64,
@@ -31,9 +32,9 @@ impl Heat {
         }
     }
 
-    /// After some time at a constant power.
+    /// Computes the temperatures after a time at constant power.
     pub fn after(&self, now: Temperatures, power_w: f64, seconds: f64) -> Temperatures {
-        // The oil settles within some ten seconds; a second is a fine step for that.
+        // The time constant of the oil is some ten seconds, so a step of a second is short enough.
         let steps = seconds.ceil().max(1.0);
         let step = seconds / steps;
         let mut then = now;
@@ -60,7 +61,7 @@ mod tests {
         assert!((warm.oil_c - warm.body_c - 100.0 / heat.oil_to_body_w_k).abs() < 0.01, "{warm:?}");
         let cooled = heat.after(warm, 0.0, 20_000.0);
         assert!((cooled.oil_c - AIR_C).abs() < 0.01);
-        // Nothing is lost meanwhile: in a short time the oil keeps what it gets.
+        // In a short time there are no losses: the oil stores all heat.
         let short = heat.after(cold, 1000.0, 0.1);
         assert!((short.oil_c - AIR_C - 100.0 / heat.oil_j_k).abs() < 1e-3);
     }

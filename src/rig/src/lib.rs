@@ -1,15 +1,15 @@
-//! The virtual rig: a physical damper on a test bench, and the campaigns measured on it.
+//! The virtual rig: a physical damper on a test rig, and the measured campaigns.
 //!
-//! It is the independent reality that identification and diagnosis are tried on, so it shares nothing with the model being
-//! identified: chambers with compressible oil instead of a spring, valves instead of a force-velocity table, a bristle seal
-//! instead of a friction curve.
+//! It is an independent reference for identification and diagnosis, so its equations differ from those of the
+//! identified model. It has chambers with compressible oil instead of a spring, valves instead of a force-velocity
+//! table, and a bristle seal instead of a friction curve.
 //!
-//! For a diagnosis there is a second, *neutral* damper of the model's own topology, in which physical effects can be hidden:
+//! A second, *neutral* damper with the model's own topology allows the injection of physical effects for a diagnosis:
 //! [`InjectedCase`].
 //!
-//! SI units; extension (rebound) displacement and velocity positive, tension force positive.
+//! All values are in SI units; extension (rebound) displacement and velocity are positive, and so is tension force.
 //!
-//! `tests/first_use.rs` shows both at work.
+//! `tests/first_use.rs` shows both dampers.
 
 pub mod campaign;
 pub mod damper;

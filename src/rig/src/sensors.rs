@@ -1,7 +1,7 @@
-//! What the rig's sensors add to the truth.
+//! Sensor errors of the rig.
 //!
-//! Gaussian noise, a stream of its own for every channel of every test; on the force also colour, mains hum and the
-//! steps of the converter.
+//! Every channel of every test has a separate stream of Gaussian noise. The force channel also has colored noise, mains
+//! hum and the quantization of the converter.
 
 use std::f64::consts::TAU;
 
@@ -12,11 +12,11 @@ use rand_distr::{Distribution, StandardNormal};
 use crate::draw::fnv1a;
 use crate::{Options, Record};
 
-/// Noise of the load cell's amplifier, standard deviation, N; comes on top of the share of the test's force.
+/// Noise of the load cell's amplifier, standard deviation, N, in addition to the noise relative to the test's force.
 const FORCE_FLOOR_N: f64 = 0.5;
 /// Noise of the displacement transducer, standard deviation, m.
 const DISPLACEMENT_M: f64 = 2e-6;
-/// Noise of the velocity channel, standard deviation, as a share of the test's peak velocity.
+/// Noise of the velocity channel, standard deviation, relative to the test's peak velocity.
 const VELOCITY_SHARE: f64 = 1e-3;
 /// Noise of the side-force cell, standard deviation, N.
 const SIDE_FORCE_N: f64 = 0.5;
@@ -24,12 +24,12 @@ const SIDE_FORCE_N: f64 = 0.5;
 const TEMPERATURE_K: f64 = 0.1;
 /// Mains frequency, Hz.
 const HUM_HZ: f64 = 50.0;
-/// Ranges of usual load cells, N.
+/// Ranges of common load cells, N.
 const RANGES_N: [f64; 8] = [500.0, 1e3, 2e3, 5e3, 10e3, 20e3, 50e3, 100e3];
-/// A cell is chosen with this reserve above the largest force.
+/// Smallest ratio of the load cell's range to the largest force.
 const RESERVE: f64 = 1.2;
 
-/// A measured channel. The numbers choose the random stream: never reuse one.
+/// A measured channel. The numbers select the random stream, so they must never be reused.
 #[derive(Debug, Clone, Copy)]
 pub enum Channel {
     Displacement = 1,
@@ -47,13 +47,13 @@ pub struct Sensors<'a> {
 }
 
 impl<'a> Sensors<'a> {
-    /// Sensors of a campaign in the test named `test`. With `noise_percent` 0 none of them has noise.
+    /// Makes the sensors of a campaign in the test named `test`. With `noise_percent` 0 no sensor has noise.
     pub fn new(options: &'a Options, test: &'a str) -> Self {
         Self { options, test }
     }
 
-    /// Disturbs all channels. `full_cycles_s` is counted from the record's first sample, whose time is `start_s`; `peak_n`
-    /// is the largest force of the campaign.
+    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the record's first sample, whose time is
+    /// `start_s`; `peak_n` is the largest force of the campaign.
     pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
         let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
         self.disturb_force(rms_n, &mut record.force_n);
@@ -69,7 +69,7 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's, in the colour asked for.
+    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's noise, in the selected color.
     fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
         let deviation = 0.01 * self.options.noise_percent * rms_n + FORCE_FLOOR_N;
         let colour = self.options.noise_colour;
@@ -77,7 +77,7 @@ impl<'a> Sensors<'a> {
             return self.disturb(Channel::Force, deviation, force_n);
         }
         let mut stream = self.stream(Channel::Force);
-        // Stationary from the first sample on.
+        // The noise is stationary from the first sample on.
         let fresh = (1.0 - colour * colour).sqrt();
         let mut last: f64 = StandardNormal.sample(&mut stream);
         for value in force_n {
@@ -115,7 +115,7 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Depends on campaign, test name and channel only, so neither the order of the tests nor the threads matter.
+    /// Makes a random stream that depends only on campaign, test name and channel, and not on test order or threads.
     fn stream(&self, channel: Channel) -> ChaCha8Rng {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&self.options.seed.to_le_bytes());
@@ -126,7 +126,7 @@ impl<'a> Sensors<'a> {
     }
 }
 
-/// Smallest step of the force channel, N: the range in both directions over the steps.
+/// Computes the quantization step of the force channel, N: the range in both directions divided by the number of steps.
 fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
     let wanted = RESERVE * peak_n;
     let range = RANGES_N.into_iter().find(|range| *range >= wanted).unwrap_or(wanted);
@@ -134,8 +134,8 @@ fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
 }
 
 impl Record {
-    /// Rms of the force without noise over the cycles at full amplitude, N; rest and ramps do not count. A test too short
-    /// for its cycles counts whole.
+    /// Computes the rms of the noise-free force over the cycles at full amplitude, N, without standstill and ramps. For
+    /// a test without such cycles it covers all samples.
     pub(crate) fn rms_n(&self, (start, end): (f64, f64)) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (time, force) in self.time_s.iter().zip(&self.clean_force_n) {
@@ -174,7 +174,7 @@ mod tests {
         let noise = force_noise(1, "a", 2.0);
         let mean = noise.iter().sum::<f64>() / COUNT as f64;
         let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
-        // 2 % of 1000 N + 0.5 N; four standard errors.
+        // Expect 2 % of 1000 N plus 0.5 N, within four standard errors.
         assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * COUNT as f64).sqrt(), "{deviation}");
         assert!(mean.abs() < 4.0 * 20.5 / (COUNT as f64).sqrt());
         assert!(correlation(&noise[1..], &noise[..COUNT - 1]).abs() < 4.0 / (COUNT as f64).sqrt());
@@ -202,7 +202,7 @@ mod tests {
         for colour in [0.5, 0.9] {
             let noise = disturbed(&Options { noise_percent: 2.0, noise_colour: colour, ..Options::default() }, "a");
             let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
-            // Correlated samples count for (1 - r) / (1 + r) of their number.
+            // The effective number of correlated samples is (1 - r) / (1 + r) of their number.
             let effective = COUNT as f64 * (1.0 - colour) / (1.0 + colour);
             assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * effective).sqrt(), "{colour}: {deviation}");
             for lag in [1, 2, 5] {
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn rounding_is_to_whole_steps_and_uniform_between_them() {
-        // 12 bits over +-5 kN, the smallest range with reserve above 3 kN.
+        // The converter has 12 bits over +-5 kN, the smallest range with reserve above 3 kN.
         let step = converter_step_n(12, 3000.0);
         assert!((step - 10_000.0 / 4096.0).abs() < 1e-12);
         let options = Options { noise_percent: 0.0, bits: Some(12), ..Options::default() };

@@ -1,17 +1,19 @@
 //! Implicit integration with error control for the stiff motion of the damper.
 //!
-//! Oil chambers and bristles settle within a millisecond while a slow test lasts minutes, so an explicit method would need
-//! millions of steps. The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third order
-//! of Kennedy & Carpenter, *Additive Runge-Kutta schemes for convection-diffusion-reaction equations*, Appl. Numer. Math. 44
-//! (2003), ARK4(3)6L\[2\]SA; the coefficients are checked by their order conditions in a test.
+//! Oil chambers and bristles have time constants below a millisecond, but a slow test lasts minutes, so an explicit
+//! method would need millions of steps.
+//!
+//! The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third order of Kennedy &
+//! Carpenter, *Additive Runge-Kutta schemes for convection-diffusion-reaction equations*, Appl. Numer. Math. 44 (2003),
+//! ARK4(3)6L\[2\]SA. A test verifies the coefficients by their order conditions.
 
-// Matrices and vectors of a few components read best by their indices.
+// Matrices and vectors of a few components are most readable with explicit indices.
 #![allow(clippy::needless_range_loop)]
 
 const STAGES: usize = 6;
 const GAMMA: f64 = 0.25;
 const NODES: [f64; STAGES] = [0.0, 0.5, 83.0 / 250.0, 31.0 / 50.0, 17.0 / 20.0, 1.0];
-/// Below the diagonal; the last row is the fourth-order weights.
+/// Coefficients below the diagonal; the last row contains the fourth-order weights.
 const WEIGHTS: [[f64; STAGES - 1]; STAGES] = [
     [0.0; 5],
     [0.25, 0.0, 0.0, 0.0, 0.0],
@@ -20,7 +22,7 @@ const WEIGHTS: [[f64; STAGES - 1]; STAGES] = [
     [15267082809.0 / 155376265600.0, -71443401.0 / 120774400.0, 730878875.0 / 902184768.0, 2285395.0 / 8070912.0, 0.0],
     [82889.0 / 524892.0, 0.0, 15625.0 / 83664.0, 69875.0 / 102672.0, -2260.0 / 8211.0],
 ];
-/// Third-order weights, for the error estimate.
+/// Third-order weights for the error estimate.
 const EMBEDDED: [f64; STAGES] = [
     4586570599.0 / 29645900160.0,
     0.0,
@@ -31,22 +33,22 @@ const EMBEDDED: [f64; STAGES] = [
 ];
 
 const NEWTON_ITERATIONS: usize = 7;
-/// Newton stops at this share of the error tolerance.
+/// Fraction of the error tolerance at which the Newton iteration stops.
 const NEWTON_TOLERANCE: f64 = 0.01;
-/// Slower Newton convergence than this asks for a new Jacobian.
+/// Ratio of successive Newton updates above which a new Jacobian is computed.
 const NEWTON_SLOW: f64 = 0.3;
 const SMALLEST_STEP_S: f64 = 1e-12;
 
-/// Error allowed per step, component by component: `absolute + relative |y|`.
+/// Error tolerance per step and component: `absolute + relative |y|`.
 #[derive(Debug, Clone, Copy)]
 pub struct Tolerance<const N: usize> {
-    /// In the unit of the component; also the scale on which the equations are solved.
+    /// Absolute tolerance in the unit of the component; also the scale of the equations.
     pub absolute: [f64; N],
-    /// Without unit.
+    /// Relative tolerance.
     pub relative: f64,
 }
 
-/// Why the integration stopped.
+/// Error of a stopped integration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stuck {
     /// Time reached, s.
@@ -61,17 +63,18 @@ pub struct Integrator<const N: usize, F> {
     tolerance: Tolerance<N>,
     time: f64,
     state: [f64; N],
-    /// Rate at `time` and `state`. Evaluated, not carried over from the last stage: in that recursion stiff errors grow.
+    /// Derivative at `time` and `state`. It is evaluated anew, because reusing the last stage would amplify stiff
+    /// errors.
     rate: [f64; N],
     step: f64,
     jacobian: [[f64; N]; N],
     jacobian_is_fresh: bool,
-    /// LU factors of `1 - gamma h J` and the `h` they belong to.
+    /// LU factors of `1 - gamma h J` and their `h`.
     factors: Option<(f64, Factors<N>)>,
 }
 
 impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
-    /// Starts at `time` from `state` with a careful first step.
+    /// Starts at `time` from `state` with a small first step.
     pub fn new(rates: F, time: f64, state: [f64; N], tolerance: Tolerance<N>) -> Self {
         let rate = rates(time, &state);
         let mut integrator = Self {
@@ -89,7 +92,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         integrator
     }
 
-    /// The state reached.
+    /// Returns the current state.
     pub fn state(&self) -> &[f64; N] {
         &self.state
     }
@@ -97,11 +100,11 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
     /// Integrates up to `end` exactly.
     ///
     /// # Errors
-    /// [`Stuck`] when no step, however small, meets the tolerance.
+    /// [`Stuck`] if no step size meets the tolerance.
     pub fn advance_to(&mut self, end: f64) -> Result<(), Stuck> {
         while self.time < end {
             let remaining = end - self.time;
-            // Two equal steps rather than a full one and a splinter.
+            // Two equal steps avoid a very short last step.
             let (step, is_last) = if self.step >= remaining {
                 (remaining, true)
             } else if self.step > 0.5 * remaining {
@@ -119,7 +122,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 continue;
             };
             let error = self.norm(&filtered, &stages.state);
-            // Third-order estimate, hence the fourth root.
+            // The estimate is of third order, hence the fourth root.
             let factor = (0.9 * libm::pow(error.max(1e-10), -0.25)).clamp(0.2, 4.0);
             if error.is_nan() || error > 1.0 {
                 self.step = step * if error.is_nan() { 0.2 } else { factor.min(0.9) };
@@ -134,7 +137,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 self.renew_jacobian();
             }
             let proposal = step * factor;
-            // A step cut short by `end` says nothing against the longer one proposed before.
+            // A step shortened by `end` does not reduce the previously proposed step.
             self.step = if step < self.step { proposal.max(self.step.min(4.0 * proposal)) } else { proposal };
         }
         Ok(())
@@ -147,7 +150,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         Err(Stuck { time_s: self.time, reason: "no step is small enough for the accuracy asked for" })
     }
 
-    /// Largest component in units of the tolerance; NaN when any is not a number.
+    /// Returns the largest component in units of the tolerance; NaN if any is not a number.
     fn norm(&self, change: &[f64; N], state: &[f64; N]) -> f64 {
         let mut largest = 0.0;
         for i in 0..N {
@@ -162,11 +165,11 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         largest
     }
 
-    /// Jacobian by forward differences, in components scaled by the absolute tolerances.
+    /// Computes the Jacobian by forward differences, in components scaled by the absolute tolerances.
     fn renew_jacobian(&mut self) {
         for column in 0..N {
             let mut shifted = self.state;
-            // Large enough for the digits of the rate, small against what the tolerance calls a change.
+            // The increment is large compared with rounding errors, and small compared with the tolerance.
             shifted[column] += 1e-7 * self.state[column].abs() + 1e-3 * self.tolerance.absolute[column];
             let increment = shifted[column] - self.state[column];
             let rate = (self.rates)(self.time, &shifted);
@@ -179,7 +182,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         self.factors = None;
     }
 
-    /// The stages of one step and its filtered error; `None` when Newton does not converge.
+    /// Computes the stages of one step and its filtered error; `None` if the Newton iteration does not converge.
     fn try_step(&mut self, step: f64) -> Option<(Attempt<N>, [f64; N])> {
         if self.factors.as_ref().is_none_or(|(h, _)| *h != step) {
             let mut matrix = [[0.0; N]; N];
@@ -241,7 +244,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                     return None;
                 }
                 slow_newton |= ratio > NEWTON_SLOW && norm > NEWTON_TOLERANCE;
-                // What the following iterations would still change.
+                // Estimate the remaining change of the following iterations.
                 let rest = if last_norm.is_finite() { norm * ratio / (1.0 - ratio.min(0.95)) } else { norm };
                 last_norm = norm;
                 if rest <= NEWTON_TOLERANCE {
@@ -252,7 +255,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
             if !converged {
                 return None;
             }
-            // From the stage equation: within the step this keeps stiff components damped.
+            // Computing the rate from the stage equation keeps stiff components damped within the step.
             for i in 0..N {
                 rates[stage][i] = (value[i] - base[i]) / (step * GAMMA);
             }
@@ -264,7 +267,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 error[i] += step * (weight - EMBEDDED[stage]) * rate[i];
             }
         }
-        // Without this filter the estimate overrates the stiff components, which the method damps anyway.
+        // Without this filter, the estimate is too large for stiff components, which the method damps anyway.
         let filtered = solve(error);
         Some((Attempt { state: value, rate: (self.rates)(self.time + step, &value), slow_newton }, filtered))
     }
@@ -277,14 +280,14 @@ struct Attempt<const N: usize> {
     slow_newton: bool,
 }
 
-/// LU factors with row exchanges.
+/// LU factors with row permutation.
 struct Factors<const N: usize> {
     lu: [[f64; N]; N],
     rows: [usize; N],
 }
 
 impl<const N: usize> Factors<N> {
-    /// `None` when the matrix is singular or not finite.
+    /// Factorizes a matrix; `None` if it is singular or not finite.
     fn of(mut lu: [[f64; N]; N]) -> Option<Self> {
         let mut rows = [0; N];
         for (index, row) in rows.iter_mut().enumerate() {
@@ -330,7 +333,7 @@ impl<const N: usize> Factors<N> {
 mod tests {
     use super::*;
 
-    /// Full row of the method, diagonal included.
+    /// Returns the full row of the method, including the diagonal.
     fn row(stage: usize) -> [f64; STAGES] {
         let mut row = [0.0; STAGES];
         row[..5].copy_from_slice(&WEIGHTS[stage]);
@@ -366,17 +369,17 @@ mod tests {
         for defect in third(&weights).into_iter().chain(third(&EMBEDDED)).chain(fourth) {
             assert!(defect.abs() < 1e-14, "{defect}");
         }
-        // The estimate must see a fourth-order error, or step control would be blind.
+        // The error estimate must be of fourth order; otherwise step control would be ineffective.
         assert!((dot(&EMBEDDED, |i| c(i).powi(3)) - 0.25).abs() > 1e-4);
     }
 
-    /// Prothero & Robinson: a stiff pull towards a known curve.
+    /// Solves the stiff problem of Prothero & Robinson, with a fast relaxation toward a known curve. Returns the error.
     fn stiff_error(relative: f64) -> f64 {
         let rates = |t: f64, y: &[f64; 2]| [-1e5 * (y[0] - libm::cos(t)) - libm::sin(t), -y[1] * y[0]];
         let mut integrator = Integrator::new(rates, 0.0, [1.0, 1.0], Tolerance { absolute: [relative; 2], relative });
         integrator.advance_to(5.0).unwrap();
         let state = integrator.state();
-        // y1' = -y1 cos t has the solution exp(-sin t).
+        // The solution of y1' = -y1 cos t is exp(-sin t).
         (state[0] - libm::cos(5f64)).abs().max((state[1] - libm::exp(-(libm::sin(5f64)))).abs())
     }
 
@@ -390,7 +393,7 @@ mod tests {
 
     #[test]
     fn fixed_steps_converge_with_fourth_order() {
-        // Linear oscillator; a loose tolerance accepts every step, so the step is what `advance_to` prescribes.
+        // For a linear oscillator, a loose tolerance accepts every step, so `advance_to` prescribes the step.
         let error = |steps: u32| {
             let rates = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
             let loose = Tolerance { absolute: [1e-3; 2], relative: 0.0 };

@@ -1,4 +1,4 @@
-//! The rig as its first user meets it.
+//! The rig from its first user's view.
 
 use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError};
 

@@ -1,5 +1,6 @@
-//! Instructions of a step, a fit and reading, counted by callgrind, which no other load on the machine changes:
-//! `cargo bench -p dashpot-benches --bench instructions`. Needs valgrind, and iai-callgrind-runner of the version in `Cargo.toml`.
+//! Counts the instructions of a step, a fit and a reading with callgrind, independent of other load on the machine. Run
+//! `cargo bench -p dashpot-benches --bench instructions`. It needs valgrind, and iai-callgrind-runner of the version in
+//! `Cargo.toml`.
 #![allow(missing_docs)]
 
 use dashpot_benches::{Steps, files, fit, one_thread, read};

@@ -1,4 +1,4 @@
-//! Time of a step, a fit and reading, on this machine as it is: `cargo bench -p dashpot-benches --bench time`.
+//! Measures the time of a step, a fit and a reading on this machine: `cargo bench -p dashpot-benches --bench time`.
 
 use dashpot_benches::{STEPS, Steps, files, fit, read};
 use dashpot_identification::Family;

@@ -1,5 +1,5 @@
-//! What is measured: a thousand steps of a damper, a fit, reading a campaign. `benches/time.rs` takes the time, `benches/instructions.rs` counts
-//! instructions; the figures are in the book, `benchmarks.md`.
+//! Subjects of the benchmarks: a thousand steps of a damper, a fit, and reading a campaign. `benches/time.rs` measures
+//! time, `benches/instructions.rs` counts instructions; `benchmarks.md` in the book contains the figures.
 
 use dashpot_core::number;
 use dashpot_core::parameter::Element;
@@ -10,10 +10,10 @@ use dashpot_records::Campaign;
 use dashpot_rig::{Matrix, MatrixOptions};
 use tempfile::TempDir;
 
-/// Steps of one call of [`Steps::run`].
+/// Number of steps per call of [`Steps::run`].
 pub const STEPS: usize = 1000;
 
-/// A damper, and a motion at 1 ms that passes through all of its FV curve; the same as in `tests/hosts/cost.c`.
+/// A damper, and a motion at 1 ms over the whole FV curve, equal to that of `tests/hosts/cost.c`.
 pub struct Steps {
     model: Model,
     state: State,
@@ -21,10 +21,11 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// `default`, `cheap` (the one cheap step a host step), or the name of an element that is on beside the default ones.
+    /// Makes a damper: `default`, `cheap` (one inexpensive step per host step), or the default with a named additional
+    /// element.
     ///
     /// # Panics
-    /// Where there is no such element.
+    /// If the element does not exist.
     #[must_use]
     pub fn of(damper: &str) -> Steps {
         let mut params = Params::new();
@@ -49,7 +50,7 @@ impl Steps {
         Steps { state: model.steady_state(&Input::motion(0.0, 0.0)), model, inputs }
     }
 
-    /// Goes on by [`STEPS`] steps; the sum of the forces, so that none is left out.
+    /// Advances by [`STEPS`] steps. Returns the sum of the forces, so that the compiler omits none.
     pub fn run(&mut self) -> f64 {
         let mut sum = 0.0;
         for k in 0..STEPS {
@@ -60,10 +61,10 @@ impl Steps {
     }
 }
 
-/// A campaign of the virtual rig as files: six fast tests and the slow ones.
+/// Writes a campaign of the virtual rig: six fast tests and the slow tests.
 ///
 /// # Panics
-/// Where the folder cannot be written.
+/// If the folder is not writable.
 #[must_use]
 pub fn files() -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
@@ -79,29 +80,29 @@ pub fn files() -> TempDir {
     folder
 }
 
-/// Reads them.
+/// Reads the campaign.
 ///
 /// # Panics
-/// Where they cannot be read.
+/// If the records are not readable.
 #[must_use]
 pub fn read(files: &TempDir) -> Campaign {
     dashpot_records::load(&[files.path().join("records")], &Default::default(), &|_| {}).expect("a campaign")
 }
 
-/// Fits a model with all elements of the fit's choice, or the plain FV curve.
+/// Fits a model with selection of all elements, or the FV curve alone.
 ///
 /// # Panics
-/// Where it cannot be fitted.
+/// If the fit fails.
 #[must_use]
 pub fn fit(campaign: &Campaign, family: Family) -> Fit {
     let records = campaign.records.iter().collect::<Vec<_>>();
     dashpot_identification::fit(&records, &FitOptions { family, ..Default::default() }, |_| {}).expect("a fit")
 }
 
-/// Keeps all work on this thread: instructions are counted there alone, and two runs count the same.
+/// Keeps all work on this thread, because callgrind counts only its instructions, and two runs then count equally.
 ///
 /// # Panics
-/// Where threads were started before.
+/// If threads were started before.
 pub fn one_thread() {
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global().expect("no threads before");
 }

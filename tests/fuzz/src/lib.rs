@@ -1,5 +1,5 @@
-//! What the fuzzer calls: every reader of files, and what is done with what it read. An answer of either kind is none of its business; a panic,
-//! an access out of bounds, a gibibyte of memory or ten seconds are.
+//! Targets of the fuzzer: every reader of files, and the processing of its output. A reader may accept or reject a
+//! file. A panic, an access out of bounds, a gibibyte of memory or ten seconds are failures.
 
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// A folder in memory, where there is one.
+/// A folder in memory, if the system has one.
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
     let made = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir());
     made.expect("a folder for the files that are read")
@@ -27,7 +27,7 @@ fn written(name: &str, bytes: &[u8]) -> PathBuf {
     file
 }
 
-/// Reads a file of this ending as a campaign of one.
+/// Reads a file with this extension as a campaign of one record.
 pub fn records(ending: &str, bytes: &[u8]) {
     let file = written(&format!("a.{ending}"), bytes);
     let mut options = Options::default();
@@ -37,7 +37,7 @@ pub fn records(ending: &str, bytes: &[u8]) {
     let _ = load(&[file], &options, &|_| ());
 }
 
-/// Reads a model file by the kernel's reader and by that of the command, which must agree, and builds the model.
+/// Reads a model file with the kernel's reader and the command's reader, which must agree, and builds the model.
 pub fn model(bytes: &[u8]) {
     let mut params = Params::new();
     let by_kernel = kernel::read(bytes, &mut params);
@@ -49,7 +49,7 @@ pub fn model(bytes: &[u8]) {
     let _ = literature::read(&FOLDER.path().join("damper.toml"));
 }
 
-/// Reads a campaign's profile, and the tables that verbs take; the first byte says which.
+/// Reads a campaign's profile or a table of a verb, selected by the first byte.
 pub fn settings(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let text = std::str::from_utf8(bytes);
@@ -90,7 +90,7 @@ pub fn settings(bytes: &[u8]) {
     }
 }
 
-/// Reads a property file and patches a data set of Adams.
+/// Reads a property file, and patches a dataset of Adams.
 pub fn adams(bytes: &[u8]) {
     if let Ok(read) = property::read(bytes) {
         let again = property::read(property::write(&read, property::Form::Xml).as_bytes());
@@ -103,7 +103,7 @@ pub fn adams(bytes: &[u8]) {
     let _ = patch(bytes, &damper, false);
 }
 
-/// A record of three columns without a heading that says what they are.
+/// Makes a record of three columns whose headings do not name the channels.
 fn sine() -> String {
     let row = |i: u32| {
         let t = 0.01 * f64::from(i);

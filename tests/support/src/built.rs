@@ -1,21 +1,21 @@
-//! Where cargo puts what it builds.
+//! Locations of cargo's build output.
 
 use std::path::PathBuf;
 
-/// The folder of what is built as this test is.
+/// Returns the folder of the build profile of this test.
 ///
 /// # Panics
-/// Where the test was not started by cargo's path.
+/// If the test does not run from cargo's folder.
 pub fn profile_folder() -> PathBuf {
-    // target/<profile>/deps/<this test>
+    // The path of the test is target/<profile>/deps/<test>.
     let test = std::env::current_exe().expect("the path of this test");
     test.ancestors().nth(2).expect("a target directory").to_owned()
 }
 
-/// The folder of all that is built.
+/// Returns the target directory.
 ///
 /// # Panics
-/// As [`profile_folder`].
+/// If the test does not run from cargo's folder, see [`profile_folder`].
 pub fn target_folder() -> PathBuf {
     profile_folder().parent().expect("a target directory").to_owned()
 }

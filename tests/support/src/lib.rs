@@ -1,7 +1,7 @@
-//! What the tests of all crates share.
+//! Code shared by the tests of all crates.
 //!
-//! The sources, seeds of property tests and numbers drawn from one, tests that cannot run on a machine, and where
-//! cargo puts what it builds. Also the inputs of situations that users reported.
+//! It covers the Rust sources, seeds of property tests, random numbers from a seed, skipped tests, and locations of
+//! cargo's build output. It also locates the inputs of situations that users reported.
 
 mod built;
 mod random;

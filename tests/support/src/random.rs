@@ -1,4 +1,4 @@
-//! Numbers drawn from a seed.
+//! Random numbers from a seed.
 
 /// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 pub struct Random(pub u64);
@@ -12,27 +12,27 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Evenly from 0 to 1.
+    /// Draws uniformly from 0 to 1.
     pub fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Evenly between two numbers.
+    /// Draws uniformly between two numbers.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.share()
     }
 
-    /// Evenly by decade.
+    /// Draws log-uniformly between two numbers.
     pub fn decade(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.share())
     }
 
-    /// One of `count`.
+    /// Draws an index below `count`.
     pub fn one_of(&mut self, count: usize) -> usize {
         (self.share() * count as f64) as usize
     }
 
-    /// Whether a chance of `share` comes true.
+    /// Returns true with a probability of `share`.
     pub fn chance(&mut self, share: f64) -> bool {
         self.share() < share
     }

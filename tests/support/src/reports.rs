@@ -1,9 +1,9 @@
-//! Inputs of situations that users reported. They lie beside the checkout, not in it.
+//! Inputs of situations that users reported. They are stored next to the checkout, not in it.
 
 use super::skips::skipped;
 use std::path::{Path, PathBuf};
 
-/// The inputs of a situation (`../shared/data/reports`). Where they are not on this machine it says so, and there are none.
+/// Returns the inputs of a situation (`../shared/data/reports`). Reports a skip and returns `None` if they are absent.
 #[must_use]
 pub fn reported(name: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/reports").join(name);

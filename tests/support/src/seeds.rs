@@ -1,4 +1,4 @@
-//! Seeds of property tests: other cases whenever the code has changed, and the same again on demand.
+//! Seeds of property tests: the cases change with the code, and a given seed repeats a run.
 
 use crate::sources::rust_files;
 use proptest::test_runner::{Config, RngSeed};
@@ -7,30 +7,31 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::{fs, io};
 
-/// The variable that holds the seed of a run that is to be repeated, or of one with other cases; proptest's own name for it.
+/// The variable, named by proptest, that sets the seed to repeat a run or to select other cases.
 const VARIABLE: &str = "PROPTEST_RNG_SEED";
 
-/// What is hashed into the seed: the sources of all crates, and of the tests.
+/// Inputs of the seed's hash: the sources of all crates and tests.
 const SOURCES: [&str; 2] = ["../../src", "../../tests"];
 
-/// The settings of a property test of so many cases. Its seed is read off the sources, and printed, so that a failure shows how to get it
-/// again.
+/// Returns the settings of a property test with `cases` cases. Its seed is a hash of the sources, and is printed for
+/// reproduction.
 ///
-/// Whoever changes the code gets cases that nobody has run; what passed once passes wherever the same code is tested again. Runs for the
-/// night give the variable a number of their own.
+/// Changed code thus gets new cases, and unchanged code always gets the same cases. Nightly runs set the variable.
 ///
 /// # Panics
-/// Where the variable holds no number, or the sources cannot be read.
+/// If the variable is not a number, or the sources are not readable.
 #[must_use]
 pub fn drawn(cases: u32) -> Config {
     with(cases, asked().unwrap_or_else(of_the_code))
 }
 
-/// The settings of a property that is known not to hold everywhere: the same cases in every run, and others where [`VARIABLE`] asks for them.
-/// Where it is used stands what other seeds find.
+/// Returns the settings of a property that does not hold everywhere: a fixed seed, unless [`VARIABLE`] sets another
+/// one.
+///
+/// A comment at each use states the results of other seeds.
 ///
 /// # Panics
-/// Where the variable holds no number.
+/// If the variable is not a number.
 #[must_use]
 pub fn held(cases: u32, seed: u64) -> Config {
     with(cases, asked().unwrap_or(seed))
@@ -43,14 +44,14 @@ fn asked() -> Option<u64> {
 
 fn with(cases: u32, seed: u64) -> Config {
     println!("{VARIABLE}={seed} runs the same cases again");
-    // Without the files that proptest leaves beside the sources: the line above says the same.
+    // Disable proptest's regression files: the printed line contains the same information.
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
-/// The seed that the sources give: for a search that draws and prints by itself.
+/// Returns the seed from the sources, for a search that draws and prints by itself.
 ///
 /// # Panics
-/// Where the sources cannot be read.
+/// If the sources are not readable.
 #[must_use]
 pub fn of_the_code() -> u64 {
     static SEED: OnceLock<u64> = OnceLock::new();
@@ -60,7 +61,7 @@ pub fn of_the_code() -> u64 {
     })
 }
 
-/// One number for all Rust files in some folders, wherever the folders lie.
+/// Hashes all Rust files in some folders, independent of the location of the folders.
 fn of_sources(folders: &[PathBuf]) -> io::Result<u64> {
     let mut hasher = DefaultHasher::new();
     for folder in folders {

@@ -1,5 +1,5 @@
-//! Tests that cannot run on a machine. Rust's test program has no word for them but "ok", so each says in a line of its own that it was
-//! skipped, and the last program of a whole run (`tests/tests/what_was_skipped.rs`) counts them.
+//! Tests that cannot run on a machine. Rust's test harness reports them as "ok", so each prints a separate line. The
+//! last program of a whole run (`tests/tests/what_was_skipped.rs`) counts them.
 
 use super::built::target_folder;
 use std::collections::BTreeMap;
@@ -9,10 +9,10 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// After so long no run is still going, whose notes they are.
+/// Age of notes after which their run has certainly ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
-/// Where the tests of this run note what they skipped: below the target directory, by the process that started all of them, which is cargo.
+/// Returns the file of this run's skips, below the target directory and named by the parent process, which is cargo.
 fn notes() -> PathBuf {
     #[cfg(unix)]
     let run = std::os::unix::process::parent_id();
@@ -21,12 +21,13 @@ fn notes() -> PathBuf {
     target_folder().join("skipped").join(run.to_string())
 }
 
-/// Says that this test cannot run here, for the reason given.
+/// Reports that this test cannot run here, with the reason.
 ///
-/// On the terminal at once, which the test program does not hold back, and in the count at the end of a whole run.
+/// The line appears on the terminal immediately, because the test harness does not capture it. A whole run ends with
+/// the count of skips.
 ///
 /// # Panics
-/// Where the note cannot be written.
+/// If the note is not writable.
 pub fn skipped(reason: impl Display) {
     let thread = std::thread::current();
     let program = std::env::current_exe().expect("the path of this test");
@@ -43,7 +44,7 @@ fn note(file: &Path, line: &str) -> std::io::Result<()> {
     OpenOptions::new().create(true).append(true).open(file)?.write_all(line.as_bytes())
 }
 
-/// One line that counts the tests of this run that could not run here, with the reasons; their notes are taken away.
+/// Formats one line that counts this run's skipped tests, with the reasons, and deletes their notes.
 #[must_use]
 pub fn counted() -> String {
     taken(&notes())
@@ -52,7 +53,7 @@ pub fn counted() -> String {
 fn taken(file: &Path) -> String {
     let text = fs::read_to_string(file).unwrap_or_default();
     let _ = fs::remove_file(file);
-    // Runs that ended before their last program left theirs.
+    // Remove notes of runs that ended before their last program.
     for entry in file.parent().and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten() {
         let old = entry
             .metadata()
@@ -62,7 +63,7 @@ fn taken(file: &Path) -> String {
             let _ = fs::remove_file(entry.path());
         }
     }
-    // A test that skips two of its parts for one reason is one test.
+    // A test that skips two parts for one reason counts once.
     let mut lines: Vec<(&str, &str)> = text.lines().filter_map(|line| line.split_once('\t')).collect();
     lines.sort_unstable();
     lines.dedup();

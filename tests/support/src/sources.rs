@@ -1,15 +1,15 @@
-//! The Rust files of a folder, for tests that read the sources.
+//! Lists the Rust files of a folder, for tests that read the sources.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Folders of what was built or fetched: their Rust files are nobody's sources.
+/// Folders of built or fetched files, which are not sources.
 const NOT_SOURCES: [&str; 3] = ["target", ".git", ".venv"];
 
-/// All Rust files in a folder and the folders in it, in the order of their paths.
+/// Lists all Rust files in a folder and its subfolders, sorted by path.
 ///
 /// # Errors
-/// A folder that cannot be read.
+/// If a folder is not readable.
 pub fn rust_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     list(folder, &mut files)?;

@@ -1,4 +1,4 @@
-//! The fixed step against the converged solution, over the whole test matrix up to 25 Hz.
+//! Compares the fixed step with the converged solution, over the whole test matrix up to 25 Hz.
 
 use dashpot_core::number;
 use dashpot_core::{Model, Params};
@@ -46,7 +46,7 @@ fn the_reference_itself_has_converged() {
         let (coarse, fine) = (of(4), of(12));
         let top = fine.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         let off = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        // A tenth of the smallest error that is measured against it.
+        // The reference's error is a tenth of the smallest error measured with it.
         assert!(off <= 1e-5 * top, "{off} of {top}");
     }
 }

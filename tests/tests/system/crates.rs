@@ -1,8 +1,8 @@
-//! The crates that the project is built from.
+//! Checks the dependencies of the project.
 //!
-//! Their licences, where they come from, and what is known against them, as `deny.toml` allows and cargo-deny looks
-//! it up. Without the tool these are counted as skipped. Where advisories cannot be fetched, those of the checkout
-//! are used (`tests/advisories`), and it is said where they are old.
+//! cargo-deny checks licenses, sources and security advisories against `deny.toml`. Without the tool these tests are
+//! counted as skipped. If advisories cannot be fetched, the tests use those of the checkout (`tests/advisories`), and
+//! report if they are old.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
@@ -10,31 +10,32 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
-/// Age from which the advisories of the checkout are called old, days: RustSec publishes several a week, and cargo-deny's own limit is this too.
+/// Age from which the advisories of the checkout are old, days: RustSec publishes several a week, and cargo-deny has
+/// the same limit.
 const OLD: i64 = 90;
 
-/// cargo-deny in the project's folder; `None` where it is not installed.
+/// Runs cargo-deny in the project's folder. Returns `None` if it is not installed.
 fn deny(args: &[&str]) -> Option<Output> {
     let run = |args: &[&str]| Command::new("cargo").arg("deny").args(args).current_dir(root()).output();
     run(&["--version"]).ok().filter(|out| out.status.success())?;
     run(args).ok()
 }
 
-/// Days from 1970-01-01 to a date as 2026-08-21.
+/// Returns the days from 1970-01-01 to a date in the form 2026-08-21.
 fn days(date: &str) -> i64 {
     let part = |range: std::ops::Range<usize>| date[range].parse::<i64>().expect("a date");
     let (y, m, d) = (part(0..4), part(5..7), part(8..10));
-    // Months from March on, so that the leap day is the last of a year.
+    // Months count from March, so that the leap day is the last of a year.
     let (y, m) = if m > 2 { (y, m - 3) } else { (y - 1, m + 9) };
     365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + d - 1 - 719_468
 }
 
-/// Date and commit of the advisories in the checkout.
+/// Returns date and commit of the advisories in the checkout.
 fn snapshot() -> String {
     std::fs::read_to_string(root().join("tests/advisories/snapshot")).expect("tests/advisories/snapshot")
 }
 
-/// Says where the advisories of the checkout are old on a day.
+/// Returns a message if the advisories of the checkout are old on a day.
 fn stale(snapshot: &str, today: i64) -> Option<String> {
     let date = snapshot.split(' ').next().unwrap_or_default();
     let age = today - days(date);
@@ -49,7 +50,8 @@ fn run(program: &str, args: &[&str], at: &Path) {
     assert!(out.status.success(), "{program} {args:?}: {}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// What cargo-deny finds in the advisories of the checkout: it takes them from a repository below a folder of its own, which is made here.
+/// Runs cargo-deny on the advisories of the checkout. It reads them from a repository below its own folder, which is
+/// created here.
 fn by_the_checkout(configuration: &str) -> Output {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -58,12 +60,12 @@ fn by_the_checkout(configuration: &str) -> Output {
     let mut deny_toml: toml::Table = configuration.parse().expect("deny.toml");
     let advisories = deny_toml["advisories"].as_table_mut().expect("[advisories]");
     advisories.insert("db-path".into(), databases.to_str().expect("a path in UTF-8").into());
-    // The registry's index would have to be fetched.
+    // Checking for yanked crates would need to fetch the registry's index.
     advisories.insert("yanked".into(), "allow".into());
     std::fs::write(&file, deny_toml.to_string()).expect("a file");
     let file = file.to_str().expect("a path in UTF-8");
     let check = ["--offline", "--color", "never", "--config", file, "check", "advisories"];
-    // It says where it looks for the repository, whose name it makes of the address.
+    // The first run prints the path of the repository, whose name cargo-deny derives from the address.
     let said = String::from_utf8_lossy(&deny(&check).expect("cargo-deny").stderr).into_owned();
     let path = said
         .split('"')
@@ -79,7 +81,7 @@ fn by_the_checkout(configuration: &str) -> Output {
     deny(&check).expect("cargo-deny")
 }
 
-/// Runs one kind of check. Where it cannot run, a line says that it was skipped.
+/// Runs one kind of check, and reports it as skipped if it cannot run.
 fn holds(kind: &str) {
     let Some(out) = deny(&["--color", "never", "check", kind]) else {
         skipped(WITHOUT);
@@ -95,7 +97,7 @@ fn holds(kind: &str) {
 
 const WITHOUT: &str = "no cargo-deny (cargo install cargo-deny)";
 
-/// Whether cargo-deny got what it looked for from elsewhere, which not every machine may.
+/// Returns whether cargo-deny could fetch its data, which not every machine allows.
 fn was_fetched(told: &str) -> bool {
     !["failed to fetch", "unable to fetch", "failed to load advisory database"].iter().any(|sign| told.contains(sign))
 }
@@ -135,7 +137,8 @@ fn nothing_is_known_against_a_crate() {
     assert!(out.status.success(), "cargo deny check advisories:\n{}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// The advisories of the checkout are looked at: without the exceptions of `deny.toml` the crates that they stand for are named.
+/// The advisories of the checkout are used: without the exceptions of `deny.toml`, cargo-deny reports the crates of
+/// these exceptions.
 #[test]
 fn the_advisories_of_the_checkout_are_used() {
     if deny(&[]).is_none() {
@@ -166,7 +169,7 @@ fn old_advisories_are_said_to_be_old() {
     assert!(days(&snapshot()[..10]) > days("2026-01-01"));
 }
 
-/// The packages put the texts of the same licences beside the programs.
+/// The licenses of the packages equal the allowed licenses.
 #[test]
 fn the_licences_are_those_of_the_packages() {
     let deny: toml::Table = std::fs::read_to_string(root().join("deny.toml")).unwrap().parse().unwrap();

@@ -1,4 +1,4 @@
-//! Diagnosis on data from the kernel itself: what is missing is known exactly, and nothing else is.
+//! Diagnosis on data from the kernel: the missing effect is known exactly, and no other effect is missing.
 
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
@@ -10,12 +10,12 @@ use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Strokes and speeds, mean positions, side forces, slow tests.
+/// Returns strokes and velocities, mean positions, side forces, and slow tests.
 fn tests() -> Vec<Sine> {
     with_others(strokes_and_speeds())
 }
 
-/// With every other stroke and speed: half the time where sizes of effects are not asked for.
+/// Returns every second stroke and velocity, for half the time if a test does not verify the magnitude of effects.
 fn fewer_tests() -> Vec<Sine> {
     with_others(strokes_and_speeds().into_iter().skip(1).step_by(2).collect())
 }
@@ -84,7 +84,8 @@ fn nothing_is_missing_where_nothing_is() {
     }
 }
 
-/// Hides one element in the data and asks for its name; the gap that it closes.
+/// Diagnoses data with one additional effect, and asserts its name. Returns the fraction of the gap that the diagnosis
+/// closes.
 fn names(effect: &str, set: &[(&str, f64)]) -> f64 {
     let mut truth = base();
     truth.enable(Element::find(effect).unwrap(), true);
@@ -121,14 +122,16 @@ fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }
 
-/// It remembers longer than a cycle: compared with a mean cycle it must begin where it did on the rig.
+/// The thermal state lasts longer than a cycle, so its comparison with a mean cycle must start from the state on the
+/// rig.
 #[test]
 fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     let gap = names("gas_spring", &[("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)]);
     assert!(gap > 0.95, "{gap}");
 }
 
-/// With few tests the gas column stands for the spring beside it as well, at ten to one. Its intervals hold what the gas is with the spring.
+/// With few tests, a gas spring without the parallel spring is ten times as probable as both. The intervals include the
+/// gas spring's values with the parallel spring.
 #[test]
 fn an_interval_holds_what_a_less_probable_structure_says() {
     let mut truth = base();
@@ -164,7 +167,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     };
     let found = against(&worn);
     assert_eq!(found.verdict, Verdict::Changed, "{}", told(&found));
-    // The smallest set that explains the difference: one factor on one side.
+    // The smallest explanation is one factor of the rebound curve.
     let change = &found.changes[0];
     assert_eq!(change.name, "rebound_curve", "{}", told(&found));
     let rest: Vec<&Change> =
@@ -178,7 +181,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     assert!(same.changes.is_empty(), "{:?}", same.changes);
 }
 
-/// The force channel read `delay` later than it was, in steady motion.
+/// Delays the force channel by `delay`, for steady motion.
 fn late(record: &Record, delay: f64) -> Record {
     let (first, period) = (record.time[0], record.cycles.len() as f64 / record.frequency);
     let dt = record.time[1] - first;
@@ -190,10 +193,9 @@ fn late(record: &Record, delay: f64) -> Record {
     Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
 }
 
-/// What a diagnosis finds the rig to add is in no damper, but in the improved model's file.
+/// Effects of the rig are in no damper, but in the improved model's file.
 ///
-/// Whoever reads the same records with it meets the rig again otherwise, and takes it for something that the model
-/// lacks.
+/// Otherwise the next evaluation of the same records with this file would attribute the effects to the model.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -207,7 +209,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let text = model_file::write(&found.as_fit(&refs, &held_out, &before));
     let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
     assert!(!improved.was_changed(), "what a diagnosis writes is as it was found");
-    // The plain curve is one of these records: friction is in it, which stands beside the model's own curve.
+    // The FV curve alone, fitted to these records, includes the friction. In the model, friction is a separate element.
     let at = |params: &Params, v: f64| Model::new(params).unwrap().elements().paths.fv_curve.evaluate(v).value;
     for v in [-0.02, 0.02] {
         let (plain, own) = (at(&improved.plain(), v), at(&improved.params, v));
@@ -221,7 +223,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
 }
 
-/// Records have one set of effects and one residual, from whatever model a search starts.
+/// The effects and the residual of records do not depend on the initial model of the search.
 #[test]
 fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     let mut truth = base();
@@ -256,7 +258,7 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     assert!(answers[0].0.contains(&"bump_stop"), "{answers:?}");
 }
 
-/// What becomes of each effect is told: a spring that stood for a stop is replaced by it.
+/// The diagnosis reports the status of each effect: a stop replaces a spring that approximated it.
 #[test]
 fn a_spring_that_stood_for_a_stop_is_replaced() {
     let mut truth = base();

@@ -1,6 +1,7 @@
-//! A damper over a setting, fitted to data of a known one.
+//! An adjustable damper, fitted to data of a known damper.
 //!
-//! What is shared and what varies is found, the intervals hold the truth, and a setting between the measured ones is predicted.
+//! The fit finds which parameters depend on the setting, the intervals contain the true values, and the model predicts
+//! a setting between the measured ones.
 
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};
@@ -21,23 +22,23 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// Currents, A, that are measured, and one between them that is not.
+/// Measured currents, A; [`BETWEEN`] is a current without measurement.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
 
-/// Errors on one small campaign of a semi-active damper: of the random current, of the lag at all steps but one, and at the worst. The book has 19 %
-/// at the worst step of the whole protocol.
+/// Error limits on one small campaign of a semi-active damper. They apply to the random current, and to the lag at all
+/// steps but one and at the worst step. For the whole protocol, the book has 19 % at the worst step.
 const RANDOM: f64 = 0.03;
 const LAG: f64 = 0.1;
 const WORST_LAG: f64 = 0.2;
 
-/// Five sines, one of them slow.
+/// Returns six sines, one of them slow.
 fn matrix() -> Vec<Sine> {
     let of = |(amplitude, peak): (f64, f64)| Sine::new(amplitude, peak / (TAU * amplitude));
     [(0.025, 0.005), (0.025, 0.13), (0.025, 0.52), (0.025, 1.05), (0.005, 0.26), (0.005, 0.52)].map(of).to_vec()
 }
 
-/// Records of a damper at a current, with 1 % noise.
+/// Simulates records of a damper at a current, with 1 % noise.
 fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
     let mut records = kernel_campaign::campaign(&damper.params_at(current), &matrix(), seed, 0.01);
     for record in &mut records {
@@ -47,8 +48,10 @@ fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
     records
 }
 
-/// A damper whose curve grows and bends later with the current, and whose friction does or does not. Its FV table stands at the velocities that a
-/// fit of its records chooses: a table at other places is another curve between them.
+/// Makes a damper whose force and knee velocity grow with the current; its friction depends on the current if given.
+///
+/// Its FV table has the velocities that a fit of its records chooses. A table at other velocities would be another
+/// curve between them.
 fn truth(friction: Option<[f64; 4]>) -> Definition {
     let mut params = kernel_campaign::base();
     let any = kernel_campaign::campaign(&params, &matrix(), 1, 0.0);
@@ -78,10 +81,10 @@ fn fitted(damper: &Definition, seed: u64) -> FamilyFit {
     fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
 }
 
-/// Coulomb friction at the currents, N, of the damper whose friction grows.
+/// Coulomb friction at the currents, N, of the damper with growing friction.
 const GROWING: [f64; 4] = [20.0, 60.0, 110.0, 150.0];
 
-/// The fit of the damper whose friction grows, made once.
+/// Returns the fit of the damper with growing friction, computed once.
 fn with_growing_friction() -> &'static FamilyFit {
     static FIT: LazyLock<FamilyFit> = LazyLock::new(|| fitted(&truth(Some(GROWING)), 31));
     &FIT
@@ -91,7 +94,7 @@ fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
     found.dependences.iter().find(|of| of.name == name).map(|of| of.varies)
 }
 
-/// How many intervals of a family hold the truth, of how many.
+/// Counts the intervals of a family that contain the true value, and all intervals.
 fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     let (mut held, mut all) = (0, 0);
     for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
@@ -111,7 +114,7 @@ fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     (held, all)
 }
 
-/// Largest difference of two dampers over the records of a setting, as a fraction of the largest force.
+/// Returns the largest difference of two dampers over the records of a setting, relative to the largest force.
 fn apart(a: &Params, b: &Params) -> f64 {
     let forces = |params: &Params| -> Vec<f64> {
         kernel_campaign::campaign(params, &matrix(), 1, 0.0).iter().flat_map(|r| r.force.clone()).collect()
@@ -136,12 +139,12 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     assert_eq!(found.damper.axis.name(), "current");
     let (held, all) = held(&found, &truth);
     assert!(all > 40 && 10 * held >= 9 * all, "{held} of {all} intervals hold the truth");
-    // A setting that no record has.
+    // Compare at a setting without records.
     let apart = apart(&truth.params_at(BETWEEN), &found.damper.params_at(BETWEEN));
     assert!(apart < 0.03, "{apart}");
     for of in &found.settings {
         assert!(of.family.error_percent < 1.5, "{of:?}");
-        // Between 0 and 0.8 A the knee moves by more than a cubic follows.
+        // Between 0 and 0.8 A the knee moves by more than a cubic can follow.
         assert!(of.left_out.is_none_or(|error| error.error_percent < 2.0), "{of:?}");
     }
     let ends: Vec<bool> = found.settings.iter().map(|of| of.left_out.is_some()).collect();
@@ -194,19 +197,19 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     let over = &file.identification.intervals_over_setting;
     assert!(over.contains_key("fv_force") && over.contains_key("coulomb_force"), "{text}");
     assert!(file.identification.intervals.contains_key("gas_force"), "{text}");
-    // A number moved by hand out of its interval is one.
+    // A value edited outside of its interval counts as changed.
     let mut axis = file.axis;
     axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
     let changed = ModelFile::new(file.params, axis, file.identification.clone(), file.specified.clone());
     assert!(changed.was_changed() && changed.edited.contains(&"coulomb_force@1.2".to_owned()), "{:?}", changed.edited);
-    // The plain FV curve of each setting is kept, and lies between two of them in between.
+    // The file keeps the FV curve alone at each setting, and interpolates between the settings.
     let curve = |setting: f64| at_setting(&file, setting).identification.fv_only.unwrap();
     let (soft, middle, hard) = (curve(0.4), curve(0.6), curve(0.8));
     let top = |curve: &FvOnly| *curve.force.last().unwrap();
     assert!(top(&soft) < top(&middle) && top(&middle) < top(&hard));
 }
 
-/// Records in a folder of data beside the project; `None` where it is not on this machine.
+/// Reads records from a folder of data next to the project; `None` if it is not on this machine.
 fn measured(folder: &str) -> Option<Vec<Record>> {
     let path = dashpot_tests::measured::records(folder)?;
     let options = Options { subfolders: true, ..Options::default() };
@@ -235,14 +238,14 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     assert_eq!(varies(&found, "fv_force"), Some(true));
     assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
     for of in &found.settings {
-        // Figures of the book, with room for another search. The ratio of the left-out error to that of the own fit is not held: it grows where
-        // the own fit gets better.
+        // The limits are figures of the book with a margin for changes of the search. The ratio of the left-out error
+        // to the own fit's error has no limit, because it grows when the own fit improves.
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
 }
 
-/// Sines at five currents, and two tests with steps of it.
+/// Returns sines at five currents, and two tests with steps of the current.
 fn sines_and_steps(seed: u64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
     tests.extend(steps(seed).into_iter().take(2));
@@ -276,7 +279,7 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// One test with steps shows a lag each way and a dead time, though one lag for both looks worse than none.
+/// One test with steps identifies both lags and the dead time, although a single lag fits worse than no lag.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);
@@ -298,10 +301,11 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     let found = found_with(&records);
     for (name, value) in [("setting_time_up", 0.03), ("setting_time_down", 0.018), ("setting_dead_time", 0.004)] {
         let of = found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
-        // The interval is that of noise and of the sample that the command changes in. The force at currents on the way is not in it.
+        // The interval covers noise and the sample of the command's change. It does not cover the model error at
+        // intermediate currents.
         assert!((of.value - value).abs() < 0.1 * value && of.standing == Standing::Identified, "{of:?}");
     }
-    // Up to the first fall.
+    // Keep the record up to the first fall.
     let rise = 950;
     let signal = whole.setting_signal.as_ref().unwrap();
     *records.last_mut().unwrap() = Record {
@@ -318,7 +322,7 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     assert!((of("setting_time_up").value / 0.03 - 1.0).abs() < 0.2, "{found:?}");
 }
 
-/// A sine of the damper during which the current steps.
+/// Simulates a sine test during which the current steps.
 fn stepped(damper: &Definition) -> Record {
     let family = prepared_family(damper).unwrap();
     let (rate, count, w) = (1000.0, 6000, TAU * 0.7);
@@ -337,7 +341,7 @@ fn stepped(damper: &Definition) -> Record {
     let commanded = |i: i32| if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
     for i in 0..count {
         let (t, command) = (f64::from(i) / rate, commanded(i));
-        // The command changes in the middle of a sample, and the valve moves on in tenths of it.
+        // The command changes in the middle of a sample, and the valve is integrated in tenths of a sample.
         for part in 1..=10 {
             let (dt, since) = (0.1 / rate, f64::from(part - 10) * 0.1 / rate);
             let command = Some(commanded(if part > 5 { i } else { i - 1 }));
@@ -355,15 +359,16 @@ fn stepped(damper: &Definition) -> Record {
     record
 }
 
-/// A damper over a pilot pressure whose valve takes 12 ms up and 20 ms down.
+/// A damper that depends on a pilot pressure, with a valve lag of 12 ms up and 20 ms down.
 const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [2.0, 10.0]\n\
      setting_name = \"pressure\"\nsetting_unit = \"bar\"\nsetting_time_up = 0.012\nsetting_time_down = 0.020\ngas_force = 150.0\n\
      coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
      fv_force = [[-700.0, -300.0, -150.0, 0.0, 250.0, 500.0, 1100.0], [-1700.0, -900.0, -500.0, 0.0, 900.0, 1700.0, 3000.0]]\n";
 
-/// Runs the damper through a sine at commanded pressures and writes a record of it, with a column of the pressure where it changes.
+/// Simulates a sine at commanded pressures and writes a record, with a pressure column if the pressure changes.
 ///
-/// The valve gets a command in the step that ends at its time. The column shows it from `late` s before on.
+/// The valve gets a command in the step that ends at its time. The column shows the command from `late` s before its
+/// time.
 fn measure_piloted(
     dir: &Path,
     name: &str,
@@ -391,7 +396,7 @@ fn measure_piloted(
     for (k, line) in lines.enumerate() {
         let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         let [time, x, v, force] = wanted.map(|place| cells[place]);
-        // 3 N of made-up noise, the same every time.
+        // The noise is deterministic, up to 3 N.
         let noise = 6.0 * (((k * 7919) % 1000) as f64 / 1000.0 - 0.5);
         out += &format!("{time},{x},{v},{}", force + noise);
         if has_column {
@@ -421,7 +426,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     }
     let steps: Vec<(f64, f64)> = (0..20).map(|k| (0.21 * f64::from(k), if k % 2 == 0 { 2.0 } else { 10.0 })).collect();
     measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 0.0);
-    // Without its column the test says no pressure; a slip in the name of the column is named.
+    // Without its column the test has no pressure; a message names a mistake in the column's name.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
     assert!(
@@ -446,7 +451,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     let errors = json(&dir.join("errors.json"));
     let responses = errors["step_responses"].as_array().unwrap();
     assert!(responses.len() == 2 && responses.iter().all(|of| of["measured"]["t63_s"].is_number()), "{errors}");
-    // A logger that shows the command at the other end of the sample leads to the same valve.
+    // A logger that records the command at the other end of the sample gives the same valve parameters.
     measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 1e-3);
     done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
     is_in_interval(&json(&dir.join("fit.json")));
@@ -463,7 +468,7 @@ fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
         fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
     };
     let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
-    // Rise and fall to 63 %: the dead time and the time constant take each other's part.
+    // Verify rise and fall to 63 %, because dead time and time constant are correlated.
     let sum = |of: &ActuatorFit, name: &str| {
         let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
         value(name) + value("setting_dead_time")

@@ -1,14 +1,14 @@
-//! Dampers with an effect hidden in them, measured by the virtual rig whose laws are not the model's.
+//! Dampers with an injected effect, measured by the virtual rig, whose equations differ from the model's.
 //!
-//! A fixed handful of the benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs all of
-//! it).
+//! The cases are a fixed subset of the benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs
+//! all).
 
 use dashpot_diagnosis::{Options, Verdict};
 use dashpot_proving::outcome::{Outcome, judged};
 use dashpot_proving::score;
 use dashpot_severity::case::Case;
 
-/// A case of a block at known strengths: to search for those that make its severities takes longer than to diagnose it.
+/// Diagnoses a case at given strengths: searching for the strengths of its severities takes longer than the diagnosis.
 fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
     let measured = case.measure_at(strengths.to_vec(), &[]).unwrap();
     judged(block, case.options.seed, &case.effects, &measured, &Options::default()).unwrap().0
@@ -16,7 +16,7 @@ fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
 
 #[test]
 fn known_effects_are_named() {
-    // With the strengths that make severity 2 (`Case::strengths`). Seeds are used for nothing else.
+    // The strengths give severity 2 (`Case::strengths`). The seeds are used only here.
     let hidden = [("presliding_friction", 0.3), ("gas_spring", 1.0238), ("channel_delay", 1.7548)];
     let one = |((name, strength), seed): (&(&str, f64), u64)| {
         outcome_at(&[*strength], "single", &Case::nothing(seed).hiding(name, 2.0))
@@ -45,12 +45,12 @@ fn nothing_is_named_where_nothing_is_hidden() {
 
 #[test]
 fn what_is_in_no_catalogue_gets_no_name() {
-    // The strength that makes severity 2.
+    // The strength gives severity 2.
     let o = outcome_at(&[2.9923], "unknown", &Case::nothing(90_203).hiding("unknown_crosshead_tilt", 2.0));
     assert!(o.named.is_empty(), "{o:?}");
 }
 
-/// Neither explains half of the disagreement by itself.
+/// Neither effect explains half of the disagreement alone.
 #[test]
 #[ignore = "half a minute on two cores; the benchmark has it too"]
 fn two_effects_are_found_together() {

@@ -1,10 +1,10 @@
-//! Texts that are damaged or made to harm, through every reader of texts beside the records'.
+//! Damaged or malicious texts, through all readers of texts except those of records.
 //!
-//! Each is read or refused in words, in bounded time. What is read is used too, for a file that is let in and then
-//! breaks what runs on it is no better.
+//! Each text is read, or rejected with a message, in bounded time. The result of reading is used too, because an
+//! accepted file must not break later steps.
 //!
-//! The readers of records are in `src/records/tests/hostile.rs`, those in C in `tests/tests/system/hosts/damaged.rs`. With DASHPOT_HOSTILE=100 each
-//! reads a hundred times as many.
+//! The readers of records are tested in `src/records/tests/hostile.rs`, those in C in
+//! `tests/tests/system/hosts/damaged.rs`. DASHPOT_HOSTILE=100 multiplies the number of texts by a hundred.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Params, model_file as kernel};
@@ -22,15 +22,15 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Damaged texts of each seed.
+/// Number of damaged texts per seed.
 const ROUNDS: usize = 1500;
-/// Longest that one may take: these texts are of a few kilobytes, and other programs may run beside.
+/// Longest time per text: the texts have a few kilobytes, and other programs may run in parallel.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// What a reader makes of a file; the error in the words that a user would see.
+/// A reader of a file; the error is the user's message.
 type Reader<'a> = &'a dyn Fn(&Path, &[u8]) -> Result<(), String>;
 
-/// Damages each seed in many ways and reads what comes of it. The seed itself must be sound.
+/// Damages each seed in many ways and reads the results. The seed itself must be valid.
 fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<'_>) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join(name);
@@ -62,7 +62,7 @@ fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<
             assert!(began.elapsed() < PATIENCE, "{name} took {:?}:\n{text}", began.elapsed());
         }
     }
-    // Damage that never, or always, gets in would test little.
+    // Damage that is never or always accepted would test little.
     assert!(read > 0 && refused > 0, "{name}: {read} read, {refused} refused");
     println!("{name}: {} texts, {read} read, {refused} refused", read + refused);
 }
@@ -71,7 +71,7 @@ fn text(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(bytes).map_err(|e| e.to_string())
 }
 
-/// A damper on a sine, as records have it.
+/// Simulates a damper on a sine, as a record.
 fn record(amplitude: f64, frequency: f64) -> Record {
     let time: Vec<f64> = (0..241).map(|i| f64::from(i) / (80.0 * frequency)).collect();
     let omega = TAU * frequency;
@@ -92,11 +92,11 @@ fn record(amplitude: f64, frequency: f64) -> Record {
     }
 }
 
-/// A model file with every element and every parameter written out, with tables behind it as a fit leaves them.
+/// Writes a model file with every element and every parameter, followed by the tables of a fit.
 fn whole_model() -> String {
     let mut params = Params::new();
     for element in Element::all() {
-        // Elements that exclude each other stay as they are.
+        // Elements that exclude each other stay unchanged.
         let before = params;
         params.enable(element, true);
         if prepared(&params).is_err() {
@@ -112,7 +112,7 @@ fn model_files() {
     let seeds = [whole_model(), "format = 1\nelements = [\"fv_curve\"]\n".to_owned()];
     let records = [record(0.02, 1.0)];
     every_damage_is_read_or_refused("damper.toml", &seeds, &|file, bytes| {
-        // The kernel's own reader is what the C interface, the FMU and Adams have.
+        // The C interface, the FMU and Adams use the kernel's reader.
         let mut params = Params::new();
         let by_kernel = kernel::read(bytes, &mut params).map_err(|e| e.problem.text().to_owned());
         std::fs::write(file, bytes).unwrap();
@@ -230,7 +230,7 @@ fn files_of_adams() {
     every_damage_is_read_or_refused("damper.dpr", &seeds, &|_, bytes| {
         let read = property::read(bytes).map_err(|e| format!("{e:#}"))?;
         let form = property::Form::Xml;
-        // What was read can be written, and is then the same again.
+        // A valid file can be written, and reading it again gives the same values.
         let again = property::read(property::write(&read, form).as_bytes()).map_err(|e| format!("{e:#}"));
         let again = again.unwrap_or_else(|e| panic!("{e}\n{read:?}"));
         assert_eq!(again.curve.forces, read.curve.forces, "{read:?}");
@@ -244,7 +244,7 @@ fn files_of_adams() {
         let patched = patch(bytes, &damper, false).map_err(|e| format!("{e:#}"))?;
         let new = String::from_utf8_lossy(&patched.model);
         assert!(new.contains("dashpot_adams::Dashpot_sfosub"), "{new}");
-        // The string that names the model file has an id of its own.
+        // The string with the name of the model file has a separate id.
         let ids: Vec<String> = new
             .lines()
             .filter_map(|line| line.strip_prefix("STRING/"))
@@ -256,7 +256,7 @@ fn files_of_adams() {
     });
 }
 
-/// One in so many drawings that were read explains a model: that costs more than reading it.
+/// Of the valid dimension files, one in this number explains a model, which costs more than reading.
 const EXPLAINED: usize = 50;
 
 #[test]

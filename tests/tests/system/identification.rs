@@ -1,4 +1,4 @@
-//! Identification on data from the kernel itself: the truth is known exactly, so the intervals can be checked.
+//! Identification on data from the kernel: the true values are known exactly, which allows a test of the intervals.
 
 use dashpot_core::parameter::{Element, List, Number};
 use dashpot_core::{Model, Params};
@@ -12,11 +12,11 @@ use dashpot_tests::kernel_campaign::{self, Sine};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Tests of the campaign: amplitudes and peak velocities, then slow cycles.
+/// Returns the tests of the campaign: amplitudes and peak velocities, then slow cycles.
 fn matrix() -> Vec<Sine> {
     let mut tests = Vec::new();
     for amplitude in [0.05, 0.025, 0.005, 0.001] {
-        // Peak velocities, mm/s.
+        // The peak velocities are in mm/s.
         for peak in [52.36, 261.8, 523.6, 1570.8] {
             let frequency = 1e-3 * peak / (TAU * amplitude);
             if frequency <= 25.03 {
@@ -28,7 +28,8 @@ fn matrix() -> Vec<Sine> {
     tests
 }
 
-/// The campaign with `noise` times each test's root-mean-square force; `side` is the side force of each test.
+/// Simulates the campaign with noise of `noise` times each test's root mean square force; `side` is the side force of
+/// each test.
 fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
     let mut tests = matrix();
     for (k, test) in tests.iter_mut().enumerate() {
@@ -37,10 +38,10 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
     kernel_campaign::campaign(params, &tests, seed, noise)
 }
 
-/// The default model without the viscous term, with its FV table at the velocities that a fit of this campaign will
-/// choose.
+/// Makes the default model without the viscous term. Its FV table has the velocities that a fit of this campaign
+/// chooses.
 ///
-/// A free FV curve absorbs the viscous term. A table at other velocities is another curve between them.
+/// A free FV curve absorbs the viscous term. A table at other velocities would be another curve between them.
 fn truth() -> Params {
     let mut params = Params::new();
     params.enable(element!("viscous_friction"), false);
@@ -59,11 +60,12 @@ fn fitted(records: &[Record]) -> Fit {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Three to five seconds each on one core. Of thirteen seeds each number has its interval, and all numbers together some two hundred.
+    // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,
+    // and all parameters together some two hundred.
     const SEEDS: u64 = 13;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
-    // Per parameter: how often it had an interval, and how often that held the truth.
+    // For each parameter: number of intervals, and number of intervals that contain the true value.
     let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     for seed in 1..=SEEDS {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
@@ -92,7 +94,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     }
     for (name, (count, hits)) in &covered {
         let share = f64::from(*hits) / f64::from(*count);
-        // Three standard deviations of a count that is right 95 times in 100.
+        // The slack is three standard deviations of a binomial fraction of 95 %.
         let slack = 3.0 * (0.95 * 0.05 / f64::from(*count)).sqrt();
         println!("{name}: {hits} of {count}");
         assert!(share >= 0.95 - slack, "{name}: {hits} of {count}");
@@ -102,14 +104,14 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
 }
 
-/// The campaign measured with growing delays, by a rig with errors.
+/// Applies measurement errors of the rig to a campaign with increasing times.
 fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Record> {
     for (k, record) in records.iter_mut().enumerate() {
-        // One after the other: all but the last are shorter.
+        // The tests follow each other; all but the last are shorter than 80 s.
         record.time.iter_mut().for_each(|t| *t += 80.0 * k as f64);
-        // A mass that pulls with the motion of its own moment.
+        // Add the inertia of a mass, with the motion at the time of the force.
         *record = correct_record(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
-        // The motion of a moment later beside every force.
+        // Delay the force: each force belongs to an earlier motion.
         *record = correct_record(record, &MeasurementError { delay_s: -off.delay_s, ..MeasurementError::NONE });
         for (force, t) in record.force.iter_mut().zip(&record.time) {
             *force = *force * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t;
@@ -122,7 +124,7 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
     const SEEDS: u64 = 2;
     let truth = truth();
-    // A kilogram might be the rod's own.
+    // The mass is clearly larger than a rod's own mass of about a kilogram.
     let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
     let one = |off: MeasurementError| (off, 1);
     let cases = [
@@ -161,8 +163,11 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
     assert!(f64::from(hits) / f64::from(count) >= 0.85);
 }
 
-/// Long strokes at low frequency hardly tell a force channel that is a third of a millisecond late from a softer series path. The delay is not
-/// believed there, and the interval of the stiffness holds what it is without it and with it.
+/// Long strokes at low frequency hardly distinguish a force delay of a third of a millisecond from a softer series
+/// path.
+///
+/// The fit does not accept the delay there. The interval of the stiffness contains the estimates with and without the
+/// delay.
 #[test]
 fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
     const SEEDS: u64 = 6;
@@ -179,7 +184,7 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
-    // Otherwise the test would show nothing.
+    // Without such seeds the test would be meaningless.
     assert!(unbelieved >= 3 && far >= 3, "{unbelieved} {far}");
 }
 
@@ -223,7 +228,7 @@ fn one_rate_of_turning_tells_no_delay_from_compliance_and_that_is_said() {
 
 #[test]
 fn what_the_data_cannot_show_is_named() {
-    // One slow test alone: it knows friction and gas, and nothing of mass, series spring or high speeds.
+    // A single slow test determines friction and gas force, but not mass, series spring or high velocities.
     let truth = truth();
     let records: Vec<Record> = campaign(&truth, 3, 0.01, |_| None).into_iter().filter(|r| r.frequency < 0.02).collect();
     let found = fitted(&records);
@@ -257,7 +262,7 @@ fn the_comparison_models_fit_too_and_are_worse() {
     let refs: Vec<&Record> = records.iter().collect();
     let of = |family| fit(&refs, &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();
     let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
-    // One is what noise and the form of curves leave.
+    // The misfit is one if only noise remains.
     assert!(thesis.misfit < 1.2, "{}", thesis.misfit);
     assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);
     assert!(fv.params.is_on(element!("fv_curve")) && !fv.params.is_on(element!("series_compliance")));
@@ -279,7 +284,7 @@ fn an_element_left_out_on_purpose_stays_out() {
     );
 }
 
-/// The largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
+/// Returns the largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
 fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
     let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
     let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.evaluate(v).value;
@@ -295,7 +300,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     }
     tests.extend([0.041, 0.01].map(|frequency| Sine::new(0.01, frequency)));
     let mut sharp = kernel_campaign::base();
-    // Straight to a tenth of a metre a second, then a valve that blows off.
+    // The curve is linear up to 0.1 m/s, where a blow-off valve opens.
     let speeds = [0.03, 0.06, 0.085, 0.095, 0.1, 0.105, 0.115, 0.2, 0.5, 1.2];
     let side = |slopes: [f64; 2]| speeds.map(|v: f64| slopes[0] * v.min(0.1) + slopes[1] * (v - 0.1).max(0.0));
     let both = |compression: [f64; 10], rebound: [f64; 10]| -> Vec<f64> {
@@ -306,7 +311,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     let found = fitted(&kernel_campaign::campaign(&sharp, &tests, 3, 0.01));
     let points = |found: &Fit| found.params.list(list!("fv_velocity")).len();
     let with_a_knee = points(&found);
-    // 60 N with points at fixed ratios alone.
+    // The error is 60 N with points at fixed ratios alone.
     let off = off_the_curve(&found, &sharp);
     assert!(off < 25.0, "{off} N, {:?}", found.params.list(list!("fv_velocity")));
     let round = kernel_campaign::base();
@@ -314,7 +319,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     assert!(points(&found) < with_a_knee, "{} points, {with_a_knee} with a knee", points(&found));
 }
 
-/// Effects of the fitted model, sorted.
+/// Returns the effects of the fitted model, sorted.
 fn effects(found: &Fit) -> Vec<&'static str> {
     let mut all: Vec<&str> = found.inventory.iter().map(|item| item.effect).collect();
     all.sort_unstable();
@@ -323,7 +328,7 @@ fn effects(found: &Fit) -> Vec<&'static str> {
 
 #[test]
 fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
-    // A spring of a table takes a stop up, and what it leaves hides every friction from the choice.
+    // A spring with a table would absorb a stop, and its residual would hide every friction from the selection.
     let without_stop = fitted(&campaign(&truth(), 11, 0.01, |_| None));
     for (side, at) in [("bump_stop", 0.038), ("rebound_stop", 0.033)] {
         let mut truth = truth();
@@ -341,7 +346,7 @@ fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
         let besides: Vec<&str> = effects(&found).into_iter().filter(|effect| *effect != side).collect();
         assert_eq!(besides, effects(&without_stop), "{side}");
         assert!(found.misfit < 1.2, "{side}: {}", found.misfit);
-        // Who does not allow it gets a worse fit.
+        // A fit without the stop is worse.
         let every = [
             "fv_curve",
             "series_compliance",
@@ -366,7 +371,7 @@ fn a_stop_by_the_law_of_others_is_found_too_and_a_damper_without_one_gets_none()
     let read = |case: &Case| dashpot_proving::laboratory::read(&case.run().unwrap()).unwrap();
     let protocol = Protocol { plan: Plan::Sines, ..Protocol::default() };
     let plain = Case { protocol, ..Case::new(Kind::ThesisLike, 11) };
-    // Foam that buckles and relaxes.
+    // This stop is foam that buckles and relaxes.
     let found = fitted(&read(&plain.clone().hiding("bump_stop:foam", 1.0)));
     assert!(found.params.is_on(element!("bump_stop")), "{:?}", found.inventory);
     let found = fitted(&read(&plain));

@@ -1,4 +1,5 @@
-//! The system as a whole: fits, diagnoses, the command and the hosts. One program, so that the long tests run beside each other.
+//! The system as a whole: fits, diagnoses, the command and the hosts. They form one program, so that long tests run in
+//! parallel.
 
 mod accuracy;
 mod cli;

@@ -1,4 +1,5 @@
-//! The second laboratory hides what the diagnosis has names for, and names neither the kernel nor the first rig.
+//! The second laboratory injects exactly the effects that the diagnosis can name, without use of the kernel or the
+//! first rig.
 
 use dashpot_diagnosis::EFFECTS;
 use std::collections::BTreeSet;

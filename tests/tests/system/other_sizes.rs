@@ -1,7 +1,7 @@
 //! Dampers of other sizes than those of passenger cars.
 //!
-//! The same records with all forces a hundredth or twenty times of what they are give the same model with its forces
-//! a hundredth or twenty times, the same choices, the same error and the same names.
+//! All forces of the records are scaled by 0.01 or 20. The fit must give the same model with scaled forces, the same
+//! choices, the same relative error and the same names.
 
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Params, element, list};
@@ -12,7 +12,7 @@ use dashpot_records::Record;
 use dashpot_records::record::Noise;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 
-/// An instrument's damper and one of an aircraft.
+/// Force factors of an instrument's damper and of an aircraft's damper.
 const FACTORS: [f64; 2] = [0.01, 20.0];
 
 fn tests() -> Vec<Sine> {
@@ -21,7 +21,7 @@ fn tests() -> Vec<Sine> {
     tests
 }
 
-/// The records with scaled forces.
+/// Scales the forces of the records.
 fn times(records: &[Record], factor: f64) -> Vec<Record> {
     let of = |record: &Record| Record {
         force: record.force.iter().map(|force| factor * force).collect(),
@@ -31,9 +31,9 @@ fn times(records: &[Record], factor: f64) -> Vec<Record> {
     records.iter().map(of).collect()
 }
 
-/// The model with scaled forces.
+/// Scales the forces of the model.
 fn model_times(model: &Params, factor: f64) -> Params {
-    // One beyond the size of a car by the same factor, the other way round.
+    // `as_car` scales a damper of another size to a car; the reciprocal factor scales in the other direction.
     Scale::of_force(1500.0 / factor).as_car(model)
 }
 
@@ -84,7 +84,7 @@ fn a_mass_in_a_damper_of_another_size_has_the_same_name() {
     has_the_same_name(&[("moving_mass", &[("moving_mass", 2.0)])]);
 }
 
-/// Effects that are hidden in a damper, with their numbers.
+/// Injected effects with their parameters.
 type Hidden<'a> = (&'a str, &'a [(&'a str, f64)]);
 
 fn has_the_same_name(hidden: &[Hidden]) {

@@ -1,7 +1,7 @@
-//! What of the packages is quick to check.
+//! Fast checks of the packages.
 //!
-//! That archives follow from their files alone, that every licence is one that may be shipped, and that the scripts
-//! are scripts. The packages themselves take long to build; `dist/check` uses them.
+//! Archives depend only on their files, every license may be shipped, and the scripts are valid. Building the packages
+//! takes long; `dist/check` tests the built packages.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{root, succeed};
@@ -65,7 +65,7 @@ fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
     );
 }
 
-/// What an installer does with a wheel: every file is in its list with the checksum, and nothing else is.
+/// The checks of an installer on a wheel: its list contains every file with the checksum, and no other file.
 const INSTALLS: &str = r#"
 import base64, csv, hashlib, io, sys, zipfile
 wheel = zipfile.ZipFile(sys.argv[1])
@@ -101,14 +101,14 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     };
     let first = pack("first");
     succeed(Command::new("python3").args(["-c", INSTALLS]).arg(&first));
-    // A list that the tree had before is not believed.
+    // An existing list in the tree is ignored.
     std::fs::write(tree.join("name-1.dist-info/RECORD"), "of an earlier wheel\n").unwrap();
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
 }
 
 /// The linker for Windows derives a base address from the path of the library, unless an option forbids it.
 ///
-/// Every address in the file depends on it.
+/// Every address in the file depends on the base address.
 #[test]
 fn a_library_for_windows_does_not_depend_on_its_folder() {
     const COMPILER: &str = "x86_64-w64-mingw32-gcc";
@@ -117,7 +117,7 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    // In the kernel's place, whose Rust for Windows is not everywhere, what has the same names.
+    // A library with the kernel's names replaces the kernel, because Rust for Windows is not always installed.
     let header = std::fs::read_to_string(root().join("include/dashpot.h")).unwrap();
     let name = |word: &str| word.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned();
     let names: std::collections::BTreeSet<String> =
@@ -145,7 +145,7 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
 }
 
-/// A crate under a licence that nobody has looked at stops the build of a package; better to know before.
+/// An unreviewed license of a crate stops the build of a package; this test detects it earlier.
 #[test]
 fn every_licence_may_be_shipped() {
     if !has("python3") {

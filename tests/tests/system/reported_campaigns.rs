@@ -1,6 +1,7 @@
-//! Campaigns as users reported them, from the files to the answer: which effects and which measurement errors come out.
+//! Campaigns reported by users, from the files to the result: the identified effects and measurement errors.
 //!
-//! Some are made here, so that they run everywhere; the others are inputs beside the checkout (`../shared/data/reports`).
+//! Some are synthetic, so that they run everywhere; the others are inputs next to the checkout
+//! (`../shared/data/reports`).
 
 use dashpot_core::{Params, element, list, number};
 use dashpot_diagnosis::{Diagnosis, Options as DiagnosisOptions, diagnose};
@@ -25,7 +26,7 @@ fn diagnosed(campaign: &Campaign, model: &Params) -> Diagnosis {
     diagnose(&records, &[], model, &DiagnosisOptions::default(), &|_, _| ()).unwrap()
 }
 
-/// The measurement errors of a fit: name and value.
+/// Returns the measurement errors of a fit: name and value.
 fn errors(fit: &Fit) -> Vec<(&'static str, f64)> {
     fit.measured.iter().map(|m| (m.name, m.value)).collect()
 }
@@ -35,7 +36,7 @@ fn is_delay(fit: &Fit, delay: f64, within: f64) {
     assert!(matches!(found[..], [("delay", value)] if (value - delay).abs() < within), "{delay}: {found:?}");
 }
 
-/// Writes records as a logger does and reads them again.
+/// Writes records like a logger and reads them again.
 fn through_files(records: &[Record]) -> Campaign {
     let folder = tempfile::tempdir().unwrap();
     for record in records {
@@ -49,7 +50,7 @@ fn through_files(records: &[Record]) -> Campaign {
     read(folder.path())
 }
 
-/// A damper six times as strong in rebound as in compression, without gas.
+/// Makes a damper that is six times as strong in rebound as in compression, without gas.
 fn asymmetric() -> Params {
     let mut params = Params::new();
     params.disable_all();
@@ -112,9 +113,9 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(item.form, "rebound begins with a lost stroke");
     let lost = &finding.parameters["lost_stroke"];
     assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
-    // The force begins between two samples of the mean cycle, 2 mm of the stroke apart.
+    // The force begins between two samples of the mean cycle, which are 2 mm of the stroke apart.
     assert!(lost.low < 0.0283 && lost.high - lost.low > 2e-4, "{} to {}", lost.low, lost.high);
-    // 28 mm of the stroke of ±65 to 67 mm.
+    // The lost part is 28 mm of a stroke of 130 to 134 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;
     let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);
     assert!(strokes.into_iter().all(|stroke| (unfilled * stroke - 0.028).abs() < 0.003), "{unfilled}");
@@ -124,14 +125,15 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
 fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
     let Some(path) = reported("staircase_pair") else { return };
     let [good, worn] = ["a", "b"].map(|name| read(&path.join(name)));
-    // Constant speeds do not tell friction from the curve, but no gas pulls the rod in.
+    // Constant velocities do not separate friction from the curve, but a gas force that pulls the rod in is impossible.
     let gas = fitted(&good).params.number(number!("gas_force"));
     assert!(gas > -60.0, "{gas}");
     let records: Vec<&Record> = worn.records.iter().collect();
     let options = DiagnosisOptions { reference: good.records.clone(), ..DiagnosisOptions::default() };
     let found = diagnose(&records, &[], &fitted(&good).params, &options, &|_, _| ()).unwrap();
     assert!(found.findings.is_empty(), "{}", found.summary);
-    // 190 N before, 135 N after; the constant speeds leave the split between friction and bleed open by some newtons.
+    // The friction is 190 N before and 135 N after; constant velocities leave the split between friction and bleed
+    // uncertain by some newtons.
     let friction = found.changes.iter().find(|change| change.name.ends_with("_force")).unwrap();
     let (before, after) = (friction.reference, friction.value);
     assert!((before - 190.0).abs() < 6.0 && (after - 135.0).abs() < 6.0, "{before} {after}");

@@ -1,27 +1,28 @@
-//! Every block of unsafe code says why it is sound, where it stands. Clippy asks the same (`undocumented_unsafe_blocks` is denied in
-//! `Cargo.toml`); this test also runs where there is no clippy. Where the tools are there, the C interface is run with every access watched.
+//! Every block of unsafe code has a comment that justifies it. Clippy requires the same (`undocumented_unsafe_blocks`
+//! is denied in `Cargo.toml`); this test also runs without Clippy. If the tools are available, the C interface runs
+//! with memory checks.
 
 use dashpot_test_support::{rust_files, skipped};
 use dashpot_tests::library::root;
 use std::process::Command;
 
-/// The code of a line, without its comment.
+/// Returns the code of a line, without its comment.
 fn code(line: &str) -> &str {
     line.split("//").next().unwrap_or(line)
 }
 
-/// Whether a block of unsafe code, or an implementation of an unsafe trait, begins in this line.
+/// Returns whether a line begins a block of unsafe code, or an implementation of an unsafe trait.
 fn begins_unsafe(line: &str) -> bool {
     let code = code(line);
     code.contains("unsafe {") || code.contains("unsafe impl")
 }
 
-/// Lines of unsafe code without a reason: none in the comment above their statement.
+/// Lists lines of unsafe code without a justification in the comment above their statement.
 fn without_reason(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_comment = |k: usize| lines[k].trim_start().starts_with("//");
     let unreasoned = |k: usize| {
-        // A statement may run over several lines, and several of them begin unsafe code in it.
+        // A statement may have several lines, several of which begin unsafe code.
         let mut above = k;
         while above > 0 && !is_comment(above) && k - above < 4 {
             above -= 1;
@@ -66,14 +67,14 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// unsafe { in words }").is_empty());
 }
 
-/// Runs the tests that call the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which alone
-/// has what watches memory.
+/// Runs the tests of the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which is required
+/// for memory checks.
 ///
-/// `None` where it lacks what this asks for.
+/// Returns `None` if the compiler lacks the components in `asks_for`.
 fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
     let cargo = |args: &[&str]| {
         let mut command = Command::new("cargo");
-        // The compiler that runs this test is asked for in these, and another one is wanted.
+        // These variables select the compiler that runs this test; the checks need another one.
         for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER"] {
             command.env_remove(name);
         }
@@ -82,7 +83,7 @@ fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option
             .args(args)
             .current_dir(root())
             .env("CARGO_TARGET_DIR", root().join("target").join(folder));
-        // Unoptimised, the kernel compiles in a fifth of the time.
+        // Without optimization the kernel compiles in a fifth of the time.
         command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0");
         command.env("RUSTFLAGS", flags).output()
     };
@@ -96,7 +97,7 @@ fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option
 
 #[test]
 fn miri_finds_no_fault_in_the_interface() {
-    // Miri reads no assembler, of which the mathematics library has some.
+    // Miri does not execute assembly, which the mathematics library contains.
     let run = "miri test -p dashpot-core -p dashpot-abi --features libm/force-soft-floats --test memory";
     match watched(&["miri", "--version"], &run.split(' ').collect::<Vec<_>>(), "", "miri") {
         None => skipped("no Miri (rustup toolchain install nightly --component miri,rust-src)"),

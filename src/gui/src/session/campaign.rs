@@ -1,4 +1,4 @@
-//! Records that are open: as they were read, with what every view needs of a test.
+//! Open records as read, with prepared data of each test for the views.
 
 use crate::session::progress::Report;
 use dashpot_records::smoothing::{Motion, smooth};
@@ -8,41 +8,41 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::path::PathBuf;
 
-/// A campaign as it was read.
+/// A campaign as read from its files.
 pub struct Loaded {
     /// Files and folders that were given.
     pub paths: Vec<PathBuf>,
-    /// The folder of the records where they lie in one, as it was when they were read: later it may be gone.
+    /// The common folder of the records, determined when they were read, because it may disappear later.
     pub folder: Option<PathBuf>,
-    /// How they were read, beside what `campaign.toml` says.
+    /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,
     /// The records.
     pub campaign: Campaign,
-    /// What the views need of each, in the same order.
+    /// Prepared data of each test, in the order of the records.
     pub tests: Vec<Seen>,
-    /// How warm the damper is when each begins.
+    /// Initial warming of the damper in each test.
     pub warm: WarmStarts,
-    /// The campaign as it was read, where something was taken out of it since.
+    /// The campaign as read, if measurement corrections were applied since.
     original: Option<Box<Campaign>>,
 }
 
-/// A test as it is looked at.
+/// Prepared data of a test.
 pub struct Seen {
-    /// Motion freed of noise, that drives the model.
+    /// Smoothed motion, the input of the model.
     pub motion: Motion,
-    /// The samples that are drawn: one whole cycle, or all where there is none.
+    /// Range of the plotted samples: one whole cycle, or all samples without cycles.
     pub shown: Range<usize>,
-    /// The shown cycle as a record of its own, thinned, for a quick answer while a slider moves.
+    /// The shown cycle as a thinned record, for a fast simulation while a slider moves.
     pub cycle: Record,
-    /// Samples of the shown cycle in it; one more closes the cycle.
+    /// Number of samples of the shown cycle in `cycle`; one further sample closes the cycle.
     pub cycle_samples: usize,
-    /// Every so manyeth sample of the record is in it.
+    /// Decimation factor: `cycle` contains every `stride`-th sample of the record.
     pub stride: usize,
-    /// Its motion.
+    /// Motion of `cycle`.
     pub cycle_motion: Motion,
     /// Largest measured force, N.
     pub max_force: f64,
-    /// Velocity and force where the damper is fastest, in rebound and in compression; m/s, N.
+    /// Velocity, m/s, and force, N, at the peak velocities in rebound and in compression.
     pub peaks: [[f64; 2]; 2],
 }
 
@@ -51,8 +51,9 @@ impl Seen {
         let motion = smooth(record);
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
-        // One sample more than the cycle: so the model settles on it before the cycle that is shown, as it does on whole records.
-        // A motion without cycles, such as a road, is left as it is: it may turn within any sample.
+        // One sample beyond the cycle lets the model reach steady state in a cycle before the shown one, as on whole
+        // records. A motion without cycles, such as a road, is not thinned, because its direction may change at any
+        // sample.
         let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
         let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
         let cycle_samples = taken.len();
@@ -71,10 +72,10 @@ impl Seen {
     }
 }
 
-/// Most samples of a cycle for a quick answer: a loop of so many looks the same, and slow tests have thousands.
+/// Largest number of samples of a thinned cycle: the loop looks unchanged, and slow tests have thousands of samples.
 const QUICK: usize = 300;
 
-/// Samples of a record that hold one cycle from their first.
+/// Cuts a record to given samples, which contain one cycle from their first sample on.
 fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Record, Motion) {
     let cut = |values: &[f64]| taken.iter().map(|i| values[*i]).collect();
     #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
@@ -104,10 +105,11 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
     (short, motion)
 }
 
-/// Share of the peak velocity from which samples count as fastest; a sine is above it for a twentieth of its cycle at each end.
+/// Fraction of the peak velocity above which samples count as fastest; for a sine, a twentieth of the cycle at each
+/// end.
 const FASTEST: f64 = 0.995;
 
-/// Mean velocity and force of the fastest samples on either side.
+/// Averages velocity and force of the fastest samples on either side.
 fn peaks(record: &Record, motion: &Motion) -> [[f64; 2]; 2] {
     let whole = match (record.cycles.first(), record.cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,
@@ -139,12 +141,12 @@ impl Loaded {
         Ok(Loaded { paths, folder, options, campaign, tests, warm, original: None })
     }
 
-    /// The campaign as it was read: what a fit looks at.
+    /// Returns the campaign as read, the input of a fit.
     pub fn original(&self) -> &Campaign {
         self.original.as_deref().unwrap_or(&self.campaign)
     }
 
-    /// The campaign with corrected records, and the note that says so.
+    /// Returns the campaign with corrected records, and the note on the corrections.
     pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
         let mut campaign = self.original().clone();
         let original = note.is_some().then(|| Box::new(campaign.clone()));
@@ -156,14 +158,15 @@ impl Loaded {
         Loaded { paths, folder, options, campaign, tests, warm, original }
     }
 
-    /// Where it comes from, in a few words.
+    /// Lists the paths of the campaign.
     pub fn named(&self) -> String {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
     }
 
-    /// The test of another campaign that was run as this one is: same amplitude, frequency and mean position.
+    /// Finds the test with equal amplitude, frequency and mean position as a test of another campaign.
     pub fn like(&self, wanted: &Record) -> Option<usize> {
-        /// Relative difference up to which two motions are the same test; the diagnosis against a reference takes the same.
+        /// Relative difference up to which two motions are one test; the diagnosis against a reference uses the same
+        /// value.
         const SAME: f64 = 0.05;
         let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= SAME * scale.max(1e-9);
         self.campaign.records.iter().position(|r| {

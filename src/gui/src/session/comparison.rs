@@ -1,4 +1,4 @@
-//! The ticked tests beside the forces of model and plain FV curve: what a validation and its report are made from.
+//! Compares the ticked tests with the forces of the model and of the FV curve alone, for a validation and its report.
 
 use crate::session::campaign::Loaded;
 use crate::session::dampers::{Dampers, TestDamper};
@@ -14,11 +14,11 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Model and tests as they are on screen.
+/// Snapshot of the model and tests on screen.
 pub struct Comparison {
-    /// The model as its file would read.
+    /// The model as its file would contain it.
     pub file: ModelFile,
-    /// The damper over the setting and the setting on screen, where each test is at its own.
+    /// The adjustable damper and the setting on screen, if each test has its own setting.
     family: Option<(ModelFile, f64)>,
     dampers: Dampers,
     loaded: Arc<Loaded>,
@@ -26,7 +26,7 @@ pub struct Comparison {
 }
 
 impl Session {
-    /// Model and ticked tests as they are now; none without both.
+    /// Takes a snapshot of the model and the ticked tests. Returns `None` if either is missing.
     pub fn comparison(&self) -> Option<Comparison> {
         let (loaded, model) = (self.campaign.clone()?, self.model.as_ref()?);
         let at = model.over_setting().filter(|_| self.own_settings).map(|(_, at)| at);
@@ -41,13 +41,13 @@ impl Session {
 }
 
 impl Comparison {
-    /// The damper over the setting, where the forces are its own.
+    /// Returns the adjustable damper if the forces come from it.
     pub fn family(&self) -> Option<&ModelFile> {
         let (whole, at) = self.family.as_ref()?;
         (whole.definition().params_at(*at) == self.file.params).then_some(whole)
     }
 
-    /// The ticked tests as a campaign of their own.
+    /// Returns the ticked tests as a campaign.
     fn ticked_campaign(&self) -> Campaign {
         let all = &self.loaded.campaign;
         Campaign {
@@ -60,10 +60,10 @@ impl Comparison {
         }
     }
 
-    /// The tests with their forces.
+    /// Simulates the tests.
     ///
     /// # Errors
-    /// Where a model cannot run, or no FV curve can be fitted.
+    /// If a model cannot run, or no FV curve can be fitted.
     pub fn run(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
         match &self.family {
             Some((whole, at)) => self.run_family(whole, *at, report),
@@ -71,7 +71,7 @@ impl Comparison {
         }
     }
 
-    /// Each test at its own setting. Values that were tuned hold for the tests at their setting.
+    /// Simulates each test at its own setting. Tuned values apply only to tests at their setting.
     fn run_family(
         &self,
         whole: &ModelFile,
@@ -92,12 +92,12 @@ impl Comparison {
         Ok(self.ticked.par_iter().zip(found).map(of_test).collect())
     }
 
-    /// All tests with the values on screen.
+    /// Simulates all tests with the values on screen.
     fn run_shown(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
         let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
         let (loaded, file) = (&self.loaded, &self.file);
         let records: Vec<&Record> = self.ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
-        // Where the model file brings no plain curve, it is fitted to these tests, as the command does.
+        // A model file without an FV curve alone gets one fitted to these tests, as in the command.
         let fv_only = match &file.identification.fv_only {
             Some(curve) => curve.params().map_err(Sentence::as_it_is)?,
             None => {
@@ -121,10 +121,10 @@ impl Comparison {
         Ok(self.ticked.par_iter().map(of_test).collect())
     }
 
-    /// The errors of tests with their forces; at each setting too, where each is at its own.
+    /// Computes the errors of the simulated tests, also at each setting if each test has its own.
     ///
     /// # Errors
-    /// Where nothing can be compared.
+    /// If no test is comparable.
     pub fn validate(&self, compared: &[Compared<'_>]) -> Result<Validation, Sentence> {
         let mut found = validate(compared).map_err(Sentence::as_it_is)?;
         if let Some((whole, at)) = &self.family {
@@ -135,7 +135,7 @@ impl Comparison {
         Ok(found)
     }
 
-    /// The records, as they were opened.
+    /// Returns the records as opened.
     pub fn loaded(&self) -> &Arc<Loaded> {
         &self.loaded
     }

@@ -1,4 +1,4 @@
-//! Which damper belongs to which test: the one on screen, or that at the test's own setting.
+//! Selects the damper of each test: the damper on screen, or the damper at the test's own setting.
 
 use crate::session::campaign::Loaded;
 use dashpot_core::family::{Definition, Family};
@@ -9,13 +9,13 @@ use dashpot_records::{Record, is_same_setting};
 use dashpot_simulation::own_setting::OwnSetting;
 use dashpot_simulation::prediction::{predict, predict_family};
 
-/// A damper over a setting behind the values on screen.
+/// The adjustable damper of the values on screen.
 #[derive(Debug, Clone, PartialEq)]
 struct Over {
     damper: Box<Definition>,
     /// The setting of the values on screen.
     at: f64,
-    /// Whether they were tuned there.
+    /// Whether the values were tuned at this setting.
     is_tuned: bool,
 }
 
@@ -24,39 +24,41 @@ struct Over {
 pub struct Dampers {
     /// The values on screen.
     params: Params,
-    /// Where tests are at their own settings.
+    /// The adjustable damper, if tests have their own settings.
     over: Option<Over>,
 }
 
 /// The damper of one test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TestDamper {
-    /// The one on screen.
+    /// The damper on screen.
     Shown,
-    /// The damper at the test's own setting.
+    /// The damper at the test's own constant setting.
     AtSetting(f64),
-    /// The damper over the setting, which changes within the test.
+    /// The adjustable damper, with a setting that changes within the test.
     Changing,
 }
 
 impl Dampers {
-    /// The values on screen for all tests.
+    /// Uses the values on screen for all tests.
     pub fn shown(params: Params) -> Dampers {
         Dampers { params, over: None }
     }
 
-    /// Each test at its own setting; the values on screen where a test states none, and where they were tuned at its setting.
+    /// Uses each test's own setting.
+    ///
+    /// The values on screen apply to tests without a setting, and, if tuned, to tests at their setting.
     pub fn over_setting(params: Params, damper: Definition, at: f64) -> Dampers {
         let is_tuned = damper.params_at(at) != params;
         Dampers { params, over: Some(Over { damper: Box::new(damper), at, is_tuned }) }
     }
 
-    /// The values on screen.
+    /// Returns the values on screen.
     pub fn params(&self) -> &Params {
         &self.params
     }
 
-    /// The damper of a test.
+    /// Returns the damper of a test.
     pub fn of_test(&self, record: &Record) -> TestDamper {
         let Some(over) = &self.over else { return TestDamper::Shown };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -68,7 +70,7 @@ impl Dampers {
         }
     }
 
-    /// Whether the values on screen belong to a test: it is at their setting, or states none.
+    /// Returns whether the values on screen apply to a test: it is at their setting, or has no setting.
     pub fn is_at_shown(&self, record: &Record) -> bool {
         let Some(over) = &self.over else { return true };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -78,7 +80,7 @@ impl Dampers {
         }
     }
 
-    /// The values of the damper of a test; `None` where its setting changes.
+    /// Returns the values of a test's damper; `None` if its setting changes.
     pub fn params_of(&self, record: &Record) -> Option<Params> {
         match (self.of_test(record), &self.over) {
             (TestDamper::AtSetting(value), Some(over)) => Some(over.damper.params_at(value)),
@@ -87,7 +89,7 @@ impl Dampers {
         }
     }
 
-    /// The constant settings that tests are simulated at, increasing, with the values there.
+    /// Returns the constant settings of the simulated tests, increasing, with the values at each setting.
     pub fn settings(&self, records: &[Record]) -> Vec<(f64, Params)> {
         let Some(over) = &self.over else { return Vec::new() };
         let own = records.iter().filter_map(|record| match self.of_test(record) {
@@ -100,12 +102,12 @@ impl Dampers {
         all.into_iter().map(|value| (value, over.damper.params_at(value))).collect()
     }
 
-    /// Whether the values on screen say something of these tests.
+    /// Returns whether the values on screen affect one of these tests.
     pub fn uses_shown(&self, records: &[&Record]) -> bool {
         records.iter().any(|record| self.of_test(record) == TestDamper::Shown)
     }
 
-    /// Makes the dampers of these tests ready to run; `None` where one makes no model.
+    /// Prepares the dampers of these tests for simulation. Returns `None` if one of them is not a valid model.
     pub fn prepare(&self, records: &[Record]) -> Option<PreparedDampers<'_>> {
         let shown = Model::new(&self.params).ok()?;
         let own = self
@@ -129,7 +131,7 @@ struct AtSetting {
     model: Model,
 }
 
-/// Dampers that are ready to run.
+/// Dampers ready for simulation.
 pub struct PreparedDampers<'a> {
     dampers: &'a Dampers,
     shown: Model,
@@ -138,7 +140,7 @@ pub struct PreparedDampers<'a> {
 }
 
 impl PreparedDampers<'_> {
-    /// Forces along a record of the test at a position in a campaign, which may be a part of it.
+    /// Computes the forces along `record`, a part or the whole of the test with index `test`.
     pub fn predict(&self, loaded: &Loaded, test: usize, record: &Record, motion: &Motion) -> Vec<f64> {
         let warm = |model: &Model, params: &Params| predict(model, record, motion, loaded.warm.rise(params, test));
         match self.dampers.of_test(&loaded.campaign.records[test]) {
@@ -180,10 +182,10 @@ mod tests {
         }
         assert!((gas(at_zero.params_of(&record(Some(0.5)))).unwrap() - 90.0).abs() < 1e-9);
         assert_eq!(at_zero.settings(&[record(Some(1.0)), record(None), record(Some(1.0))]).len(), 1);
-        // Another quantity is not the setting.
+        // The setting of another quantity does not apply.
         let clicks = Setting { name: "clicks".into(), unit: String::new(), value: 1.0 };
         assert_eq!(gas(at_zero.params_of(&Record { setting: Some(clicks), ..Record::default() })), Some(80.0));
-        // What was tuned holds at its setting alone.
+        // Tuned values apply at their setting only.
         let mut tuned = damper.params_at(1.0);
         tuned.set(number!("gas_force"), 150.0).unwrap();
         let tuned = Dampers::over_setting(tuned, damper, 1.0);

@@ -1,4 +1,4 @@
-//! The drawing of the damper beside its model, and what the model says of gas, oil and valves by it.
+//! The dimensions of the damper, and the physical quantities of gas, oil and valves that they give to the model.
 
 use crate::session::Session;
 use dashpot_core::Params;
@@ -7,17 +7,17 @@ use dashpot_dimensions::{Dimensions, Explanation, explain, read};
 use dashpot_records::{Sentence, read_small_text};
 use std::path::{Path, PathBuf};
 
-/// A file of dimensions that is open.
+/// An open file of dimensions.
 pub struct Drawing {
-    /// Where it was read from.
+    /// Path of the file.
     pub path: PathBuf,
     dimensions: Dimensions,
-    /// What was explained last, and of which values.
+    /// The last explanation and the values that it explains.
     explained: Option<(Params, Explanation)>,
 }
 
 impl Session {
-    /// Opens a file of dimensions; whether it could be read.
+    /// Opens a file of dimensions. Returns whether it was readable.
     pub fn open_drawing(&mut self, path: &Path) -> bool {
         match read(path) {
             Ok(dimensions) => {
@@ -33,7 +33,7 @@ impl Session {
         }
     }
 
-    /// Explains the model as it stands by the drawing; `None` without one of the two.
+    /// Explains the current model by the dimensions; `None` if either is missing.
     pub fn explain(&mut self) -> Option<&Explanation> {
         let (drawing, model) = (self.drawing.as_mut()?, self.model.as_ref()?);
         let params = model.params();
@@ -43,7 +43,7 @@ impl Session {
         drawing.explained.as_ref().map(|(_, explanation)| explanation)
     }
 
-    /// Forgets what was explained: intervals and notes of another model file are others, whatever its values are.
+    /// Discards the explanation. Another model file has other intervals and notes, even if its values are equal.
     pub(super) fn forget_explanation(&mut self) {
         if let Some(drawing) = &mut self.drawing {
             drawing.explained = None;
@@ -51,7 +51,7 @@ impl Session {
     }
 }
 
-/// Whether a file is one of dimensions: by its name, or by an entry of a drawing in what is no model.
+/// Tests whether a file contains dimensions: by its name, or by an entry of dimensions in a file that is not a model.
 pub fn is_drawing(path: &Path) -> bool {
     if path.file_name().is_some_and(|name| name == "dimensions.toml") {
         return true;

@@ -1,4 +1,4 @@
-//! The damper for other programs, as `dashpot export` writes it.
+//! Exports of the damper to other programs, as by `dashpot export`.
 
 use crate::session::guarded::write;
 use anyhow::{Context as _, bail};
@@ -13,14 +13,14 @@ use dashpot_rig::{Matrix, TestPoint};
 use dashpot_simulation::{chatter, stiffness};
 use std::path::Path;
 
-/// A host that a model is exported to.
+/// Target of an export.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Host {
     /// One damper as an FMU, FMI 2.0.
     Fmu,
     /// An FMU of FMI 3.0.
     Fmu3,
-    /// Four dampers of a vehicle as an FMU, FMI 2.0: what VI-CarRealTime takes.
+    /// Four dampers of a vehicle as an FMU, FMI 2.0, for VI-CarRealTime.
     Vehicle,
     /// A run folder of Adams.
     Adams,
@@ -29,7 +29,7 @@ pub enum Host {
 }
 
 impl Host {
-    /// The name of the file or folder that is proposed.
+    /// Returns the proposed name of the file or folder.
     pub fn proposed(self) -> &'static str {
         match self {
             Host::Fmu | Host::Fmu3 => "damper.fmu",
@@ -40,23 +40,23 @@ impl Host {
     }
 }
 
-/// A model on its way to a host.
+/// Input of an export.
 pub struct Export {
-    /// Where to.
+    /// Target.
     pub host: Host,
     /// Values of the model.
     pub params: Params,
-    /// The text of its file.
+    /// Text of the model file.
     pub text: String,
-    /// The name of its file; empty where it was not saved.
+    /// Name of the model file; empty if it was not saved.
     pub name: String,
 }
 
 impl Export {
-    /// Writes it. Returns what must be known beside it, as the command says it.
+    /// Writes the export. Returns the notes that the command would print.
     ///
     /// # Errors
-    /// Where the model has nothing to export, a place is taken by something else, or cannot be written.
+    /// If the model has nothing to export, or the path is occupied by another kind of file or not writable.
     pub fn write(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let model = Model::new(&self.params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         match self.host {
@@ -94,7 +94,7 @@ impl Export {
         Ok(remarks)
     }
 
-    /// As a model file: with what the fit left beside the values, where the text has it.
+    /// Returns the model file, with the results of the fit if the text contains them.
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
         let (identification, given) = read.map(|file| (file.identification, file.specified)).unwrap_or_default();
@@ -138,5 +138,6 @@ impl Export {
     }
 }
 
-/// Distance of the damper's markers at zero displacement, mm; as the command's default, to be set in the folder's files.
+/// Distance of the damper's markers at zero displacement, mm: the command's default, to be adapted in the exported
+/// files.
 const LENGTH: f64 = 400.0;

@@ -1,10 +1,10 @@
-//! Files written through the guards of the command's outputs.
+//! Writes files with the overwrite checks of the command.
 
 use anyhow::Context as _;
 use dashpot_output::Kind;
 use std::path::Path;
 
-/// Refuses a place where something else would be lost.
+/// Rejects a path where a file of another kind would be lost.
 pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(Some(path), kind)])
 }

@@ -1,29 +1,29 @@
-//! What was, is and will be again: undo and redo.
+//! Undo and redo of a value.
 
-/// Steps that can be taken back; a model takes a few kilobytes, so all of them a few megabytes.
+/// Largest number of undo steps; a model has a few kilobytes, so all steps have a few megabytes.
 const DEPTH: usize = 500;
 
-/// A value with its past and its future. `C` is what a change belongs to.
+/// A value with its undo and redo steps. `C` identifies the subject of a change.
 pub struct History<T, C> {
     past: Vec<T>,
     now: T,
     future: Vec<T>,
-    /// What the change under way belongs to; a change of the same kind takes its place.
+    /// Subject of the current change; a further change of this subject replaces it.
     open: Option<C>,
 }
 
 impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
-    /// Nothing was before `now`.
+    /// Begins the history with `now`.
     pub fn new(now: T) -> Self {
         History { past: Vec::new(), now, future: Vec::new(), open: None }
     }
 
-    /// The value as it is.
+    /// Returns the current value.
     pub fn now(&self) -> &T {
         &self.now
     }
 
-    /// Takes another value; whether it is another.
+    /// Sets the value. Returns whether it differs from the current one.
     pub fn change(&mut self, change: C, value: T) -> bool {
         if value == self.now {
             return false;
@@ -41,12 +41,12 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Ends the change under way.
+    /// Ends the current change.
     pub fn seal(&mut self) {
         self.open = None;
     }
 
-    /// One step back.
+    /// Restores the previous value.
     pub fn undo(&mut self) -> bool {
         self.open = None;
         let Some(before) = self.past.pop() else { return false };
@@ -54,7 +54,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// One step forth.
+    /// Restores the value before the last undo.
     pub fn redo(&mut self) -> bool {
         self.open = None;
         let Some(after) = self.future.pop() else { return false };
@@ -62,13 +62,13 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Forgets what was taken back: another value takes the place of what would be done again.
+    /// Discards the redo steps, because another change replaces them.
     pub fn forget_future(&mut self) {
         self.open = None;
         self.future.clear();
     }
 
-    /// Whether there is a step back, and one forth.
+    /// Returns whether undo and redo are possible.
     pub fn can(&self) -> (bool, bool) {
         (!self.past.is_empty(), !self.future.is_empty())
     }

@@ -1,9 +1,9 @@
-//! The error matrix: amplitudes down, speeds or frequencies across.
+//! The error matrix: rows by amplitude, columns by peak velocity or frequency.
 
 use dashpot_identification::validation::SLOW_PEAK_VELOCITY;
 use dashpot_records::Record;
 
-/// What runs across.
+/// Quantity of the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Across {
     /// Peak velocity.
@@ -13,7 +13,7 @@ pub enum Across {
     Frequency,
 }
 
-/// The tests by amplitude and speed.
+/// The tests by amplitude and by peak velocity or frequency.
 #[derive(Debug, Clone, Default)]
 pub struct Grid {
     /// Amplitudes of the rows, m.
@@ -22,16 +22,17 @@ pub struct Grid {
     pub columns: Vec<f64>,
     /// Tests in each cell, row by row.
     pub cells: Vec<Vec<usize>>,
-    /// Slow tests for friction and gas force: apart, as in the report, for their many speeds would crowd out the others.
+    /// Slow tests for friction and gas force. They stand apart, as in the report, because their many velocities would
+    /// fill the columns.
     pub slow: Vec<usize>,
-    /// Tests that have no place: no whole cycles.
+    /// Tests outside the matrix, without whole cycles.
     pub elsewhere: Vec<usize>,
 }
 
-/// Values that lie closer than this share are one row or column; rigs meet their targets within a few percent.
+/// Largest relative difference of values in one row or column; rigs meet their targets within a few percent.
 const SAME: f64 = 0.06;
 
-/// The middle of each cluster of values.
+/// Returns the center of each cluster of values.
 fn clusters(mut values: Vec<f64>) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     let mut groups: Vec<Vec<f64>> = Vec::new();
@@ -49,7 +50,7 @@ fn nearest(of: &[f64], value: f64) -> Option<usize> {
 }
 
 impl Grid {
-    /// Sorts the tests.
+    /// Assigns the tests to cells.
     pub fn new(records: &[Record], across: Across) -> Grid {
         let of = |r: &Record| match across {
             Across::Velocity => r.peak_velocity,
@@ -77,7 +78,7 @@ impl Grid {
         grid
     }
 
-    /// The tests of a cell.
+    /// Returns the tests of a cell.
     pub fn cell(&self, row: usize, column: usize) -> &[usize] {
         self.cells.get(row * self.columns.len() + column).map_or(&[], Vec::as_slice)
     }

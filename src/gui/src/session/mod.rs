@@ -1,22 +1,22 @@
-//! Everything the window knows and can do, without a window: what is open, what is chosen, what is under way.
+//! The state and the functions of the window, independent of the display.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
-//! | [`campaign`] | the records that are open |
-//! | [`dampers`], [`comparison`] | the damper of each test, and the ticked tests beside its forces |
-//! | [`model`], [`history`] | the model that is tuned, with undo |
-//! | [`simulation`] | its forces for every test, computed beside the window |
-//! | [`tasks`] | long work with progress and cancel |
+//! | [`campaign`] | the open records |
+//! | [`dampers`], [`comparison`] | the damper of each test, and the ticked tests compared with its forces |
+//! | [`model`], [`history`] | the tuned model, with undo |
+//! | [`simulation`] | its forces for every test, computed in the background |
+//! | [`tasks`] | long tasks with progress and cancel |
 //! | [`verbs`] | fit, validate, diagnose |
-//! | [`outputs`], [`exports`] | everything that is written |
-//! | [`answers`] | what the verbs found, and whether it is of what is on screen |
-//! | [`replacing`] | another model in the place of this one, with undo |
-//! | [`matrix`], [`study`] | the error matrix, one number at several values |
+//! | [`outputs`], [`exports`] | all written files |
+//! | [`results`] | the results of the verbs, and whether they match the data on screen |
+//! | [`replacing`] | replacement of the model, with undo |
+//! | [`matrix`], [`study`] | the error matrix, and variation of one parameter |
 //! | [`two_ways`] | gas and drag of a cycle |
-//! | [`velocities`] | forces at peak velocities and at given ones |
-//! | [`valve`] | how the valve of a damper over a setting answers a step |
-//! | [`drawing`] | the drawing of the damper, and what the model says by it |
-//! | [`recent`] | campaigns that were open lately |
+//! | [`velocities`] | forces at peak velocities and at given velocities |
+//! | [`valve`] | response of an adjustable damper's valve to a step |
+//! | [`drawing`] | the dimensions of the damper, and the quantities that follow from them |
+//! | [`recent`] | recently opened campaigns |
 
 pub mod campaign;
 pub mod comparison;
@@ -60,74 +60,74 @@ use std::time::Instant;
 use study::Study;
 use tasks::{Kind, Outcome, Standing, Task};
 
-/// Called from any thread when there is something new to show.
+/// Callback from any thread when a new result is available.
 pub type Waker = Arc<dyn Fn() + Send + Sync>;
 
-/// What was said last.
+/// The last message.
 #[derive(Debug, Clone)]
 pub struct Message {
     /// The sentence.
     pub text: Sentence,
-    /// Whether something went wrong.
+    /// Whether the message reports an error.
     pub wrong: bool,
 }
 
-/// Everything that is open.
+/// All open data and running tasks.
 pub struct Session {
     /// The records.
     pub campaign: Option<Arc<Loaded>>,
-    /// Another campaign of the same tests, to compare with.
+    /// Another campaign of the same tests, for comparison.
     pub reference: Option<Arc<Loaded>>,
     /// The model.
     pub model: Option<Tuned>,
-    /// Tests that are drawn.
+    /// Plotted tests.
     pub selected: BTreeSet<usize>,
-    /// Tests that fit, validation and diagnosis leave out.
+    /// Tests excluded from fit, validation and diagnosis.
     pub unticked: BTreeSet<usize>,
-    /// Whether each test is compared with a damper over a setting at its own setting.
+    /// Whether each test is simulated at its own setting of an adjustable damper.
     pub own_settings: bool,
-    /// The model's forces, newest.
+    /// The newest forces of the model.
     pub simulated: Option<Arc<Simulated>>,
-    /// Forces of the identified model, to compare with.
+    /// Forces of the identified model, for comparison.
     pub identified: Option<Arc<Simulated>>,
     /// Results of the verbs.
     pub results: Results,
-    /// How the force of the open tests answers steps of the setting.
+    /// Responses of the open tests' force to steps of the setting.
     pub responses: valve::Responses,
-    /// The drawing of the damper.
+    /// The dimensions of the damper.
     pub drawing: Option<drawing::Drawing>,
-    /// Whether it was opened since the window looked last.
+    /// Whether the dimensions were opened since the last frame.
     pub is_drawing_new: bool,
     /// A family of loops.
     pub study: Option<Study>,
-    /// What was said last.
+    /// The last message.
     pub message: Option<Message>,
-    /// Campaigns that were open lately.
+    /// Recently opened campaigns.
     pub recent: Recent,
-    /// How the records are to be read, as set by hand.
+    /// Options of reading, as set by hand.
     pub reading: Options,
-    /// Goes up with everything that plots show.
+    /// Counter that increases with every change of the plotted data.
     pub generation: u64,
-    /// Work under way.
+    /// The running task.
     pub task: Option<Task>,
-    /// A model that waits for the user's leave to take the place of the one on screen.
+    /// A model that replaces the one on screen once the user agrees.
     pub pending: Option<replacing::Replacement>,
-    /// Whose answer came since the window looked last.
+    /// Task whose result arrived since the last frame.
     pub arrived: Option<Kind>,
     others: replacing::Others,
-    /// How often records were read.
+    /// Number of times that records were read.
     read: u64,
     simulator: Simulator,
     waker: Waker,
-    /// When a slider moved last, while a full computation is due.
+    /// Time of a slider's last movement, while a full computation is pending.
     moving: Option<Instant>,
 }
 
-/// How long a slider has to rest before all cycles of all tests are computed.
+/// Pause of a slider after which all cycles of all tests are computed.
 const REST: std::time::Duration = std::time::Duration::from_millis(250);
 
 impl Session {
-    /// Nothing is open.
+    /// Makes an empty session.
     pub fn new(recent: Recent, waker: Waker) -> Session {
         Session {
             campaign: None,
@@ -158,17 +158,17 @@ impl Session {
         }
     }
 
-    /// Says something.
+    /// Shows a message.
     pub fn say(&mut self, text: impl Into<String>) {
         self.message = Some(Message { text: Sentence::as_it_is(text.into()), wrong: false });
     }
 
-    /// Says what went wrong.
+    /// Shows an error message.
     pub fn complain(&mut self, text: Sentence) {
         self.message = Some(Message { text, wrong: true });
     }
 
-    /// Opens whatever was dropped or named: model files, files of dimensions, record files and folders.
+    /// Opens dropped or chosen paths: model files, files of dimensions, record files and folders.
     pub fn open(&mut self, paths: &[PathBuf]) {
         let is_model = |p: &PathBuf| {
             p.is_file()
@@ -189,7 +189,7 @@ impl Session {
         }
     }
 
-    /// Reads records beside the window.
+    /// Reads records in the background.
     pub fn open_records(&mut self, paths: Vec<PathBuf>, options: Options) {
         let paths = paths.iter().map(|p| profile_stands_for_its_folder(p)).collect();
         self.begin(Kind::Read, move |report| {
@@ -197,7 +197,7 @@ impl Session {
         });
     }
 
-    /// Reads records to compare with, as the open ones were read.
+    /// Reads records for comparison, with the options of the open records.
     pub fn open_reference(&mut self, paths: Vec<PathBuf>) {
         let options = self.reading.clone();
         self.begin(Kind::ReadReference, move |report| {
@@ -205,7 +205,7 @@ impl Session {
         });
     }
 
-    /// Reads the records again, with what was set by hand.
+    /// Rereads the records with the options set by hand.
     pub fn read_again(&mut self) {
         let Some(campaign) = &self.campaign else { return };
         self.open_records(campaign.paths.clone(), self.reading.clone());
@@ -222,7 +222,7 @@ impl Session {
         }
     }
 
-    /// Shows a model; its forces are computed anew.
+    /// Shows a model and discards the forces of the previous one.
     fn show_model(&mut self, model: Tuned) {
         self.model = Some(model);
         self.simulated = None;
@@ -234,9 +234,9 @@ impl Session {
         self.order_responses();
     }
 
-    /// Takes out of the open records what the model's fit found them to be off by, as the verbs of the command do.
+    /// Applies the measurement corrections of the model's fit to the open records, as the verbs of the command do.
     ///
-    /// A model without such a finding gets them as they were read.
+    /// Without such corrections the records stay as read.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();
@@ -247,7 +247,7 @@ impl Session {
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         if let Some((axis, _)) = model.over_setting() {
-            // Records in a unit of another kind state no setting of this damper.
+            // Ignore an incompatible unit: the setting of such a record is not this damper's.
             let _ = restate_settings(axis, records.iter_mut().chain(&mut of_reference));
         }
         let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
@@ -257,7 +257,7 @@ impl Session {
         self.generation += 1;
     }
 
-    /// Where the user works: the folder of the records, or that of the model.
+    /// Returns the working folder of the user: that of the records, or that of the model.
     pub fn folder(&self) -> Option<PathBuf> {
         let records = self.campaign.as_ref().and_then(|loaded| {
             let beside = || loaded.paths.first().and_then(|path| path.parent()).map(Path::to_owned);
@@ -268,12 +268,12 @@ impl Session {
         folder.is_dir().then_some(folder)
     }
 
-    /// Whether the verbs have something to work on.
+    /// Returns whether records are open.
     pub fn has_records(&self) -> bool {
         self.campaign.is_some()
     }
 
-    /// Begins work where none is under way; whether it did.
+    /// Begins a task if none is running. Returns whether it began.
     pub fn begin(
         &mut self,
         kind: Kind,
@@ -287,50 +287,50 @@ impl Session {
         true
     }
 
-    /// Tells the work under way to stop.
+    /// Requests the running task to stop.
     pub fn cancel(&self) {
         if let Some(task) = &self.task {
             task.cancel();
         }
     }
 
-    /// The ticked records.
+    /// Returns the indices of the ticked records.
     pub fn ticked(&self) -> Vec<usize> {
         let count = self.campaign.as_ref().map_or(0, |c| c.campaign.records.len());
         (0..count).filter(|k| !self.unticked.contains(k)).collect()
     }
 
-    /// A record by its number.
+    /// Returns a record by its index.
     pub fn record(&self, test: usize) -> Option<&Record> {
         self.campaign.as_ref()?.campaign.records.get(test)
     }
 
-    /// Whether something would be lost by closing: work under way, or values that are not saved.
+    /// Returns whether closing would lose a running task or unsaved values.
     pub fn would_lose(&self) -> bool {
         self.task.is_some() || self.is_unsaved()
     }
 
-    /// Whether values are not saved.
+    /// Returns whether the model has unsaved values.
     pub fn is_unsaved(&self) -> bool {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
 
-    /// Changes the model; the loops follow at once, all cycles of all tests when it rests.
+    /// Changes the model. The loops follow immediately, all cycles of all tests after a pause.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
         if self.step(change) {
             self.forget_future();
         }
     }
 
-    /// Goes to the damper at another setting, where the model depends on one.
+    /// Moves to another setting of an adjustable damper.
     pub fn move_to(&mut self, setting: f64) {
         if self.step(|model| model.move_to(setting)) {
-            // Forces at the setting before are compared with nothing.
+            // Forces at the previous setting are not comparable.
             self.identified = None;
         }
     }
 
-    /// Puts each test at its own setting, or all at the one on screen.
+    /// Selects whether each test has its own setting, or all have the one on screen.
     pub fn use_own_settings(&mut self, own: bool) {
         if self.own_settings != own {
             self.own_settings = own;
@@ -340,20 +340,20 @@ impl Session {
         }
     }
 
-    /// The damper of each test; none without a model.
+    /// Returns the damper of each test; `None` without a model.
     pub fn dampers(&self) -> Option<Dampers> {
         let model = self.model.as_ref()?;
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Whether some open test states the setting that the model depends on.
+    /// Returns whether an open test has its own setting of the adjustable damper.
     pub fn has_own_settings(&self) -> bool {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return false };
         let dampers = model.dampers(&model.identified, true);
         loaded.campaign.records.iter().any(|record| dampers.of_test(record) != TestDamper::Shown)
     }
 
-    /// Changes the model, or goes a step back or forth in it.
+    /// Changes the model, including undo and redo.
     fn step(&mut self, change: impl FnOnce(&mut Tuned) -> bool) -> bool {
         let Some(model) = &mut self.model else { return false };
         let changed = change(model);
@@ -364,14 +364,14 @@ impl Session {
         changed
     }
 
-    /// Orders the forces of the model as it is.
+    /// Requests the forces of the current model.
     pub fn order(&mut self, quick: bool) {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
         let dampers = model.dampers(model.params(), self.own_settings);
         self.simulator.order(Wanted { dampers, loaded: loaded.clone(), quick });
     }
 
-    /// Takes over what threads have finished. Returns whether work is under way that the window should look at again soon.
+    /// Collects finished results. Returns whether a task runs that needs another poll soon.
     pub fn poll(&mut self) -> bool {
         if let Some(simulated) = self.simulator.take() {
             let current = self.campaign.as_ref().is_some_and(|c| Arc::ptr_eq(c, &simulated.loaded));
@@ -383,7 +383,7 @@ impl Session {
                 if is_identified && !simulated.quick {
                     self.identified = Some(simulated.clone());
                 }
-                // Forces of the identified model alone are not those of the tuned one.
+                // Forces of the identified model do not represent the tuned one.
                 if self.model.as_ref().is_some_and(|m| !m.is_tuned() || !is_identified) {
                     self.simulated = Some(simulated);
                 }
@@ -413,7 +413,7 @@ impl Session {
         responding || self.task.is_some() || self.moving.is_some() || self.simulator.is_busy()
     }
 
-    /// The identified model's forces are computed too where the model was tuned before they were there.
+    /// Requests the identified model's forces if the model was tuned before they were available.
     fn compare_with_identified(&mut self) {
         if self.identified.is_some() || self.moving.is_some() || self.simulator.is_busy() {
             return;
@@ -450,7 +450,7 @@ impl Session {
                 self.results.diagnosis = Some(Finding::of_diagnosis(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
-            // They come by a task of their own: see `poll_responses`.
+            // A separate task delivers these: see `poll_responses`.
             Outcome::Responded(_) => {}
             Outcome::Studied(study) => {
                 self.study = Some(study);
@@ -463,7 +463,7 @@ impl Session {
         }
     }
 
-    /// Says what was left out of records that were just read; the list of tests names each.
+    /// Reports the first unusable record; the list of tests shows all of them.
     fn tell_unusable(&mut self, loaded: &Loaded) {
         if let Some(text) = Unusable::first_of(&loaded.campaign.unusable) {
             self.message = Some(Message { text, wrong: false });
@@ -476,7 +476,7 @@ impl Session {
             self.recent.add(first);
         }
         outputs::register_inputs(&loaded);
-        // What is kept beside the records is shown and can be changed.
+        // Show the options stored with the records, for editing.
         self.reading = loaded.options.clone();
         if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::read(folder))
             && let Ok(said) = profile.options()
@@ -516,7 +516,7 @@ impl Session {
         self.order_responses();
     }
 
-    /// The improved model of the diagnosis takes the place of the model.
+    /// Replaces the model by the improved model of the diagnosis.
     pub fn take_improved(&mut self) {
         let text = self.improved_text();
         match text.map(Tuned::identified) {
@@ -526,18 +526,18 @@ impl Session {
         }
     }
 
-    /// Values of a test's damper with an effect more; none where its setting changes.
+    /// Returns the values of a test's damper with an additional effect; `None` if its setting changes.
     pub fn with_effect(&self, record: &Record, element: Element, strength: f64) -> Option<Params> {
         Some(model::with_prior(&self.dampers()?.params_of(record)?, element, strength))
     }
 
-    /// What the last fit says of its numbers.
+    /// Returns the estimates of the last fit.
     pub fn estimates(&self) -> &[Estimate] {
         self.results.fit.as_ref().map_or(&[], |f| &f.found.fit.estimates)
     }
 }
 
-/// A profile that was dropped stands for the records beside it.
+/// Replaces the path of a profile by its folder of records.
 fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     if path.file_name().is_some_and(|n| n == dashpot_records::profile::FILE) && path.is_file() {
         return dashpot_records::profile::folder_of(path);
@@ -545,12 +545,12 @@ fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     path.to_owned()
 }
 
-/// What is drawn first: all speeds of the amplitude with most tests, as a dyno shows a run.
+/// Selects the tests that are shown first: all velocities of the amplitude with most tests, as in a run on a dyno.
 fn first_look(records: &[Record]) -> BTreeSet<usize> {
     let grid = matrix::Grid::new(records, matrix::Across::Velocity);
     let row = |k: usize| -> Vec<usize> { (0..grid.columns.len()).flat_map(|c| grid.cell(k, c).to_vec()).collect() };
     let best = (0..grid.rows.len()).map(row).max_by_key(Vec::len).unwrap_or_default();
-    /// Loops beyond this are a tangle.
+    /// Largest number of distinguishable loops.
     const LOOPS: usize = 8;
     if best.is_empty() { (0..records.len().min(1)).collect() } else { best.into_iter().take(LOOPS).collect() }
 }

@@ -1,4 +1,4 @@
-//! The model that is tuned, beside the one that was identified, with every step back.
+//! The tuned model, the identified model, and their undo steps.
 
 use crate::session::dampers::Dampers;
 use crate::session::history::History;
@@ -16,36 +16,36 @@ use std::path::{Path, PathBuf};
 /// Index of the start setting among the entries of an axis.
 const START: usize = 0;
 
-/// A model file that is open.
+/// An open model file.
 pub struct Tuned {
-    /// Where it was read from or saved last.
+    /// Path that was read or last saved.
     pub path: Option<PathBuf>,
-    /// As it was read or fitted: what tuning is compared with, and what reset returns to.
+    /// Values as read or fitted: the comparison for tuning, and the target of a reset.
     pub identified: Params,
-    /// What the fit left behind.
+    /// Results of the fit.
     pub identification: Identification,
-    /// Places of the parameters that the file gave.
+    /// Indices of the parameters in the file.
     given: Vec<usize>,
-    /// The damper over a setting, and the setting that the values are at; none of an ordinary damper.
+    /// The adjustable damper and the setting of the values; `None` for an ordinary damper.
     over: Option<(Definition, f64)>,
-    /// The text that a fit or a diagnosis made, while nothing was tuned since.
+    /// The text of the file from a fit or a diagnosis, valid until a value is tuned.
     text: Option<String>,
-    /// Values as they are now, and were.
+    /// Current and earlier values.
     history: History<Params, Change>,
-    /// Values as they were saved last.
+    /// Values as last saved.
     saved: Option<Params>,
-    /// Why the last change was refused.
+    /// Reason for which the last change was rejected.
     pub rejected: Option<String>,
 }
 
-/// What a change belongs to: changes of one kind in one go are undone together.
+/// Subject of a change. Successive changes of one subject are undone together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// A parameter, by its place in the table, and the entry of its list.
+    /// A parameter, by its index in the table, and the entry of its list.
     Value(usize, usize),
     /// An element switched on or off.
     Element(Element),
-    /// Everything at once.
+    /// All values.
     Whole,
 }
 
@@ -53,7 +53,7 @@ impl Tuned {
     /// Reads a model file.
     ///
     /// # Errors
-    /// The reader's sentence.
+    /// The message of the reader.
     pub fn read(path: &Path) -> Result<Tuned, String> {
         let file = model_file::read_family(path).map_err(|e| e.to_string())?;
         let text = std::fs::read_to_string(path).ok();
@@ -62,10 +62,11 @@ impl Tuned {
     }
 
     fn new(file: ModelFile) -> Tuned {
-        // The window shows a damper over a setting at one: the start first.
+        // The window shows an adjustable damper at one setting, initially the start setting.
         let over = file.axis.is_some().then(|| {
             let (mut damper, start) = (file.definition(), file.axis.start());
-            // A start that the file leaves out is no number, and equal to nothing: dampers are compared. That of the axis is always allowed.
+            // A missing start setting is NaN, which is unequal to itself, and dampers are compared. The axis's start is
+            // always valid.
             let _ = damper.axis.set_number(START, start);
             (damper, start)
         });
@@ -84,43 +85,43 @@ impl Tuned {
         }
     }
 
-    /// A model that was just identified, from the text of its file.
+    /// Makes a newly identified model from the text of its file.
     ///
     /// # Errors
-    /// Where the text is no model file; what a fit writes is.
+    /// If the text is not a model file; a fit always writes a valid one.
     pub fn identified(text: String) -> Result<Tuned, String> {
         let file = model_file::family_of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
     }
 
-    /// What its file gives that does nothing as the values are now, a sentence for each element that is off.
+    /// Reports entries of the file without effect, one sentence for each element that is off.
     pub fn idle(&self) -> Vec<Sentence> {
         dashpot_identification::remarks::idle(&self.given, self.params())
     }
 
-    /// The name of its file; empty where it was never saved.
+    /// Returns the name of its file; empty if it was never saved.
     pub fn name(&self) -> String {
         let file = self.path.as_ref().and_then(|p| p.file_name());
         file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// The damper over a setting, and the setting that the values are at; none of an ordinary damper.
+    /// Returns the axis of an adjustable damper and the setting of the values; `None` for an ordinary damper.
     pub fn over_setting(&self) -> Option<(&Axis, f64)> {
         self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
     }
 
-    /// The damper over a setting, as its file has it.
+    /// Returns the adjustable damper of the file.
     pub fn definition(&self) -> Option<&Definition> {
         self.over.as_ref().map(|(damper, _)| damper)
     }
 
-    /// The file of the whole damper over its setting; none of an ordinary damper.
+    /// Returns the file of the adjustable damper over all settings; `None` for an ordinary damper.
     pub fn whole_file(&self) -> Option<ModelFile> {
         let Definition { params, axis } = *self.definition()?;
         Some(ModelFile::new(params, axis, self.identification.clone(), self.given.clone()))
     }
 
-    /// The damper of each test with these values on screen; where `own`, each test is at its own setting.
+    /// Returns the damper of each test for the values on screen; if `own`, each test is at its own setting.
     pub fn dampers(&self, params: &Params, own: bool) -> Dampers {
         match &self.over {
             Some((damper, at)) if own => Dampers::over_setting(*params, *damper, *at),
@@ -128,7 +129,7 @@ impl Tuned {
         }
     }
 
-    /// Goes to the damper at another setting. Not while it is tuned: the values belong to the setting that they were tuned at.
+    /// Moves to the damper at another setting. A tuned model stays, because its values belong to their setting.
     pub fn move_to(&mut self, setting: f64) -> bool {
         if self.is_tuned() {
             return false;
@@ -139,7 +140,7 @@ impl Tuned {
         }
         *at = setting;
         let params = damper.params_at(setting);
-        // Another damper of the same file: no step of tuning, and nothing to be saved.
+        // The new values are another damper of the file: there is no undo step and nothing to save.
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
         self.history = History::new(params);
@@ -150,17 +151,17 @@ impl Tuned {
         true
     }
 
-    /// Values as they are now.
+    /// Returns the current values.
     pub fn params(&self) -> &Params {
         self.history.now()
     }
 
-    /// The model of the values.
+    /// Makes the model of the current values.
     pub fn model(&self) -> Option<Model> {
         Model::new(self.params()).ok()
     }
 
-    /// As the file it would be saved to reads.
+    /// Returns the contents of the file for saving.
     pub fn file(&self) -> ModelFile {
         let (Some(whole), Some((_, setting))) = (self.whole_file(), self.over_setting()) else {
             let (identification, specified) = (self.identification.clone(), self.given.clone());
@@ -172,17 +173,17 @@ impl Tuned {
         file
     }
 
-    /// Whether something would be lost by closing.
+    /// Returns whether closing would lose values.
     pub fn is_unsaved(&self) -> bool {
         self.saved.as_ref() != Some(self.params())
     }
 
-    /// Whether the values are others than those identified.
+    /// Returns whether the values differ from the identified values.
     pub fn is_tuned(&self) -> bool {
         self.identified != *self.params()
     }
 
-    /// Takes other values where they make a model; says why not otherwise.
+    /// Sets values if they make a valid model, else keeps the reason in `rejected`.
     pub fn change(&mut self, change: Change, params: Params) -> bool {
         match Model::new(&params) {
             Ok(_) => {
@@ -197,7 +198,7 @@ impl Tuned {
         }
     }
 
-    /// Sets a number, or an entry of a list.
+    /// Sets a parameter, or an entry of a list.
     pub fn set(&mut self, row: &Row, entry: usize, value: f64) -> bool {
         let p = row.parameter;
         let mut params = *self.params();
@@ -223,34 +224,34 @@ impl Tuned {
         changed
     }
 
-    /// The next change is undone by itself.
+    /// Ends the current change, so that the next change has its own undo step.
     pub fn seal(&mut self) {
         self.history.seal();
     }
 
-    /// Takes the last change back.
+    /// Undoes the last change.
     pub fn undo(&mut self) -> bool {
         self.rejected = None;
         self.history.undo()
     }
 
-    /// Does again what was taken back.
+    /// Redoes the last undone change.
     pub fn redo(&mut self) -> bool {
         self.rejected = None;
         self.history.redo()
     }
 
-    /// Forgets what was taken back.
+    /// Discards the redo steps.
     pub fn forget_future(&mut self) {
         self.history.forget_future();
     }
 
-    /// Whether there is something to take back, and to do again.
+    /// Returns whether undo and redo are possible.
     pub fn can(&self) -> (bool, bool) {
         self.history.can()
     }
 
-    /// Back to the identified values; one step that can be taken back.
+    /// Resets to the identified values in one undo step.
     pub fn reset(&mut self) -> bool {
         self.history.seal();
         let changed = self.change(Change::Whole, self.identified);
@@ -258,9 +259,9 @@ impl Tuned {
         changed
     }
 
-    /// The text of the model file.
+    /// Returns the text of the model file.
     ///
-    /// That of the fit where nothing was changed since, else the values with a note that they were tuned by hand.
+    /// An untuned model keeps the text of its fit. Otherwise the text contains the values and a note on manual tuning.
     pub fn text(&self) -> String {
         match &self.text {
             Some(text) if !self.is_tuned() => text.clone(),
@@ -269,7 +270,7 @@ impl Tuned {
     }
 
     fn tuned_text(&self) -> String {
-        // What the file opened gave of elements that are off stays in it: whoever reads it may switch them on.
+        // Parameters of disabled elements stay in the file, because a reader may enable the elements.
         let flat = model_file::flat_keeping(self.params(), &self.given, |row| {
             let p = row.parameter;
             let unit = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
@@ -282,8 +283,8 @@ impl Tuned {
             };
             format!("{unit}{}{changed}", p.meaning)
         });
-        // What the fit knew stays: which tests it saw, its plain curve, its intervals, which are those of the identified numbers.
-        // Those of a damper over a setting are of all its settings.
+        // Results of the fit stay: its tests, its FV curve alone, and the intervals of the identified values. Those of
+        // an adjustable damper apply to all settings, so they are omitted.
         let text = self.text.as_ref().filter(|_| self.over.is_none());
         let tables = text.and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
         let (announced, tables) = match tables {
@@ -300,19 +301,19 @@ impl Tuned {
         )
     }
 
-    /// Remembers that the values were written to a file.
+    /// Records that the values were saved to a file.
     pub fn saved_to(&mut self, path: &Path, params: Params) {
         self.path = Some(path.to_owned());
         self.saved = Some(params);
     }
 
-    /// Whether the fit left a number of a list, or a number of its own, open.
+    /// Returns whether the fit did not identify a parameter or an entry of a list.
     pub fn is_loose(&self, name: &str, entry: Option<usize>) -> bool {
         let identifier = entry.map_or_else(|| name.to_owned(), |k| format!("{name}[{k}]"));
         self.identification.not_identified.contains(&identifier)
     }
 
-    /// The identified value of a number, where a fit identified it. Of a file that no fit wrote, the value that it gives.
+    /// Returns the identified value of a parameter, or for a file without a fit the value in the file.
     pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
         let p = row.parameter;
         let place = matches!(p.shape, Shape::List(_)).then_some(entry);
@@ -321,7 +322,7 @@ impl Tuned {
         value.filter(|_| !self.is_loose(p.name, place) && (by_hand || self.interval(p.name, entry).is_some()))
     }
 
-    /// What the fit says of a number: its 95 % interval.
+    /// Returns the 95 % interval of a parameter from the fit.
     pub fn interval(&self, name: &str, entry: usize) -> Option<[f64; 2]> {
         match self.identification.intervals.get(name)? {
             Interval::Number(ends) => Some(*ends),
@@ -331,24 +332,24 @@ impl Tuned {
     }
 }
 
-/// Where a slider runs from and to, and whether its steps are factors.
+/// Range and scale of a slider.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
     /// Left end.
     pub low: f64,
     /// Right end.
     pub high: f64,
-    /// Whether equal ways are equal factors.
+    /// Whether equal distances are equal factors.
     pub factors: bool,
 }
 
-/// How many factors of its spread a slider of a size reaches to either side; what dampers show lies within.
+/// Range of a slider to either side, in standard deviations of the prior, which includes typical dampers.
 const SPREADS: f64 = 3.0;
 
 impl Reach {
-    /// The range of a slider, which contains prior, interval, identified and present value.
+    /// Computes the range of a slider, which contains prior, interval, identified and current value.
     ///
-    /// It lies within the bounds of the table.
+    /// The range lies within the bounds of the table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
         let usual = Number::try_from(*row).ok().and_then(|number| priors::distribution(number, scale));
@@ -381,7 +382,7 @@ impl Reach {
         Reach { low, high, factors: factors && low > 0.0 }
     }
 
-    /// Place of a value on the slider, 0..1.
+    /// Returns the position of a value on the slider, 0..1.
     pub fn place(&self, value: f64) -> f64 {
         let of = |v: f64| if self.factors { libm::log(v.max(1e-300)) } else { v };
         let (low, high) = (of(self.low), of(self.high));
@@ -389,7 +390,7 @@ impl Reach {
     }
 }
 
-/// What dampers show of a number: the middle two thirds.
+/// Returns the central two thirds of the prior of a parameter.
 pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     Some(match priors::distribution(Number::try_from(*row).ok()?, scale)? {
         Distribution::Size(median, factor) => [median / factor, median * factor],
@@ -398,7 +399,7 @@ pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     })
 }
 
-/// What an effect usually is: the numbers of an element that dampers with it show, where its own default is another.
+/// Enables an effect with the prior medians of its parameters where these differ from the defaults.
 pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
@@ -443,7 +444,7 @@ mod tests {
         assert!(!model.is_tuned() && !model.is_unsaved() && model.text() == text);
         assert!(model.set(number!("gas_force").row(), 0, 95.0) && model.is_tuned());
         assert!(!model.move_to(1.0) && model.over_setting().unwrap().1 == 0.5);
-        // What is tuned is an ordinary damper at this setting.
+        // A tuned model is an ordinary damper at this setting.
         let tuned = model.text();
         assert!(tuned.contains("at current = 0.5 A") && !tuned.contains("setting = ["), "{tuned}");
         model.reset();
@@ -476,7 +477,7 @@ mod tests {
         let mut tuned = tuned();
         let row = find("fv_velocity").unwrap();
         let before = *tuned.params();
-        // The velocities of a curve increase.
+        // The velocities of a curve must increase.
         let last = tuned.params().get(&row).to_vec().last().copied().unwrap();
         assert!(!tuned.set(&row, 0, last + 1.0));
         assert!(tuned.rejected.as_ref().unwrap().contains("fv_velocity"), "{:?}", tuned.rejected);
@@ -508,7 +509,7 @@ mod tests {
         let mut tuned = Tuned::read(&path).unwrap();
         let told: Vec<String> = tuned.idle().iter().map(ToString::to_string).collect();
         assert!(tuned.set(&find("fv_compression_c1").unwrap(), 0, 3000.0));
-        // An element that is switched off while the file is open is one of them.
+        // An element that is switched off while the file is open also keeps its parameters.
         assert!(tuned.switch(find("coulomb_force").unwrap().element().unwrap(), false));
         let saved = folder.path().join("saved.toml");
         std::fs::write(&saved, tuned.text()).unwrap();
@@ -522,7 +523,8 @@ mod tests {
         ] {
             assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
         }
-        // What the file did not give is not added, and the notes are those of the file and of the element switched off.
+        // The saved file has no parameters that the original lacked, and its notes are those of the original and of the
+        // disabled element.
         assert!(
             !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),
             "{}",

@@ -1,5 +1,5 @@
-//! What is written beside reports ([`super::papers`]): model files, what is known about records, plots, exports. All through the guards of
-//! the command's outputs: a file of another kind is never replaced, and nothing is ever half written.
+//! Writes files other than reports ([`super::papers`]): model files, options of reading, plots, exports. All pass the
+//! checks of the command's outputs: a file of another kind is never replaced, and no file is ever incomplete.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -10,13 +10,13 @@ use dashpot_output::Kind;
 use dashpot_records::{Profile, Sentence, profile};
 use std::path::{Path, PathBuf};
 
-/// The error with its causes in one sentence.
+/// Formats an error with its causes as one sentence.
 pub fn error_sentence(error: &anyhow::Error) -> Sentence {
     Sentence::as_it_is(format!("{error:#}"))
 }
 
 impl Session {
-    /// Writes the model as it stands; whether it could.
+    /// Saves the current model. Returns whether it was written.
     pub fn save(&mut self, path: &Path) -> bool {
         let Some(model) = &self.model else { return false };
         let (text, params) = (model.text(), *model.params());
@@ -35,7 +35,7 @@ impl Session {
         }
     }
 
-    /// Keeps how the records are read as `campaign.toml` beside them; whether it could.
+    /// Stores the options of reading as `campaign.toml` with the records. Returns whether it was written.
     pub fn keep_reading(&mut self) -> bool {
         let Some(folder) = self.campaign.as_ref().and_then(|c| c.folder.clone()) else { return false };
         let path = folder.join(profile::FILE);
@@ -55,7 +55,7 @@ impl Session {
         }
     }
 
-    /// Leaves a test out whenever these records are read, beside the window and by every verb.
+    /// Excludes a test from all further readings of these records, in the window and by every verb.
     pub fn exclude(&mut self, test: usize) {
         let Some(name) = self.record(test).map(|r| r.name.clone()) else { return };
         if !self.reading.exclude.contains(&name) {
@@ -66,7 +66,7 @@ impl Session {
         }
     }
 
-    /// Writes files for a host.
+    /// Writes an export in the background.
     pub fn export(&mut self, host: Host, path: PathBuf) {
         let Some(model) = &self.model else { return };
         let export = Export { host, params: *model.params(), text: model.text(), name: model.name() };
@@ -77,7 +77,7 @@ impl Session {
     }
 }
 
-/// A plot as a table: every line with its two columns.
+/// Formats a plot as a table: every line with its two columns.
 pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let mut out = format!("line,{},{}\n", quoted(heading[0]), quoted(heading[1]));
@@ -89,7 +89,7 @@ pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
     out
 }
 
-/// The campaign's own records are never replaced: the outputs know them as inputs of this run.
+/// Registers the campaign's records as inputs, which outputs never replace.
 pub fn register_inputs(loaded: &Loaded) {
     dashpot_output::register_inputs(loaded.paths.iter().cloned());
 }

@@ -1,4 +1,4 @@
-//! Reports and workbooks of what was found: those that the verbs write, in the window's language.
+//! Writes the reports and workbooks of the verbs in the window's language.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -16,23 +16,23 @@ use dashpot_simulation::whole_records;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What is written.
+/// Kind of report or workbook.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Paper {
     /// The tables of the fit.
     FitTables,
     /// The report of the validation.
     ValidationReport,
-    /// Its tables.
+    /// The tables of the validation.
     ValidationTables,
     /// The report of the diagnosis.
     DiagnosisReport,
-    /// Its tables.
+    /// The tables of the diagnosis.
     DiagnosisTables,
 }
 
 impl Paper {
-    /// The name that is proposed, and how names of its kind end.
+    /// Returns the proposed name and the accepted extensions.
     pub fn proposed(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Paper::FitTables => ("fit.xlsx", &["xlsx"]),
@@ -51,19 +51,19 @@ impl Paper {
     }
 }
 
-/// The model's file where it holds the model as it stands.
+/// Returns the path of the model's file if it contains the current values.
 fn file_of(model: &Tuned) -> Option<PathBuf> {
     model.path.clone().filter(|_| !model.is_unsaved())
 }
 
-/// What a paper is made from. Reads every file once more, so beside the window.
+/// Describes the origin of a report. It rereads every file, so it runs in the background.
 fn made<'a>(model: Option<&PathBuf>, campaigns: impl IntoIterator<Item = &'a Arc<Loaded>>) -> Made {
     let files: Vec<&PathBuf> = model.into_iter().chain(campaigns.into_iter().flat_map(|c| &c.campaign.files)).collect();
     Made::from_files(files.into_iter().map(PathBuf::as_path))
 }
 
 impl Session {
-    /// Writes a report or a workbook of what was found.
+    /// Writes a report or a workbook of the results.
     pub fn write_paper(&mut self, paper: Paper, path: PathBuf, words: &'static Words) {
         match paper {
             Paper::FitTables => self.write_fit(path, words),
@@ -114,7 +114,7 @@ impl Session {
                     .map_err(|e| error_sentence(&e))?
             };
             if let Some(model) = family {
-                // A curve at one setting would stand for none of the others.
+                // The curve at one setting would not represent the others.
                 input.curve.clear();
                 input.family = Some(FamilyReport { model, fit: family_fit.as_deref() });
             }
@@ -159,7 +159,7 @@ impl Session {
     }
 }
 
-/// Writes a file of a kind where nothing else would be lost.
+/// Writes a file unless a file of another kind would be lost.
 fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, Sentence> {
     checked(&path, kind).and_then(|()| write(&path)).map_err(|e| error_sentence(&e))?;
     Ok(Outcome::Written(path, Vec::new()))

@@ -1,15 +1,15 @@
-//! How far long work is.
+//! Progress of long tasks.
 
 use dashpot_records::sentence::Template;
 
-/// How far it is.
+/// Progress of a task.
 #[derive(Debug, Clone, Default)]
 pub struct Progress {
-    /// Share done, 0..1.
+    /// Completed fraction, 0..1.
     pub done: f64,
-    /// What is being done, where that is known.
+    /// Current activity, if known.
     pub text: Option<Template>,
 }
 
-/// Reports how far work is.
+/// Callback for the progress of a task.
 pub type Report<'a> = &'a (dyn Fn(f64, Option<Template>) + Sync);

@@ -1,11 +1,11 @@
-//! Campaigns that were open lately.
+//! Recently opened campaigns.
 
 use std::path::{Path, PathBuf};
 
-/// How many are kept: as many as a menu shows at a glance.
+/// Number of stored campaigns, limited to a short menu.
 const KEPT: usize = 8;
 
-/// The list, and the file that keeps it.
+/// The list and its file.
 pub struct Recent {
     file: Option<PathBuf>,
     /// Newest first.
@@ -13,13 +13,13 @@ pub struct Recent {
 }
 
 impl Recent {
-    /// Reads the list; none where there is no place for it.
+    /// Reads the list; it is empty if there is no file.
     pub fn read(file: Option<PathBuf>) -> Recent {
         let text = file.as_ref().and_then(|f| std::fs::read_to_string(f).ok()).unwrap_or_default();
         Recent { file, paths: text.lines().filter(|l| !l.is_empty()).map(PathBuf::from).take(KEPT).collect() }
     }
 
-    /// The user's file for it.
+    /// Returns the path of the user's file.
     pub fn place() -> Option<PathBuf> {
         let var = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
         let folder = if cfg!(windows) {
@@ -30,7 +30,7 @@ impl Recent {
         Some(folder.join("dashpot").join("recent.txt"))
     }
 
-    /// Puts a path first. That the list cannot be written is no reason to disturb anybody.
+    /// Puts a path first. A failure to write the list is ignored.
     pub fn add(&mut self, path: &Path) {
         let Ok(path) = std::path::absolute(path) else { return };
         self.paths.retain(|p| *p != path);

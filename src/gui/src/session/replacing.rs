@@ -1,6 +1,6 @@
-//! Another model in the place of the one on screen.
+//! Replaces the model on screen.
 //!
-//! Asked for first where values set by hand would be lost, and undone like any change.
+//! The user confirms a loss of manually tuned values, and the replacement can be undone.
 
 use crate::session::Session;
 use crate::session::model::Tuned;
@@ -11,41 +11,41 @@ use dashpot_identification::model_file;
 use dashpot_records::Sentence;
 use std::path::PathBuf;
 
-/// What takes the place of the model.
+/// Source of the replacing model.
 pub enum Replacement {
     /// A model file.
     File(PathBuf),
-    /// What a fit will find.
+    /// The result of a future fit.
     Fit,
-    /// The damper over a setting that a fit will find, by the name of the setting.
+    /// The adjustable damper of a future fit, by the name of the setting.
     FitOver(String),
-    /// What a fit has found, while the model was tuned.
+    /// The result of a fit during which the model was tuned.
     Fitted(Fitted),
-    /// The damper over a setting that a fit has found, while the model was tuned.
+    /// The adjustable damper from a fit during which the model was tuned.
     FittedFamily(Box<FamilyFit>),
     /// The improved model of the diagnosis.
     Improved,
 }
 
-/// Models that can be gone back to; each holds its own steps.
+/// Number of models that undo can restore; each has its own undo steps.
 const DEPTH: usize = 20;
 
-/// Models before and after the one on screen.
+/// Models before and after the one on screen, for undo and redo.
 #[derive(Default)]
 pub struct Others {
     past: Vec<Tuned>,
     future: Vec<Tuned>,
-    /// Values that may be lost: the user was asked.
+    /// Values whose loss the user has confirmed.
     allowed: Option<Params>,
 }
 
 impl Session {
-    /// Whether values set by hand are in no file.
+    /// Returns whether manually tuned values are not saved.
     pub fn has_unsaved_tuning(&self) -> bool {
         self.model.as_ref().is_some_and(|m| m.is_tuned() && m.is_unsaved())
     }
 
-    /// Replaces the model, or waits for the user where values set by hand would be lost.
+    /// Replaces the model, or waits for the user's confirmation if manually tuned values would be lost.
     pub fn replace(&mut self, replacement: Replacement) {
         if self.has_unsaved_tuning() {
             self.pending = Some(replacement);
@@ -54,7 +54,7 @@ impl Session {
         }
     }
 
-    /// Replaces the model as it was waiting for.
+    /// Carries out the pending replacement.
     pub fn replace_pending(&mut self) {
         if let Some(replacement) = self.pending.take() {
             self.carry_out(replacement);
@@ -78,7 +78,7 @@ impl Session {
         }
     }
 
-    /// A fit is done: its model takes the place of the one on screen, unless that was tuned meanwhile.
+    /// Replaces the model after a fit, unless the model was tuned during the fit.
     pub(super) fn fit_is_done(&mut self, fit: Replacement) {
         let now = self.model.as_ref().map(|m| *m.params());
         if self.has_unsaved_tuning() && self.others.allowed != now {
@@ -107,7 +107,7 @@ impl Session {
         self.results.family_fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
     }
 
-    /// The model takes the place of the one on screen, which can be gone back to.
+    /// Replaces the model on screen; undo restores the previous model.
     pub(super) fn take_model(&mut self, model: Tuned) {
         if let Some(mut before) = self.model.take() {
             before.forget_future();
@@ -120,12 +120,12 @@ impl Session {
         self.show_model(model);
     }
 
-    /// What was taken back is forgotten: something else was done.
+    /// Discards the redo steps after another change.
     pub(super) fn forget_future(&mut self) {
         self.others.future.clear();
     }
 
-    /// Takes the last change back; where there is none, the model before this one.
+    /// Undoes the last change, or without a change restores the previous model.
     pub fn undo(&mut self) {
         if self.model.as_ref().is_some_and(|m| m.can().0) {
             self.step(Tuned::undo);
@@ -135,7 +135,7 @@ impl Session {
         }
     }
 
-    /// Does again what was taken back last.
+    /// Redoes the last undone step.
     pub fn redo(&mut self) {
         if self.model.as_ref().is_some_and(|m| m.can().1) {
             self.step(Tuned::redo);
@@ -145,7 +145,7 @@ impl Session {
         }
     }
 
-    /// Whether there is something to take back, and to do again.
+    /// Returns whether undo and redo are possible.
     pub fn can_undo(&self) -> (bool, bool) {
         let (back, forth) = self.model.as_ref().map_or((false, false), Tuned::can);
         (back || !self.others.past.is_empty(), forth || !self.others.future.is_empty())

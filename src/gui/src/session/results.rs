@@ -1,4 +1,4 @@
-//! What the verbs found last, and whether it still belongs to what is on screen.
+//! The last results of the verbs, and whether they match the model and tests on screen.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -13,88 +13,88 @@ use dashpot_simulation::whole_records::{OfDiagnosis, Quality};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Model, records and tests that an answer was computed from.
+/// Model, records and tests of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// The values on screen, where they count.
+    /// The values on screen, if the result depends on them.
     params: Option<Params>,
-    /// The damper over a setting behind them.
+    /// The adjustable damper of these values.
     damper: Option<Definition>,
-    /// Whether each test is at its own setting, where that counts.
+    /// Whether each test is at its own setting, if the result depends on it.
     own_settings: bool,
-    /// How often records had been read.
+    /// Number of times that records had been read.
     read: u64,
     unticked: BTreeSet<usize>,
 }
 
-/// An answer with what it was computed from.
+/// A result with its basis.
 pub struct Finding<T> {
-    /// What was found.
+    /// The result.
     pub found: T,
     basis: Basis,
-    /// What it would be computed from now.
+    /// Function that returns the current basis of this kind of result.
     now: fn(&Session) -> Option<Basis>,
 }
 
 impl<T> Finding<T> {
-    /// What a fit has found, from the basis that it leaves.
+    /// Makes the finding of a fit from its result and basis.
     pub fn of_fit(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis_of_fit }
     }
 
-    /// What a validation has found.
+    /// Makes the finding of a validation.
     pub fn of_validation(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis }
     }
 
-    /// What a diagnosis has found.
+    /// Makes the finding of a diagnosis.
     pub fn of_diagnosis(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis_of_diagnosis }
     }
 
-    /// Whether model, records or ticked tests are others by now.
+    /// Returns whether model, records or ticked tests have changed since.
     pub fn is_old(&self, session: &Session) -> bool {
         (self.now)(session).as_ref() != Some(&self.basis)
     }
 }
 
-/// What a fit found, and how good it is.
+/// Result and quality of a fit.
 pub struct Fitted {
     /// The fit.
     pub fit: Box<Fit>,
-    /// Beside the noise and beside the plain curve; none where the records cannot be compared.
+    /// Error compared with the noise and with the FV curve alone; `None` if the records are not comparable.
     pub quality: Option<Quality>,
 }
 
-/// A diagnosis with what it was made from.
+/// A diagnosis with its inputs.
 pub struct Diagnosed {
-    /// The answer.
+    /// The diagnosis.
     pub found: Box<Diagnosis>,
-    /// Which tests no refit saw.
+    /// Tests that no refit used.
     pub left_out: Vec<bool>,
-    /// Errors of the models in it over every sample of the tests.
+    /// Errors of its models over every sample of the tests.
     pub over_whole_records: OfDiagnosis,
-    /// The campaign that it was compared with, where there was one: another may be open by the time that the report is written.
+    /// The reference campaign, if any; another may be open when the report is written.
     pub reference: Option<Arc<Loaded>>,
 }
 
-/// What the verbs found last.
+/// The last results of the verbs.
 #[derive(Default)]
 pub struct Results {
-    /// Of a fit: choices, estimates, notes.
+    /// Fit: choices, estimates, notes.
     pub fit: Option<Finding<Fitted>>,
-    /// Of a fit over a setting.
+    /// Fit over a setting.
     pub family_fit: Option<Finding<Box<FamilyFit>>>,
-    /// Of a validation.
+    /// Validation.
     pub validation: Option<Finding<Box<Validation>>>,
-    /// Of a diagnosis.
+    /// Diagnosis.
     pub diagnosis: Option<Finding<Diagnosed>>,
 }
 
 impl Session {
-    /// What a validation would be computed from now; none without a model.
+    /// Returns the basis of a validation at present; `None` without a model.
     ///
-    /// Where every ticked test states its setting, the one on screen does not count.
+    /// If every ticked test has its own setting, the one on screen is irrelevant.
     pub fn basis(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;
@@ -104,7 +104,7 @@ impl Session {
         Some(Basis { params: basis.params.filter(|_| counts), ..basis })
     }
 
-    /// What a diagnosis would be computed from now: the damper on screen and the tests at its setting.
+    /// Returns the basis of a diagnosis at present: the damper on screen and the tests at its setting.
     pub fn basis_of_diagnosis(&self) -> Option<Basis> {
         let model = self.model.as_ref()?;
         Some(Basis {
@@ -116,7 +116,7 @@ impl Session {
         })
     }
 
-    /// The model as a fit left it, with records and tests; the setting on screen does not count.
+    /// Returns the basis of a fit at present: fitted model, records and tests; the setting on screen is irrelevant.
     pub fn basis_of_fit(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;

@@ -1,4 +1,4 @@
-//! The forces of the model for every test, computed beside the window: the newest values win.
+//! Computes the forces of the model for every test in the background; the newest request has priority.
 
 use crate::session::Waker;
 use crate::session::campaign::{Loaded, Seen};
@@ -10,36 +10,36 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-/// What is to be computed.
+/// Request for a simulation.
 pub struct Wanted {
     /// The damper of each test.
     pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
-    /// Whether one cycle of each test is enough for now: a slider is moving.
+    /// Whether one cycle of each test suffices, because a slider is moving.
     pub quick: bool,
 }
 
-/// What the model makes of all tests.
+/// Forces and errors of all tests.
 pub struct Simulated {
     /// The damper of each test.
     pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
-    /// One entry a test.
+    /// One entry per test.
     pub tests: Vec<OfTest>,
-    /// Whether it rests on one cycle of each test.
+    /// Whether the simulation covers one cycle of each test.
     pub quick: bool,
-    /// How long it took.
+    /// Computing time.
     pub took: Duration,
 }
 
-/// What the model makes of a test.
+/// Forces and errors of a test.
 #[derive(Debug, Clone)]
 pub struct OfTest {
     /// Forces over the shown cycle, N.
     pub shown: Vec<f64>,
-    /// They stand at every so manyeth sample of it.
+    /// Decimation factor: `shown` has every `stride`-th sample.
     pub stride: usize,
     /// Mean of |computed − measured|, N.
     pub mean_error: f64,
@@ -50,7 +50,7 @@ pub struct OfTest {
 }
 
 impl OfTest {
-    /// Compares forces with a record; `shown` is where the shown cycle lies in it.
+    /// Compares forces with a record; `shown` is the range of the shown cycle in it.
     fn new(forces: &[f64], record: &Record, shown: std::ops::Range<usize>, stride: usize, max_force: f64) -> OfTest {
         let n = record.force.len().min(forces.len()).max(1) as f64;
         let errors = || forces.iter().zip(&record.force).map(|(f, m)| f - m);
@@ -64,7 +64,7 @@ impl OfTest {
         }
     }
 
-    /// Of a whole test, or of its shown cycle alone; `predict` computes the forces along a record or a part of it.
+    /// Simulates a whole test, or only its shown cycle if `quick`; `predict` computes the forces along a record.
     pub fn simulate(
         predict: impl Fn(&Record, &Motion) -> Vec<f64>,
         record: &Record,
@@ -89,7 +89,7 @@ struct Desk {
 struct Shared {
     desk: Mutex<Desk>,
     news: Condvar,
-    /// Number of the newest order.
+    /// Number of the newest request.
     newest: AtomicU64,
     /// Whether the thread is computing.
     busy: AtomicU64,
@@ -101,13 +101,13 @@ impl Shared {
     }
 }
 
-/// A thread that computes what was ordered last.
+/// A thread that computes the newest request.
 pub struct Simulator {
     shared: Arc<Shared>,
 }
 
 impl Simulator {
-    /// Starts the thread; `waker` is called when there is something new.
+    /// Starts the thread, which calls `waker` after each result.
     pub fn new(waker: Waker) -> Simulator {
         let shared = Arc::new(Shared {
             desk: Mutex::new(Desk { wanted: None, done: None, closed: false }),
@@ -120,19 +120,19 @@ impl Simulator {
         Simulator { shared }
     }
 
-    /// Orders a computation; one that waits is forgotten, one under way is left where it is not needed on the way.
+    /// Requests a simulation. It replaces a waiting request and aborts a running full simulation.
     pub fn order(&self, wanted: Wanted) {
         let number = 1 + self.shared.newest.fetch_add(1, Ordering::Relaxed);
         self.shared.desk().wanted = Some((number, wanted));
         self.shared.news.notify_one();
     }
 
-    /// What came last, once.
+    /// Returns the newest result once.
     pub fn take(&self) -> Option<Simulated> {
         self.shared.desk().done.take()
     }
 
-    /// Whether something is waiting or under way.
+    /// Returns whether a request is waiting or running.
     pub fn is_busy(&self) -> bool {
         let desk = self.shared.desk();
         desk.wanted.is_some() || desk.done.is_some() || self.shared.busy.load(Ordering::Relaxed) > 0
@@ -161,7 +161,8 @@ fn work(shared: &Shared, waker: &Waker) {
                 desk = shared.news.wait(desk).unwrap_or_else(std::sync::PoisonError::into_inner);
             }
         };
-        // A quick answer is always given, else nothing would move while the mouse does; a full one is left for newer values.
+        // A quick simulation always completes, so that the plots follow the mouse. A full one is aborted for newer
+        // values.
         let outdated = || !wanted.quick && shared.newest.load(Ordering::Relaxed) != number;
         let result = simulate(&wanted, &outdated);
         {
@@ -175,7 +176,7 @@ fn work(shared: &Shared, waker: &Waker) {
     }
 }
 
-/// Everything that was ordered; nothing where it is outdated on the way or makes no model.
+/// Simulates all tests. Returns `None` if the request becomes outdated or the values are not a valid model.
 pub fn simulate(wanted: &Wanted, outdated: &(dyn Fn() -> bool + Sync)) -> Option<Simulated> {
     let began = Instant::now();
     let loaded = &wanted.loaded;

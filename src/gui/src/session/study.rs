@@ -1,4 +1,4 @@
-//! One number at several values: the family of loops, and what each does to gap and area.
+//! Varies one parameter: computes the family of loops with the gap and the area of each.
 
 use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
@@ -9,46 +9,46 @@ use dashpot_records::smoothing::Motion;
 use dashpot_simulation::prediction::predict;
 use rayon::prelude::*;
 
-/// What is asked.
+/// Input of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
     /// Parameter.
     pub number: Number,
-    /// From and to, SI.
+    /// First and last value, SI.
     pub range: [f64; 2],
-    /// Whether the values are equal factors apart.
+    /// Whether the values have equal ratios.
     pub factors: bool,
     /// Number of values.
     pub count: usize,
-    /// The test whose motion is driven.
+    /// The test whose motion is the input.
     pub test: usize,
 }
 
-/// One value of the number.
+/// Result for one value of the parameter.
 #[derive(Debug, Clone)]
 pub struct Member {
-    /// Its value, SI.
+    /// Value of the parameter, SI.
     pub value: f64,
     /// Forces over the shown cycle, N.
     pub force: Vec<f64>,
     /// Area of the loop of force over displacement, J: the work of one cycle.
     pub area: f64,
-    /// Vertical gap between the two ways through the middle of the velocities, N.
+    /// Vertical gap between the branches of rising and falling velocity near zero velocity, N.
     pub gap: f64,
 }
 
-/// The family.
+/// A family of loops.
 #[derive(Debug, Clone)]
 pub struct Study {
-    /// What was asked.
+    /// Input of the study.
     pub question: Question,
-    /// Values that make a model, in order.
+    /// Results for the valid values, in order.
     pub members: Vec<Member>,
-    /// Of the measured cycle: area, J, and gap, N.
+    /// Area, J, and gap, N, of the measured cycle.
     pub measured: [f64; 2],
 }
 
-/// Answers the question; values that make no model are left out.
+/// Simulates each value; omits values that are not a valid model.
 pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<Study> {
     let (record, seen) = (loaded.campaign.records.get(question.test)?, loaded.tests.get(question.test)?);
     let [low, high] = question.range;
@@ -76,16 +76,17 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
     Some(Study { question: question.clone(), members, measured: figures(&cycle.force[..n]) })
 }
 
-/// Area inside a closed loop: ∮ F dx.
+/// Computes the area inside a closed loop: ∮ F dx.
 pub fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     let n = x.len().min(force.len());
     (0..n).map(|i| 0.5 * (force[i] + force[(i + 1) % n]) * (x[(i + 1) % n] - x[i])).sum()
 }
 
-/// Share of the peak velocity within which the gap is looked at: where friction and compressibility open the loop most.
+/// Fraction of the peak velocity within which the gap is evaluated: friction and compressibility open the loop most
+/// there.
 const SLOW: f64 = 0.2;
 
-/// Mean force while the velocity falls less that while it rises, at low velocities.
+/// Computes the gap: mean force while the velocity falls minus mean force while it rises, at low velocities.
 pub fn gap(velocity: &[f64], force: &[f64]) -> f64 {
     let peak = velocity.iter().fold(0.0f64, |m, v| v.abs().max(m));
     let n = velocity.len().min(force.len());
@@ -111,13 +112,15 @@ mod tests {
         let phase = |i: usize| TAU * i as f64 / n as f64;
         let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
         let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
-        // A viscous damper of 1000 N s/m at 1 Hz, with a spring of 5000 N/m: area π c ω X², gap from the spring alone.
+        // The test damper has 1000 N s/m at 1 Hz and a spring of 5000 N/m. The area is π c ω X², and only the spring
+        // causes a gap.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
         let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;
         assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);
         let viscous: Vec<f64> = v.iter().map(|v| 1000.0 * v).collect();
         assert!(gap(&v, &viscous).abs() < 0.5);
-        // While the velocity falls the spring is stretched: +x, so the gap is about twice its force at the middle.
+        // While the velocity falls, the spring is extended: x > 0. The gap is thus about twice its force at the
+        // amplitude.
         let found = gap(&v, &force);
         assert!((found / (2.0 * 5000.0 * 0.01) - 1.0).abs() < 0.05, "{found}");
     }

@@ -1,5 +1,5 @@
-//! Long work beside the window: reading, fitting, validating, diagnosing, studying, writing. One of a kind at a time; each says how
-//! far it is and can be told to stop.
+//! Long tasks in the background: reading, fitting, validating, diagnosing, studying, writing. One task runs at a time;
+//! it reports its progress and can be cancelled.
 
 use crate::session::Waker;
 use crate::session::campaign::Loaded;
@@ -16,74 +16,74 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
-/// What is being done.
+/// Kind of task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Records are read.
+    /// Reads records.
     Read,
-    /// Records of another campaign are read, to compare with.
+    /// Reads records of another campaign for comparison.
     ReadReference,
-    /// A model is identified.
+    /// Identifies a model.
     Fit,
-    /// The model is validated.
+    /// Validates the model.
     Validate,
-    /// The missing effect is sought.
+    /// Searches for the missing effect.
     Diagnose,
-    /// A number is studied.
+    /// Varies a parameter.
     Study,
-    /// The force of tests is compared after steps of the setting.
+    /// Compares the force of tests after steps of the setting.
     Respond,
-    /// Files for a host, or a report, are written.
+    /// Writes files for a host, or a report.
     Write,
 }
 
-/// What came of it.
+/// Result of a task.
 pub enum Outcome {
     /// Records.
     Read(Loaded),
-    /// Records to compare with.
+    /// Records for comparison.
     Reference(Loaded),
     /// A model.
     Fitted(Fitted),
-    /// A damper over a setting.
+    /// An adjustable damper.
     FittedFamily(Box<FamilyFit>),
-    /// Errors, and of what.
+    /// Errors and their basis.
     Validated(Box<Validation>, Box<Basis>),
-    /// What a model lacks, and of what.
+    /// Missing effects and their basis.
     Diagnosed(Diagnosed, Box<Basis>),
     /// A family of loops.
     Studied(Study),
     /// Responses to steps of the setting.
     Responded(Vec<StepResponse>),
-    /// A file or folder was written, and what must be known beside it.
+    /// A written file or folder, and notes on it.
     Written(PathBuf, Vec<String>),
 }
 
-/// Work under way.
+/// A running task.
 pub struct Task {
-    /// What it is.
+    /// Kind.
     pub kind: Kind,
-    /// When it began.
+    /// Start time.
     pub began: Instant,
     cancel: Cancel,
     progress: Arc<Mutex<Progress>>,
     result: Receiver<Option<Result<Outcome, Sentence>>>,
 }
 
-/// How a task stands.
-// One at a time, and taken apart at once: a box would save nothing.
+/// Status of a task.
+// There is one value at a time, consumed immediately: a box would save nothing.
 #[allow(clippy::large_enum_variant)]
 pub enum Standing {
-    /// Under way.
+    /// Running.
     Working,
-    /// Told to stop, and stopped.
+    /// Stopped after a request to cancel.
     Cancelled,
-    /// At its end.
+    /// Complete.
     Done(Result<Outcome, Sentence>),
 }
 
 impl Task {
-    /// Begins.
+    /// Starts a task.
     pub fn begin(
         kind: Kind,
         waker: Waker,
@@ -104,27 +104,27 @@ impl Task {
             let _ = send.send(done);
             own_waker();
         });
-        // Without a thread the channel is closed, which reads as cancelled.
+        // If the thread cannot start, its channel is closed, which the session treats as cancelled.
         drop(began);
         Task { kind, began: Instant::now(), cancel, progress, result }
     }
 
-    /// Tells it to stop.
+    /// Requests the task to stop.
     pub fn cancel(&self) {
         self.cancel.ask();
     }
 
-    /// Whether it was told to stop.
+    /// Returns whether the task was requested to stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancel.asked()
     }
 
-    /// How far it is.
+    /// Returns the progress.
     pub fn progress(&self) -> Progress {
         self.progress.lock().map(|p| p.clone()).unwrap_or_default()
     }
 
-    /// How it stands. Whoever pressed Cancel gets no result, even one that was whole a moment before.
+    /// Returns the status. A cancelled task has no result, even if it completed just before.
     pub fn standing(&self) -> Standing {
         match self.result.try_recv() {
             Ok(_) if self.is_cancelled() => Standing::Cancelled,

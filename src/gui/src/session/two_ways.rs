@@ -1,25 +1,25 @@
-//! A cycle passes every place twice: what both ways have in common, and what they do not. In a slow test that is gas and springs on one
-//! hand, seal drag and friction on the other.
+//! Common part and difference of the force at each position of a cycle, which the cycle passes in both directions. In a
+//! slow test the common part comes from gas and springs, the difference from seal drag and friction.
 
-/// What a cycle shows at one place.
+/// Forces at one position of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// Where, m.
+    /// Position, m.
     pub at: f64,
-    /// Mean force of both ways, N.
+    /// Mean force of both directions, N.
     pub mean: f64,
-    /// Force of the way out less that of the way in, N.
+    /// Force during extension minus force during compression, N.
     pub difference: f64,
 }
 
-/// Places along a cycle.
+/// Number of positions along a cycle.
 ///
-/// As many as a thinned slow cycle of 300 samples fills with two samples of each way, even where it is fastest.
+/// Even where a cycle of 300 samples is fastest, each position contains two samples of each direction.
 const PLACES: usize = 24;
-/// Share of the travel at either end that is left out: there the way turns, and friction turns with it.
+/// Fraction of the travel that is excluded at either end, because friction reverses there.
 const ENDS: f64 = 0.08;
 
-/// Parts a cycle by where it is and by the sign of its velocity; places that one way does not pass are left out.
+/// Groups a cycle by position and sign of velocity; omits positions without samples of both directions.
 pub fn two_ways(at: &[f64], velocity: &[f64], force: &[f64]) -> Vec<Place> {
     let n = at.len().min(velocity.len()).min(force.len());
     let (low, high) = at[..n].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
@@ -58,7 +58,7 @@ mod tests {
         let phase = |i: usize| TAU * i as f64 / 300.0;
         let x: Vec<f64> = (0..300).map(|i| 0.02 * libm::sin(phase(i))).collect();
         let v: Vec<f64> = (0..300).map(|i| 0.005 * libm::cos(phase(i))).collect();
-        // 150 N of gas that push the rod out and grow by 1000 N/m, 25 N of seal drag.
+        // The gas pushes the rod out with 150 N and a stiffness of 1000 N/m; the seal drag is 25 N.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| -150.0 + 1000.0 * x + 25.0 * v.signum()).collect();
         let places = two_ways(&x, &v, &force);
         assert!(places.len() >= PLACES - 1, "{}", places.len());

@@ -1,4 +1,5 @@
-//! How the valve of a damper over a setting answers a step of its command: measured where open tests have steps, else by its numbers.
+//! Response of an adjustable damper's valve to a step of its command: measured if open tests contain steps, else from
+//! its parameters.
 
 use crate::session::Session;
 use crate::session::tasks::{Kind, Outcome, Standing, Task};
@@ -11,31 +12,32 @@ use dashpot_simulation::valve_response::{has_actuator, valve_response};
 /// Responses of the force to the steps in the open tests.
 #[derive(Default)]
 pub struct Responses {
-    /// As computed from the tests; those without a measured end are left out.
+    /// Responses computed from the tests; those without a measured response are omitted.
     pub of_force: Vec<StepResponse>,
     task: Option<Task>,
 }
 
 impl Responses {
-    /// Whether they are being computed.
+    /// Returns whether the computation is running.
     pub fn is_waiting(&self) -> bool {
         self.task.is_some()
     }
 }
 
 impl Session {
-    /// Whether the model is a damper over a setting whose valve takes its time.
+    /// Returns whether the model is an adjustable damper whose valve has dynamics.
     pub fn has_valve(&self) -> bool {
         self.model.as_ref().and_then(|model| model.definition()).is_some_and(|damper| has_actuator(&damper.axis))
     }
 
-    /// The numbers of the valve.
+    /// Returns the parameters of the valve.
     pub fn valve_numbers(&self) -> Vec<ActuatorNumber> {
         let Some(model) = &self.model else { return Vec::new() };
         model.definition().map_or_else(Vec::new, |damper| actuator_numbers(&damper.axis, &model.identification))
     }
 
-    /// The response to a step up or down: the largest step of the open tests, else that of the valve alone over all settings.
+    /// Returns the response to a step up or down: the largest step of the open tests, else the valve's step over all
+    /// settings.
     pub fn step_response(&self, is_up: bool) -> Option<StepResponse> {
         let size = |of: &&StepResponse| (of.to - of.from).abs();
         let own = self.responses.of_force.iter().filter(|of| of.is_up() == is_up);
@@ -47,7 +49,7 @@ impl Session {
         if is_up { valve_response(axis, low, high) } else { valve_response(axis, high, low) }
     }
 
-    /// Orders the responses of the open tests to their steps, where model and tests have some.
+    /// Starts the computation of responses, if the model and the tests allow it.
     pub(super) fn order_responses(&mut self) {
         if let Some(task) = self.responses.task.take() {
             task.cancel();
@@ -68,7 +70,7 @@ impl Session {
         }));
     }
 
-    /// Takes over the responses where they have come; whether they are still awaited.
+    /// Collects completed responses. Returns whether the computation is still running.
     pub(super) fn poll_responses(&mut self) -> bool {
         match self.responses.task.as_ref().map(Task::standing) {
             Some(Standing::Working) => return true,

@@ -5,7 +5,7 @@ use crate::session::campaign::Seen;
 use crate::session::simulation::OfTest;
 use dashpot_records::Record;
 
-/// Measured force and, where there is a model, its force, N.
+/// Measured force and, with a model, computed force, N.
 pub type Pair = (f64, Option<f64>);
 
 /// A test at its peak velocities.
@@ -14,7 +14,7 @@ pub struct AtPeak {
     pub test: String,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Rebound and compression: velocity, m/s, and forces; none where the test does not move to that side.
+    /// Rebound and compression: velocity, m/s, and forces; `None` for a direction without motion.
     pub sides: [Option<(f64, Pair)>; 2],
 }
 
@@ -22,16 +22,16 @@ pub struct AtPeak {
 pub struct AtVelocity {
     /// Velocity, m/s, rebound positive.
     pub velocity: f64,
-    /// Forces while the speed rises, and while it falls.
+    /// Forces while the speed rises and while it falls.
     pub forces: [Option<Pair>; 2],
 }
 
-/// Samples of a cycle that count as its fastest, over the peak velocity; as the plot of peak forces takes them.
+/// Fraction of the peak velocity above which samples count as fastest, as in the plot of peak forces.
 const FASTEST: f64 = 0.995;
-/// Velocities of a cycle to either side.
+/// Number of velocities of a cycle in each direction.
 const ROWS: usize = 8;
 
-/// All tests at their peak velocities, the slowest first within an amplitude.
+/// Returns all tests at their peak velocities, by amplitude and then by increasing velocity.
 pub fn at_peaks(session: &Session) -> Vec<AtPeak> {
     let Some(loaded) = &session.campaign else { return Vec::new() };
     let mut rows: Vec<AtPeak> = loaded
@@ -54,7 +54,7 @@ pub fn at_peaks(session: &Session) -> Vec<AtPeak> {
     rows
 }
 
-/// Mean force of the model over the fastest samples of the cycle that is shown.
+/// Averages the model's force over the fastest samples of the shown cycle.
 fn of_model(of: &OfTest, seen: &Seen, sign: f64) -> Option<f64> {
     let at = |i: usize| sign * seen.motion.velocity.get(seen.shown.start + i * of.stride).copied().unwrap_or(0.0);
     let fastest = (0..of.shown.len()).map(at).fold(0.0, f64::max);
@@ -62,7 +62,7 @@ fn of_model(of: &OfTest, seen: &Seen, sign: f64) -> Option<f64> {
     (fastest > 0.0 && !forces.is_empty()).then(|| forces.iter().sum::<f64>() / forces.len() as f64)
 }
 
-/// One cycle of a test at round velocities; `factor` makes a velocity of SI one of the unit in which they are round.
+/// Returns forces of a test at round velocities within one cycle; `factor` converts SI to the displayed unit.
 pub fn within_cycle(session: &Session, test: usize, factor: f64) -> Vec<AtVelocity> {
     let Some((loaded, record)) = session.campaign.as_ref().zip(session.record(test)) else { return Vec::new() };
     let seen = &loaded.tests[test];
@@ -88,7 +88,8 @@ pub fn within_cycle(session: &Session, test: usize, factor: f64) -> Vec<AtVeloci
     rows
 }
 
-/// Round velocities below the fastest: steps of 1, 2 or 5 times a power of ten, not more than fit a table.
+/// Returns round velocities below the fastest: multiples of 1, 2 or 5 times a power of ten, limited to the rows of a
+/// table.
 fn round(fastest: f64) -> Vec<f64> {
     if !(fastest.is_finite() && fastest > 0.0) {
         return Vec::new();
@@ -100,11 +101,11 @@ fn round(fastest: f64) -> Vec<f64> {
     (1..).map(|k| f64::from(k) * step).take_while(|v| *v < fastest).collect()
 }
 
-/// The cycle that is shown, closed.
+/// The shown cycle, closed.
 struct Cycle {
     velocity: Vec<f64>,
     measured: Vec<f64>,
-    /// At every so manyeth sample.
+    /// Forces at every n-th sample, and n.
     model: Option<(Vec<f64>, usize)>,
 }
 
@@ -117,7 +118,7 @@ impl Cycle {
         }
     }
 
-    /// Forces where the speed passes a value, rising or falling; between the two samples around it.
+    /// Interpolates the forces where the rising or falling speed passes a value.
     fn at(&self, sign: f64, speed: f64, rising: bool) -> Option<Pair> {
         let n = self.velocity.len();
         let crossings: Vec<(usize, f64)> = (0..n)
@@ -139,7 +140,7 @@ impl Cycle {
         });
         let model = self.model.as_ref().filter(|(forces, _)| !forces.is_empty()).map(|(forces, stride)| {
             mean(&|i, part| {
-                // Between those of its samples that lie around.
+                // Interpolate between the two neighboring samples.
                 let at = (i as f64 + part) / *stride as f64;
                 let k = at as usize;
                 let [a, b] = [k, k + 1].map(|k| forces[k % forces.len()]);

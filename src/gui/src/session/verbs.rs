@@ -1,4 +1,4 @@
-//! Fit, validate and diagnose, as the command does them, beside the window.
+//! Fit, validation and diagnosis in the background, as by the command.
 
 use crate::session::Session;
 use crate::session::results::{Diagnosed, Fitted};
@@ -18,7 +18,7 @@ impl Session {
         let ticked = self.ticked();
         self.begin(Kind::Fit, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.original().records[*k]).collect();
-            // The progress of a fit comes from the thread that runs it alone.
+            // The fit reports its progress from its own thread only.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
             let fit = Box::new(found.map_err(|e| e.sentence())?);
             let quality = whole_records::quality(&fit, &records).ok();
@@ -26,7 +26,7 @@ impl Session {
         });
     }
 
-    /// Names of the settings of which the ticked tests have several values.
+    /// Returns the names of settings that have several values in the ticked tests.
     pub fn settings(&self) -> Vec<String> {
         let mut first: Vec<(&str, f64, bool)> = Vec::new();
         for own in self.ticked().into_iter().filter_map(|k| self.record(k)?.setting.as_ref()) {
@@ -38,7 +38,7 @@ impl Session {
         first.into_iter().filter(|(.., several)| *several).map(|(name, ..)| name.to_owned()).collect()
     }
 
-    /// Fits one damper over a setting to the ticked tests.
+    /// Fits one adjustable damper to the ticked tests.
     pub fn fit_over(&mut self, setting: String) {
         let Some(loaded) = self.campaign.clone() else { return };
         let ticked = self.ticked();
@@ -50,7 +50,7 @@ impl Session {
         });
     }
 
-    /// Validates the model as it stands against the ticked tests.
+    /// Validates the current model with the ticked tests.
     pub fn validate(&mut self) {
         let (Some(comparison), Some(basis)) = (self.comparison(), self.basis()) else { return };
         self.begin(Kind::Validate, move |report| {
@@ -59,7 +59,7 @@ impl Session {
         });
     }
 
-    /// Seeks the effect that is missing in the model, against the reference campaign where one is open.
+    /// Searches for the effect missing in the model, compared with the reference campaign if one is open.
     pub fn diagnose(&mut self) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let (params, ticked, reference) = (*model.params(), self.diagnosed(), self.reference.clone());
@@ -79,7 +79,7 @@ impl Session {
         });
     }
 
-    /// The ticked tests that a diagnosis uses: those that the values on screen belong to.
+    /// Returns the ticked tests of a diagnosis: those to which the values on screen apply.
     pub fn diagnosed(&self) -> Vec<usize> {
         let Some(dampers) = self.dampers() else { return Vec::new() };
         let is_used = |k: &usize| self.record(*k).is_some_and(|record| dampers.is_at_shown(record));
@@ -96,7 +96,7 @@ impl Session {
         });
     }
 
-    /// The model that the diagnosis improved, as the text of its file.
+    /// Returns the improved model of the diagnosis as the text of its file.
     pub fn improved_text(&self) -> Option<String> {
         let Diagnosed { found, left_out, .. } = &self.results.diagnosis.as_ref()?.found;
         let model = self.model.as_ref()?;

@@ -1,4 +1,4 @@
-//! The drawing of the damper beside its model.
+//! Tests of the dimensions panel.
 
 use super::made_up::{campaign, until, window};
 use super::{has, holds, message, press, says};
@@ -8,7 +8,7 @@ use crate::words::Language;
 use dashpot_core::number;
 use eframe::egui::accesskit::Role;
 
-/// A monotube whose numbers are those of 25 bar on a rod of 12 mm.
+/// A monotube whose parameters correspond to 25 bar on a rod of 12 mm.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
      oil_stiffness = 1.0554e7\noil_shortening = 7.69\nfv_velocity = [-1.0, -0.3, -0.1, -0.05, 0.0, 0.05, 0.1, 0.3, 1.0]\n\
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
@@ -24,7 +24,7 @@ fn a_drawing_is_dropped_beside_the_model_and_explains_it() {
     std::fs::write(&model, MODEL).unwrap();
     std::fs::write(&drawing, DRAWING).unwrap();
     let mut harness = window(vec![vec![drawing.clone()]]);
-    // It may come before model and records.
+    // The dimensions may be opened before model and records.
     harness.state_mut().session.open(&[drawing.clone()]);
     harness.step();
     harness.step();
@@ -35,10 +35,10 @@ fn a_drawing_is_dropped_beside_the_model_and_explains_it() {
     harness.step();
     assert!(says(&harness, "gas pressure") && holds(&harness, "bar gauge"));
     assert!(says(&harness, "effective modulus of the oil") && holds(&harness, "GPa"));
-    // What cannot be told names what is missing.
+    // A quantity that cannot be determined lists the missing inputs.
     assert!(holds(&harness, "the model has no gas spring") && holds(&harness, "the drawing lacks tube_wall_mm"));
     assert!(!says(&harness, "Contradictions"));
-    // A number that is tuned is explained as it is now.
+    // The explanation follows a tuned parameter.
     let pressure = |app: &mut App| app.session.explain().unwrap().find("gas_pressure").unwrap().value.unwrap();
     let before = pressure(harness.state_mut());
     assert!((before - 25.0).abs() < 0.1, "{before}");
@@ -53,7 +53,7 @@ fn a_drawing_is_dropped_beside_the_model_and_explains_it() {
     }
     harness.state_mut().view.language = Language::English;
     harness.step();
-    // A drawing that the model contradicts is said with the number and by how much.
+    // A contradiction between dimensions and model is shown with its quantity and its magnitude.
     std::fs::write(&drawing, "rod_mm = 12\ngas_pressure_bar = 12\n").unwrap();
     press(&mut harness, "File");
     press(&mut harness, "Open dimensions…");

@@ -1,4 +1,4 @@
-//! Records of a damper that the kernel itself makes, and a window without a screen.
+//! Synthetic records of a damper from the kernel, and a window without a screen.
 
 use crate::app::App;
 use crate::dialogs::Message;
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The damper that was "measured": unlike the default in its series spring.
+/// Makes the "measured" damper, which differs from the default in its series spring.
 pub fn truth() -> Params {
     let mut params = Params::new();
     params.set(number!("series_stiffness"), 1.6e6).unwrap();
@@ -23,12 +23,12 @@ pub fn truth() -> Params {
 /// Samples of a cycle: enough for every reader, few enough for hundreds of tests.
 const SAMPLES: usize = 200;
 
-/// Writes so many sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing speed.
+/// Writes `count` sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing velocity.
 pub fn campaign(folder: &Path, count: usize) {
     campaign_of(&truth(), folder, count);
 }
 
-/// The tests of another damper.
+/// Writes the tests of another damper.
 pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
     let model = Model::new(damper).unwrap();
     for k in 0..count {
@@ -50,7 +50,7 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
             let (next, output) = step(&model, &state, &input(i), dt);
             state = next;
             let (x, v) = at(i);
-            // A thousandth of a newton of made-up noise, the same every time.
+            // The noise is deterministic and below one millinewton.
             let noise = 1e-3 * ((i * 7919 + k * 104_729) % 1000) as f64 / 1000.0;
             let _ = writeln!(text, "{},{},{v},{}", dt * i as f64, 1e3 * x, output.force + noise);
         }
@@ -58,7 +58,9 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
     }
 }
 
-/// Writes tests of a damper over a current: two at constant currents, and one whose current steps between them at constant speed, up and down.
+/// Writes tests of a damper that depends on a current.
+///
+/// Two have constant currents. In the third the current steps between these values, up and down, at constant velocity.
 pub fn campaign_of_family(text: &str, folder: &Path) {
     let file = dashpot_identification::model_file::family_of_text(text, Path::new("family.toml")).unwrap();
     let family = dashpot_identification::model_file::prepared_family(&file.definition()).unwrap();
@@ -70,7 +72,7 @@ pub fn campaign_of_family(text: &str, folder: &Path) {
             let x = speed * if rises { phase } else { 2.0 * turn - phase } - 0.5 * speed * turn;
             (x, if rises { speed } else { -speed })
         };
-        // Steps lie within the strokes.
+        // The steps lie within the strokes.
         let current = |i: usize| of_half[usize::from((i + 200) / 400 % 2 == 1)];
         let input = |i: usize| {
             let (x, v) = at(i);
@@ -100,7 +102,7 @@ pub fn model(folder: &Path) -> PathBuf {
     path
 }
 
-/// A window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
+/// Makes a window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
         let mut app = App::with_recent(&creation.egui_ctx, Box::new(Message::naming(answers)), Recent::read(None));
@@ -109,10 +111,10 @@ pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     })
 }
 
-/// Longest wait for work beside the window.
+/// Longest wait for a task in the background.
 const PATIENCE: Duration = Duration::from_secs(240);
 
-/// Draws until something has come true.
+/// Draws until a condition is true.
 #[track_caller]
 pub fn until(harness: &mut Harness<'_, App>, what: &str, mut done: impl FnMut(&App) -> bool) {
     let began = Instant::now();

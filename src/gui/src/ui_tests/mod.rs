@@ -1,7 +1,7 @@
-//! The window as its user works it, without a screen: widgets are found by what a screen reader says of them.
+//! Tests of the window from its user's view, without a screen: they find widgets by their accessible names.
 //!
-//! Inside the crate and no tests of their own beside it: those would have cargo build the program too, and with it all of eframe a second
-//! time, for a program may abort where a test has to unwind.
+//! The tests are part of the crate. For integration tests cargo would also build the program, and with it eframe a
+//! second time. The program aborts on a panic, but a test has to unwind.
 
 mod drawings;
 mod made_up;
@@ -30,7 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// A window with records and a model open, all forces computed.
+/// Opens a window with records and a model, and waits for all forces.
 fn opened(folder: &Path, tests: usize, answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     campaign(folder, tests);
     let models = folder.join("models");
@@ -50,14 +50,14 @@ fn message(harness: &Harness<'_, App>) -> (String, bool) {
     harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.to_string(), m.wrong))
 }
 
-/// The widget of a kind with this name; labels beside it that read the same are others.
+/// Finds the widget of a kind with this name; a label with equal text does not match.
 #[track_caller]
 fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
     let found = harness.query_all(by().role(role).label(label)).next();
     found.unwrap_or_else(|| panic!("there is no {role:?} called {label:?}"))
 }
 
-/// Clicks a button and lets the window draw what comes of it.
+/// Clicks a button and draws two frames.
 #[track_caller]
 fn press(harness: &mut Harness<'_, App>, label: &str) {
     widget(harness, Role::Button, label).click();
@@ -73,7 +73,7 @@ fn says(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all(by().label(text)).next().is_some()
 }
 
-/// Whether a label has this text in it.
+/// Returns whether a label contains this text.
 fn holds(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all(by().label_contains(text)).next().is_some()
 }
@@ -115,7 +115,7 @@ fn a_folder_is_opened_by_its_button_and_its_loops_are_drawn() {
     let lines = harness.state_mut().view.lines.lines.clone();
     assert_eq!(lines.len(), 3, "all speeds of one amplitude");
     assert!(lines.iter().all(|l| l.whose == Whose::Measured && l.velocity.len() > 100));
-    // Clicking a test shows it alone, with Ctrl one more.
+    // A click shows one test alone; a click with Ctrl adds a test.
     press(&mut harness, "a20_001");
     assert_eq!(harness.state().session.selected.len(), 1);
     widget(&harness, Role::Button, "a08_002").click_modifiers(Modifiers::COMMAND);
@@ -135,7 +135,7 @@ fn records_and_a_model_are_dropped_onto_the_window() {
     until(&mut harness, "forces", |app| app.session.simulated.is_some());
     let session = &harness.state().session;
     assert_eq!(session.simulated.as_ref().unwrap().tests.len(), 6);
-    // The model is another damper than the measured one, and the matrix says so.
+    // The model differs from the measured damper, and the matrix shows the errors.
     assert!(session.simulated.as_ref().unwrap().tests.iter().any(|t| t.percent > 0.1));
 }
 
@@ -144,7 +144,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
-    // The row may lie below the part of the panel that is shown.
+    // Scroll, because the row may lie outside the visible part of the panel.
     widget(&harness, Role::Slider, "series stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
@@ -226,7 +226,7 @@ fn a_tuned_model_is_saved_and_opened_again() {
     press(&mut harness, "Save model as…");
     assert!(!harness.state().session.is_unsaved(), "{:?}", message(&harness));
     assert_eq!(Tuned::read(&path).unwrap().params().number(number!("series_stiffness")), 2.5e6);
-    // A record is never replaced by a model.
+    // A model never replaces a record.
     let record = folder.path().join("a40_000.csv");
     let text = std::fs::read_to_string(&record).unwrap();
     assert!(!harness.state_mut().session.save(&record));
@@ -239,8 +239,8 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
-    // Before a frame is drawn: a fit may be faster than a hand (the button itself is pressed where a diagnosis is cancelled).
-    // A result that is whole already counts for nothing either.
+    // Cancel before the next frame, because the fit may complete earlier. (The test of a cancelled diagnosis presses
+    // the button.) Even a complete result is then discarded.
     harness.state_mut().session.fit();
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
     harness.state().session.cancel();
@@ -277,7 +277,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     assert!(says(&harness, "all tests"));
-    // The validation's buttons stand above those of the fit.
+    // The first button belongs to the validation, the second to the fit.
     harness.get_all_by_label("Tables to Excel…").next().unwrap().click();
     harness.step();
     until(&mut harness, "the validation's tables", |app| app.session.task.is_none() && papers[1].exists());
@@ -288,11 +288,11 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     press(&mut harness, "Bericht schreiben…");
     until(&mut harness, "the report", |app| app.session.task.is_none() && papers[2].exists());
     let page = std::fs::read_to_string(&papers[2]).unwrap();
-    // What the verb's report has: parameters of the model, the sign, files with their hashes.
+    // The report has the contents of the verb's report: parameters of the model, the sign, files with their hashes.
     for text in ["Parameter des Modells", "Zugstufe positiv", "SHA-256", "fv_force[0]", "a40_000"] {
         assert!(page.contains(text), "{text}");
     }
-    // The same figures as the window's own, which come from the same forces.
+    // The report's figures equal the window's, because both come from the same forces.
     let validation = &harness.state().session.results.validation.as_ref().unwrap().found;
     for (of, own) in validation.tests.iter().zip(&errors) {
         assert!((of.errors.model.error_percent - own.percent).abs() < 1e-9);
@@ -353,7 +353,7 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     press(&mut harness, "Keep as campaign.toml");
     let profile = dashpot_records::Profile::read(folder.path()).unwrap().unwrap();
     assert_eq!((profile.gain, profile.subfolders, profile.dates.as_deref()), (2.0, true, Some("day-first")));
-    // A test that is excluded is out when the folder is read anew.
+    // An excluded test is missing when the folder is reread.
     harness.state_mut().session.exclude(0);
     until(&mut harness, "the records again", |app| app.session.task.is_none());
     assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 5, "{:?}", message(&harness));
@@ -482,9 +482,9 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let folder = tempfile::tempdir().unwrap();
     let out = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 3, vec![]);
-    // Friction so steep that it chatters in a host which holds its force over a step.
+    // This friction is so steep that it chatters in a host with zero-order hold of the force.
     harness.state_mut().session.tune(|m| {
-        // A spring in series would soften it.
+        // A series spring would reduce the chatter.
         m.switch(element!("series_compliance"), false);
         m.switch(element!("stribeck_friction"), false);
         m.switch(element!("coulomb_friction"), true)
@@ -502,7 +502,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let readme = std::fs::read_to_string(out.path().join("run/README.txt")).unwrap();
     assert!(readme.contains("coulomb_friction") && readme.contains("A damper for Adams"), "{readme}");
     assert!(out.path().join("run/damper.toml").is_file());
-    // A property file holds the curve alone, which does not chatter, and says what it leaves out.
+    // A property file contains only the curve, which does not chatter, and lists the omitted effects.
     let said = write(Host::Property, "d.dpr");
     assert!(
         said.contains("Left out") && said.contains("coulomb_friction") && !said.contains("At a host step"),
@@ -510,7 +510,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     );
     let text = std::fs::read_to_string(out.path().join("d.dpr")).unwrap();
     assert!(text.contains("Left out") && text.contains("check sum"), "{text}");
-    // Where this program holds the compiled runtimes, FMUs are whole; elsewhere that is said.
+    // FMUs are complete only if this program contains the compiled runtimes; otherwise the test reports the skip.
     if dashpot_hosts::runtimes::compiled("linux64", "dashpot_damper.so").is_none() {
         skipped(format!("FMUs, for there are no compiled runtimes; {}", dashpot_hosts::runtimes::HOW));
         return;
@@ -558,7 +558,7 @@ fn what_is_to_be_known_of_a_run_folder_is_said_as_everywhere_else() {
     params.enable(element!("series_compliance"), false);
     let said = write(&params);
     assert!(said[0].starts_with("no native.adm, because the element series_compliance is off"), "{said:?}");
-    // That of the damper with a series path lies there still.
+    // The file of the damper with a series path is still present.
     assert!(said[1].contains("is of an earlier export and not of this model: delete it"), "{said:?}");
     std::fs::remove_file(path.join("native.adm")).unwrap();
     assert!(!write(&params).iter().any(|note| note.contains("earlier export")));
@@ -570,7 +570,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let out = tempfile::tempdir().unwrap();
     let report = out.path().join("diagnosis.html");
     let mut harness = opened(folder.path(), 18, vec![vec![report.clone()]]);
-    // The measured damper has a series spring; the model loses it.
+    // The measured damper has a series spring; disable the model's.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
@@ -585,13 +585,13 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     assert!(told > 0.0, "it said how far it is");
     let crate::session::results::Diagnosed { found, .. } =
         &harness.state().session.results.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
-    // A spring in series and oil that gives are nearly one to a rig; either name is right.
+    // A series spring and compressible oil are hardly distinguishable on a rig; both names are correct.
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
     assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
     let headlines = Language::ALL.map(|(_, of)| (of, dashpot_report::diagnosis::headline(found, of.words())));
-    // English comes last, for what follows.
+    // English comes last, for the following steps.
     for (language, headline) in headlines.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();
@@ -603,7 +603,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let page = std::fs::read_to_string(&report).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
     assert!(page.contains(named) && page.contains("<svg"));
     press(&mut harness, "Take the improved model");
-    // The element was switched off by hand, and that is in no file.
+    // The element was switched off by hand and not saved.
     press(&mut harness, "Replace");
     let model = harness.state().session.model.as_ref().unwrap();
     assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
@@ -619,7 +619,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
 fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 72, vec![]);
-    // So many tests of a damper that something is missing of take seconds; fewer may be done before anybody can cancel.
+    // A diagnosis of this many tests takes seconds; one of fewer tests might end before the cancel.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
@@ -643,10 +643,10 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
     }
 }
 
-/// How long the window takes, on a campaign and a model of one's own.
+/// Measures the latency of the window, on the user's own campaign and model.
 ///
-/// Reading and preparing the records until the first loops can be drawn; from a slider's move until loops and errors
-/// of all tests are there; a frame meanwhile, without the graphics card.
+/// The first time is from reading the records to the first loops. The second is from a slider's move to the loops and
+/// errors of all tests. The third is of one frame meanwhile, without the graphics card.
 ///
 /// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
 #[test]

@@ -1,4 +1,4 @@
-//! Models that come and go: nothing tuned by hand is lost, everything can be taken back, and answers say what they are of.
+//! Tests of replaced models: no tuned value is lost, all changes can be undone, and results state their basis.
 
 use super::*;
 use crate::session::replacing::Replacement;
@@ -17,7 +17,7 @@ fn undo_goes_back_over_a_fit_and_forth_again() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 12, vec![]);
     let opened = params(&harness);
-    // Tuned and saved: nothing would be lost, so nothing is asked.
+    // Saved values would not be lost, so the window does not ask.
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     let out = tempfile::tempdir().unwrap();
     assert!(harness.state_mut().session.save(&out.path().join("m.toml")));
@@ -34,7 +34,7 @@ fn undo_goes_back_over_a_fit_and_forth_again() {
     press(&mut harness, "Redo");
     assert_eq!(params(&harness), found);
     assert!(!harness.state().session.can_undo().1);
-    // What is done after a step back takes the place of what was taken back.
+    // A change after an undo discards the redo steps.
     press(&mut harness, "Undo");
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 3e6));
     assert!(!harness.state().session.can_undo().1);
@@ -49,7 +49,7 @@ fn a_model_tuned_by_hand_is_not_replaced_without_a_question() {
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     let tuned = params(&harness);
     let title = "Replace the model tuned by hand?";
-    // By a fit, by a file that is opened, and by one that is dropped.
+    // The three replacements are a fit, an opened file and a dropped file.
     for how in 0..3 {
         match how {
             0 => press(&mut harness, "Fit"),
@@ -69,7 +69,7 @@ fn a_model_tuned_by_hand_is_not_replaced_without_a_question() {
     assert_ne!(params(&harness), tuned);
     press(&mut harness, "Undo");
     assert_eq!(params(&harness), tuned, "it can be gone back to");
-    // A fit that ends while the model is tuned asks then.
+    // If the model is tuned during a fit, the window asks when the fit ends.
     harness.state_mut().session.fit();
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.6e6));
     let tuned = params(&harness);
@@ -90,7 +90,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     press(&mut harness, "Fit");
     fitted(&mut harness);
     let old = "⚠ Out of date: the model, the records or the ticked tests have changed since";
-    // What the records left open has no mark of an identified value; what they identified has one.
+    // Only identified parameters have the mark of an identified value.
     let session = &harness.state().session;
     let model = session.model.as_ref().unwrap();
     let estimates = session.estimates();
@@ -100,7 +100,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
         let identified = e.standing == dashpot_identification::Standing::Identified && e.low.is_some();
         assert_eq!(model.identified_value(&row, 0).is_some(), identified, "{} {:?}", e.name, e.standing);
     }
-    // The panel opens with one sentence that says good or bad.
+    // The panel begins with a sentence on the quality of the fit.
     harness.step();
     assert_eq!(harness.state().view.side, crate::views::Side::Result);
     let quality = harness.state().session.results.fit.as_ref().unwrap().found.quality.unwrap();
@@ -160,7 +160,7 @@ fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
         "{:?}",
         message(&harness)
     );
-    // A model in a folder below is found by a click.
+    // A click enters the folder of the model.
     press(&mut harness, "File");
     press(&mut harness, "Open model…");
     harness.step();
@@ -250,7 +250,7 @@ fn a_point_that_stops_says_why() {
         stops.push(drag(m, zero, [0.0, 50.0], false).1);
         stops.push(drag(m, 3, [0.0, 1e5], false).1);
         stops.push(drag(m, 3, [1e3, 0.0], true).1);
-        // A little, with room to both sides: the drawn point follows the pointer.
+        // This change is small, with room on both sides: the drawn point follows the pointer.
         let at = m.params().list(list!("fv_force"))[2];
         let (moved, stop) = drag(m, 2, [0.0, at - 5.0], false);
         stops.push(stop);
@@ -274,7 +274,7 @@ fn the_tables_of_velocities_are_shown_and_saved() {
             found.unwrap_or_else(|| panic!("table {k} has no button")).rect().center()
         };
         harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().scroll_to_me();
-        // The panel glides there.
+        // Wait for the animated scroll.
         harness.run_steps(30);
         let at = button(&harness);
         harness.hover_at(at);
@@ -290,7 +290,7 @@ fn the_tables_of_velocities_are_shown_and_saved() {
     };
     let [cvp, pvp] = files.each_ref().map(|f| rows(f));
     assert_eq!(pvp.len(), 6);
-    // The records are those of a model that differs in its series spring: forces at the peaks agree within a few percent.
+    // The records come from a model with another series spring, so the peak forces agree within 20 %.
     for row in &pvp {
         let numbers: Vec<f64> = row[1..].iter().map(|c| c.parse().unwrap()).collect();
         assert!(numbers[1] > 0.0 && numbers[4] < 0.0 && (numbers[2] / numbers[3] - 1.0).abs() < 0.2, "{row:?}");
@@ -300,7 +300,7 @@ fn the_tables_of_velocities_are_shown_and_saved() {
     assert!(velocities.windows(2).all(|w| w[0] > w[1]), "{velocities:?}");
 }
 
-/// A damper over a current, whose curve grows with it.
+/// A damper whose curve grows with a current.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
      fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n";
 
@@ -337,7 +337,7 @@ fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
     });
     harness.step();
     assert!(most(&harness) > 1.5 * soft, "{} at {} A, {soft} at 0 A", most(&harness), at(&harness));
-    // Nothing was tuned by it, and what is tuned keeps it where it is.
+    // The movement of the slider does not count as tuning, and a tuned model stays at its setting.
     assert!(!harness.state().session.model.as_ref().unwrap().is_tuned());
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
     let before = at(&harness);

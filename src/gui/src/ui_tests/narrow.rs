@@ -1,8 +1,8 @@
-//! A window of 1280 pixels holds every text of its panels, in every language.
+//! Tests that a window of 1280 pixels shows every text of its panels, in every language.
 
 use super::*;
 
-/// Texts of a kind between two edges of the window that reach beyond the right one.
+/// Lists the texts of a kind that begin between two edges and extend beyond the right edge.
 pub(super) fn cut_off(harness: &Harness<'_, App>, role: Role, (left, right): (f32, f32)) -> Vec<String> {
     let of_panel = harness.query_all(by().role(role)).filter(|node| (left..right).contains(&node.rect().left()));
     of_panel.filter(|node| node.rect().right() > right + 1.0).map(|node| format!("{node:?}")).collect()
@@ -30,7 +30,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
                 assert!(cut.is_empty(), "{language:?}, {side}: {cut:#?}");
             }
         }
-        // A list shortens what is wider than itself.
+        // A drop-down list truncates texts wider than itself.
         for word in [words.from_data, words.as_file_says] {
             assert!(word.chars().count() <= 18, "{language:?}: {word}");
         }

@@ -1,4 +1,4 @@
-//! Another campaign beside the one that is open: what changed is diagnosed, answered and reported.
+//! Tests the comparison with another campaign: a change is diagnosed, shown and reported.
 
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
@@ -10,14 +10,14 @@ use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::{Queryable as _, by};
 
-/// The tests that both dampers are run through.
+/// Number of tests of both dampers.
 const TESTS: usize = 18;
 
 #[test]
 fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     let [good, worn, models, out] = [(); 4].map(|()| tempfile::tempdir().unwrap());
     campaign(good.path(), TESTS);
-    // It has lost gas, and nothing else.
+    // The worn damper has lost gas; all else is equal.
     let mut damper = truth();
     let gas = damper.number(number!("gas_force"));
     damper.set(number!("gas_force"), 0.5 * gas).unwrap();
@@ -46,11 +46,11 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(change.low <= change.value && change.value <= change.high && change.high < change.reference, "{change:?}");
     let headline = headline(found, &EN);
     let before = EN.number(&dashpot_report::numbers::with_unit(change.reference, change.unit));
-    // The answer says it in the window ...
+    // The window shows the change ...
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
-    // ... and the report on paper, with the files of both dampers.
+    // ... and so does the report, with the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();
     harness.step();
     press(&mut harness, words.write_report);

@@ -1,4 +1,4 @@
-//! Tests at their own settings, and a fit of one damper over the setting.
+//! Tests with their own settings, and a fit of one adjustable damper.
 
 use super::made_up::{campaign_of, campaign_of_family, until, window};
 use super::narrow::cut_off;
@@ -11,12 +11,12 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use std::path::Path;
 
-/// A damper over a current with a lag each way.
+/// A damper that depends on a current, with different lags for rising and falling current.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
      setting_time_up = 0.008\nsetting_time_down = 0.02\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n";
 
-/// Waits for the forces of all tests as the session is now.
+/// Waits for the forces of all tests at the session's current state.
 fn computed(harness: &mut Harness<'_, App>) {
     until(harness, "forces of all tests", |app| {
         let dampers = app.session.dampers();
@@ -24,7 +24,7 @@ fn computed(harness: &mut Harness<'_, App>) {
     });
 }
 
-/// Error of a test, %.
+/// Returns the error of a test, %.
 fn error(harness: &Harness<'_, App>, name: &str) -> f64 {
     let session = &harness.state().session;
     let records = &session.campaign.as_ref().unwrap().campaign.records;
@@ -45,7 +45,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     for test in ["soft", "hard", "steps"] {
         assert!(error(&harness, test) < 1.0, "{test}: {}", error(&harness, test));
     }
-    // The slider moves none of them, for all state a setting.
+    // The slider affects no test, because all tests have their own settings.
     let before = error(&harness, "hard");
     harness.state_mut().session.move_to(0.5);
     computed(&mut harness);
@@ -80,12 +80,12 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     computed(&mut harness);
     assert!(!is_old(&harness), "no ticked test is at the slider");
     assert_eq!(harness.state().session.diagnosed().len(), 1);
-    // What is tuned there counts for the test at 1 A alone.
+    // Tuned values apply only to the test at 1 A.
     harness.state_mut().session.tune(|m| m.set(dashpot_core::number!("gas_force").row(), 0, 900.0));
     computed(&mut harness);
     assert!(error(&harness, "hard") > 5.0 && error(&harness, "soft") < 1.0);
     harness.state_mut().session.tune(crate::session::model::Tuned::reset);
-    // All at the slider, on request.
+    // On request, all tests are simulated at the slider's setting.
     harness.state_mut().view.side = crate::views::Side::Tune;
     harness.step();
     for (_, language) in Language::ALL.iter().rev() {
@@ -104,7 +104,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     assert!(names.iter().any(|name| name.starts_with("steps · model (the setting changes")), "{names:?}");
 }
 
-/// Sines of the damper at three currents, which their names state.
+/// Writes sine tests of the damper at three currents, stated in the file names.
 fn sines(folder: &Path) {
     let damper = family_of_text(FAMILY, Path::new("family.toml")).unwrap().definition();
     for current in [0.0, 0.5, 1.0] {
@@ -138,7 +138,7 @@ fn one_damper_over_the_setting_is_fitted_and_taken_back() {
     assert_eq!((axis.grid(), axis.name(), axis.unit()), (&[0.0, 0.5, 1.0][..], "current", "A"));
     assert!(session.own_settings && session.is_unsaved());
     assert!(session.simulated.as_ref().unwrap().tests.iter().all(|test| test.percent < 2.0));
-    // The answer opens by itself, in every language.
+    // The result opens automatically, in every language.
     for (_, language) in Language::ALL.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();
@@ -158,7 +158,7 @@ fn one_damper_over_the_setting_is_fitted_and_taken_back() {
     harness.state_mut().session.move_to(0.7);
     harness.step();
     assert!(!holds(&harness, old), "the slider does not change what was fitted");
-    // Saved whole, and read again as a damper over the setting.
+    // The saved file contains the adjustable damper.
     let out = tempfile::tempdir().unwrap();
     let path = out.path().join("family.toml");
     assert!(harness.state_mut().session.save(&path));

@@ -1,11 +1,11 @@
-//! Tests that cannot be used: the window opens the others, and says what it left out and why.
+//! Tests with unusable records: the window opens the other records, and reports the omitted ones with the reason.
 
 use super::made_up::{campaign, until, window};
 use super::{Harness, message, says};
 use crate::app::App;
 use std::path::Path;
 
-/// Cuts a test down to a few samples, and returns what is to be said of it.
+/// Truncates a record to a few samples, and returns the expected message.
 fn spoil(folder: &Path, name: &str) -> String {
     let file = folder.join(name);
     let text = std::fs::read_to_string(&file).unwrap();

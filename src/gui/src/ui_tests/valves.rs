@@ -1,4 +1,4 @@
-//! The valve of a damper over a setting: its responses and numbers.
+//! The panel of an adjustable damper's valve: its responses and parameters.
 
 use super::made_up::{campaign, campaign_of_family, until, window};
 use super::{has, holds, press, says};
@@ -6,7 +6,7 @@ use crate::views::Side;
 use crate::words::{Language, texts};
 use eframe::egui::accesskit::Role;
 
-/// A damper over a current with a lag each way.
+/// A damper that depends on a current, with different lags for rising and falling current.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
      setting_time_up = 0.008\nsetting_time_down = 0.02\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n\n[identification]\n\n[identification.intervals]\nsetting_time_up = [0.007, 0.009]\n";
@@ -26,7 +26,7 @@ fn a_family_shows_the_response_of_its_valve_by_its_numbers_where_no_test_has_ste
     press(&mut harness, "Valve");
     assert!(says(&harness, "Response to a step up: 0 → 1 A") && says(&harness, "Response to a step down: 1 → 0 A"));
     assert!(holds(&harness, "the setting of the valve alone"));
-    // A lag goes 63 % of its way in one time constant and 90 % in 2.3.
+    // A first-order lag reaches 63 % of a step after one time constant and 90 % after 2.3.
     for time in ["8.0", "18.4", "20.0", "46.1"] {
         assert!(says(&harness, time), "{time} ms");
     }
@@ -36,7 +36,7 @@ fn a_family_shows_the_response_of_its_valve_by_its_numbers_where_no_test_has_ste
         harness.step();
         assert!(says(&harness, texts(language).of_valve), "{language:?}");
     }
-    // Without a valve the panel goes.
+    // Without valve dynamics the panel disappears.
     std::fs::write(
         file.path(),
         FAMILY.replace("setting_time", "# setting_time").split("[identification]").next().unwrap(),
@@ -50,7 +50,7 @@ fn a_family_shows_the_response_of_its_valve_by_its_numbers_where_no_test_has_ste
 #[test]
 fn steps_of_the_open_tests_are_shown_measured_beside_the_model() {
     let folder = tempfile::tempdir().unwrap();
-    // What was measured has another lag than the model that is open.
+    // The measured damper has another lag than the open model.
     campaign_of_family(&FAMILY.replace("up = 0.008", "up = 0.012"), folder.path());
     let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
     std::fs::write(file.path(), FAMILY).unwrap();

@@ -1,4 +1,4 @@
-//! Menus and verbs at the top, and the keys that do the same.
+//! Menus and verbs at the top, and their keyboard shortcuts.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -18,7 +18,7 @@ const FIT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F5);
 const VALIDATE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F6);
 const DIAGNOSE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F7);
 
-/// Saves where the model lies, or asks where.
+/// Saves the model to its path, or asks for a path.
 pub fn save(session: &mut Session, view: &mut View) {
     match session.model.as_ref().map(|m| m.path.clone()) {
         Some(Some(path)) => {
@@ -29,7 +29,7 @@ pub fn save(session: &mut Session, view: &mut View) {
     }
 }
 
-/// Obeys the keys.
+/// Handles the keyboard shortcuts.
 pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
     let pressed = |keys: &KeyboardShortcut| ui.ctx().input_mut(|i| i.consume_shortcut(keys));
     if pressed(&OPEN) {
@@ -38,7 +38,7 @@ pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
     if pressed(&SAVE) {
         save(session, view);
     }
-    // The longer one first: the shorter is part of it.
+    // Test the longer shortcut first, because it contains the shorter one.
     if pressed(&REDO_TOO) || pressed(&REDO) {
         session.redo();
     }

@@ -1,25 +1,25 @@
-//! A file or folder chosen in the window itself, where the system shows no dialogs.
+//! Chooses a file or folder inside the window if the system shows no dialogs.
 
 use crate::dialogs::Ask;
 use crate::views::View;
 use eframe::egui::{self, Id, Modal, RichText, Ui};
 use std::path::PathBuf;
 
-/// What is being chosen.
+/// State of the choice.
 pub struct Choosing {
     ask: Ask,
     folder: PathBuf,
-    /// What stands in the field: a name in the folder, or a whole path.
+    /// Text of the field: a name in the folder, or a whole path.
     name: String,
-    /// Names in the folder, and whether each is a folder itself.
+    /// Names in the folder, and whether each is a folder.
     entries: Vec<(String, bool)>,
 }
 
-/// Names listed of a folder; whoever has more types the name.
+/// Largest number of listed names; the user can type any other name.
 const LISTED: usize = 2000;
 
 impl Choosing {
-    /// Begins in a folder.
+    /// Begins the choice in a folder.
     pub fn new(ask: Ask, from: Option<PathBuf>) -> Choosing {
         let from = from.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
         let name = ask.proposed().0.to_owned();
@@ -28,7 +28,7 @@ impl Choosing {
         choosing
     }
 
-    /// Lists a folder: folders first, then the files that fit the question.
+    /// Lists a folder: folders first, then the files with an accepted extension.
     fn enter(&mut self, folder: PathBuf) {
         let (_, endings) = self.ask.proposed();
         let fits = |name: &str| {
@@ -46,13 +46,13 @@ impl Choosing {
         self.folder = folder;
     }
 
-    /// The path as it stands.
+    /// Returns the currently entered path.
     fn path(&self) -> PathBuf {
         let name = self.name.trim();
         if name.is_empty() { self.folder.clone() } else { self.folder.join(name) }
     }
 
-    /// Whether the path can be taken.
+    /// Returns whether the path is acceptable.
     fn is_complete(&self) -> bool {
         let path = self.path();
         match (self.ask.is_of_input(), self.ask.is_of_folder()) {
@@ -67,7 +67,7 @@ impl Choosing {
     }
 }
 
-/// Draws the choice, where there is one.
+/// Draws an active choice.
 pub fn show(ui: &Ui, view: &mut View) {
     let w = view.words();
     let Some(choosing) = &mut view.choosing else { return };

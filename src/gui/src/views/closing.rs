@@ -1,11 +1,11 @@
-//! Asked before anything is lost by closing the window.
+//! Asks for confirmation before closing the window loses data.
 
 use crate::session::Session;
 use crate::views::View;
 use crate::views::bar::save;
 use eframe::egui::{Id, Modal, Ui, ViewportCommand};
 
-/// Takes a wish to close, and asks where something would be lost.
+/// Handles a request to close, and asks for confirmation if data would be lost.
 pub fn show(ui: &Ui, session: &mut Session, view: &mut View) {
     let ctx = ui.ctx().clone();
     if ctx.input(|i| i.viewport().close_requested()) && !view.may_close {

@@ -1,4 +1,5 @@
-//! What the model says of gas, oil and valves by the drawing of its damper: quantities, what cannot be told, contradictions.
+//! Physical quantities of gas, oil and valves from the dimensions of the damper: values, undetermined quantities,
+//! contradictions.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -54,13 +55,13 @@ fn wrapped(ui: &mut Ui, text: RichText) -> egui::Response {
     ui.add(egui::Label::new(text).wrap())
 }
 
-/// A quantity with its interval; what it follows from stands under the pointer.
+/// Draws a quantity with its interval; a tooltip shows its derivation.
 fn quantity(ui: &mut Ui, of: &Quantity, w: &Words) {
     let said = w.of.words();
     let unit = said.word(of.unit);
     let range = match (of.value, of.low, of.high) {
         (Some(value), Some(low), Some(high)) => {
-            // The unit holds words, which the tables of reports have no place for.
+            // The unit contains words, which the report's tables do not translate.
             let (value, interval) = with_interval(value, low, high, "", said);
             said.number(&format!("{value} {unit}  ({interval})"))
         }
@@ -86,7 +87,7 @@ fn quantity(ui: &mut Ui, of: &Quantity, w: &Words) {
     });
 }
 
-/// A quantity that cannot be told, and what is missing for it.
+/// Draws an undetermined quantity with its missing inputs.
 fn gap(ui: &mut Ui, of: &Gap, w: &Words) {
     let said = w.of.words();
     wrapped(ui, RichText::new(said.word(of.noun()))).on_hover_text(of.name);

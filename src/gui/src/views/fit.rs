@@ -1,4 +1,4 @@
-//! The button that fits a model: an ordinary damper, or one over the setting of the campaign.
+//! The button that fits a model: an ordinary damper, or an adjustable damper.
 
 use crate::session::Session;
 use crate::session::replacing::Replacement;
@@ -6,13 +6,13 @@ use crate::views::setting_name;
 use crate::words::Words;
 use eframe::egui::{self, Ui};
 
-/// Fits what the tests ask for: one damper over their setting where they have several values of one, else an ordinary damper.
+/// Fits an adjustable damper if the tests have several values of a setting, else an ordinary damper.
 pub fn begin(session: &mut Session) {
     let over = session.settings().into_iter().next();
     session.replace(over.map_or(Replacement::Fit, Replacement::FitOver));
 }
 
-/// Draws the button; of a campaign with a setting a menu of both fits.
+/// Draws the button; for a campaign with a setting, a menu of both fits.
 pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
     let settings = session.settings();
     if settings.is_empty() {

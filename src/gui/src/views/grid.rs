@@ -1,36 +1,36 @@
-//! Where the lines and numbers of a plot's axes stand.
+//! Positions of the grid lines and numbers of a plot's axes.
 //!
-//! At 1, 2 or 5 times a power of ten, so that a plot of any width has numbers to read.
-//!
-//! Steps of ten alone leave a narrow plot of ±25 mm with nothing but its zero.
+//! They lie at 1, 2 or 5 times a power of ten, so that a plot of any width has readable numbers. Powers of ten alone
+//! would leave a narrow plot of ±25 mm with a single number, its zero.
 
 use crate::words::Words;
 use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Distance of two numbers along the lower axis, in the least distance of two grid lines (8 px in egui_plot).
+/// Distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in
+/// egui_plot).
 ///
-/// Five letters have room, and longer numbers get more.
+/// It has room for five letters; longer numbers get more.
 const ACROSS: f64 = 5.5;
-/// Distances, px, between which the numbers of the lower axis come up.
+/// Distances, px, over which the numbers of the lower axis fade in.
 ///
-/// Egui_plot's own 60 to 80 leave a window of 1280 px with zeros alone.
+/// With the 60 to 80 of `egui_plot`, a window of 1280 px shows only zeros.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
-/// Distances of the numbers of the upright axis, where a number needs a line's height alone: below 30 px they fade.
+/// Distance of two numbers along the vertical axis, in units of 8 px. Closer than 30 px they would fade.
 const UPWARDS: f64 = 4.0;
 
-/// Width of a digit in the font of the axes, px; a little more than the widest one has.
+/// Width of a digit in the font of the axes, px, slightly above the width of the widest digit.
 const DIGIT: f64 = 7.5;
-/// Most decimals of a label: a double has no more of a number of size one.
+/// Largest number of decimals of a label, the precision of a double of magnitude one.
 const MOST_DECIMALS: usize = 15;
 
-/// Gives a plot its two axes: their labels, and grid lines whose numbers all have the decimals that their step needs.
+/// Gives a plot its two axes: labels, and grid lines whose numbers all have the decimals that their step requires.
 pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Words) -> Plot<'a> {
     let steps = [Rc::new(Cell::new(0.0)), Rc::new(Cell::new(0.0))];
     let [x, y] = steps.clone();
     let [x_step, y_step] = steps;
-    // The plot asks for the lines before it writes their numbers.
+    // The plot computes the grid lines before their labels.
     let lower = AxisHints::new_x().label(lower).label_spacing(COME_UP);
     plot.custom_x_axes(vec![lower.formatter(move |mark, _| label(&mark, x_step.get(), w))])
         .y_axis_label(left)
@@ -47,32 +47,33 @@ pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Wo
         })
 }
 
-/// The number of a grid line, where it has one: lines between the numbers have none, however far apart they are.
+/// Formats the number of a grid line. Lines between the numbered ones have no number, whatever their distance.
 fn label(mark: &GridMark, step: f64, w: &Words) -> String {
-    // A hair of slack for a step that was computed in another way.
+    // The factor allows for rounding errors of the step.
     if mark.step_size < 0.99 * step { String::new() } else { number(mark.value, decimals_of(step), w) }
 }
 
-/// A number on an axis; zero has no sign.
+/// Formats a number on an axis; zero has no sign.
 fn number(value: f64, decimals: usize, w: &Words) -> String {
     w.fixed(if value == 0.0 { 0.0 } else { value }, decimals)
 }
 
-/// Decimals that tell two neighbors apart whose distance is `step`.
+/// Returns the number of decimals that distinguishes two numbers at a distance of `step`.
 fn decimals_of(step: f64) -> usize {
     if !(step.is_finite() && step > 0.0) {
         return 0;
     }
-    // Rounded upwards, since 0.05 has two decimals; the logarithm of an exact power of ten may come out a hair beside it.
+    // Round upward, since 0.05 has two decimals; the offset allows for rounding errors at exact powers of ten.
     ((-libm::log10(step) - 1e-9).ceil().max(0.0) as usize).min(MOST_DECIMALS)
 }
 
-/// Distance of two numbers, in the least distance of two grid lines, at which the longest of them has room.
+/// Returns the distance of two numbers, in units of the smallest distance of two grid lines, with room for the longest
+/// number.
 fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     let largest = input.bounds.0.abs().max(input.bounds.1.abs()).max(1.0);
     let digits = 2.0 + libm::log10(largest).floor().max(0.0);
     let mut apart = least;
-    // A longer distance never needs more decimals, so this ends where the number fits.
+    // A larger distance never needs more decimals, so the iteration ends once the number fits.
     for _ in 0..4 {
         let decimals = decimals_of(step_of(input, apart)) as f64;
         let letters = digits + if decimals > 0.0 { decimals + 0.5 } else { 0.0 };
@@ -81,12 +82,12 @@ fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     apart
 }
 
-/// Distance of two numbers of an axis.
+/// Returns the distance of two numbers of an axis.
 fn step_of(input: &GridInput, apart: f64) -> f64 {
     steps(input.base_step_size * apart)[1]
 }
 
-/// The lines of an axis whose numbers lie at least `apart` of the least distance from each other.
+/// Returns the grid lines of an axis whose numbers are at least `apart` smallest distances from each other.
 fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
     let base = input.base_step_size;
     if !(base.is_normal() && input.bounds.0.is_finite() && input.bounds.1.is_finite()) {
@@ -95,10 +96,10 @@ fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
     egui_plot::uniform_grid_spacer(move |input| steps(input.base_step_size * apart))(input)
 }
 
-/// Steps of the fine lines, of those with numbers, and of every tenth of these.
+/// Returns the steps of the fine lines, of the numbered lines, and of every tenth numbered line.
 fn steps(least: f64) -> [f64; 3] {
     let decade = libm::pow(10f64, libm::log10(least.abs()).floor());
-    // A hair of slack: the logarithm of an exact power of ten may come out below it.
+    // The tolerance allows for rounding errors in the logarithm of an exact power of ten.
     let (step, parts) = [(1.0, 5.0), (2.0, 4.0), (5.0, 5.0), (10.0, 5.0)]
         .map(|(of, parts)| (of * decade, parts))
         .into_iter()
@@ -112,7 +113,7 @@ mod tests {
     use super::*;
     use crate::words::{Language, texts};
 
-    /// Numbers that an axis shows: those whose step is wide enough on the screen.
+    /// Returns the visible numbers of an axis, whose step is wide enough on the screen.
     fn numbers(bounds: (f64, f64), pixels: f64, apart: f64, fades: f64) -> Vec<f64> {
         let per_pixel = (bounds.1 - bounds.0) / pixels;
         let all = marks(GridInput { bounds, base_step_size: 8.0 * per_pixel }, apart);
@@ -142,7 +143,7 @@ mod tests {
         assert_eq!(shown((-1.9, 1.9), 277.0), [-1.0, 0.0, 1.0]);
     }
 
-    /// What an axis writes at its numbers, by the functions that the plot calls, and the values there.
+    /// Returns the labels of an axis with their values, from the functions that the plot calls.
     fn labels(bounds: (f64, f64), pixels: f64, least: f64, fades: f64) -> Vec<(f64, String)> {
         let per_pixel = (bounds.1 - bounds.0) / pixels;
         let input = || GridInput { bounds, base_step_size: 8.0 * per_pixel };

@@ -1,4 +1,4 @@
-//! The lines of the loop plots: thinned to what a screen shows, and made anew only when something changed.
+//! The lines of the loop plots: thinned for the screen, and recomputed only after a change.
 
 use crate::session::Session;
 use crate::session::dampers::TestDamper;
@@ -16,44 +16,44 @@ use egui_plot::PlotPoint;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Whose forces a line shows.
+/// Source of a line's forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Whose {
-    /// The rig's.
+    /// The rig.
     Measured,
     /// The corresponding test of the reference campaign.
     Reference,
-    /// The identified model's, where it was tuned since.
+    /// The identified model, if it was tuned since.
     Identified,
-    /// The model's.
+    /// The model.
     Model,
-    /// The model's with an effect more.
+    /// The model with an additional effect.
     Effect,
 }
 
 /// One line in each of the plots.
 pub struct Line {
-    /// Whose.
+    /// Source of the forces.
     pub whose: Whose,
-    /// Number among the selected tests.
+    /// Index among the selected tests.
     pub place: usize,
     /// Name under the cursor.
     pub name: String,
-    /// Force over velocity, in the units chosen, as all that follow.
+    /// Force over velocity. All fields are in the selected units.
     pub velocity: Vec<PlotPoint>,
     /// Force over displacement.
     pub displacement: Vec<PlotPoint>,
     /// Force over time, s.
     pub time: Vec<PlotPoint>,
-    /// Mean force of both ways over displacement: gas and springs.
+    /// Mean force of both directions over displacement: gas and springs.
     pub gas: Vec<PlotPoint>,
-    /// Half the difference of both ways: seal drag and friction.
+    /// Half the difference of both directions: seal drag and friction.
     pub drag: Vec<PlotPoint>,
-    /// Temperature over time, s and °C, where it was measured.
+    /// Temperature over time, s and °C, if measured.
     pub temperature: Vec<PlotPoint>,
 }
 
-/// What the lines were made from.
+/// Inputs of the lines.
 #[derive(PartialEq, Clone, Default)]
 struct Key {
     generation: u64,
@@ -63,23 +63,23 @@ struct Key {
     units: Units,
 }
 
-/// The lines, kept.
+/// The cached lines.
 #[derive(Default)]
 pub struct Cache {
     key: Option<Key>,
-    /// In the order in which they are drawn.
+    /// Lines in drawing order.
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Points of all lines together that are drawn without a frame taking long; a single line shows every bend with a few hundred.
+/// Number of points of all lines together that a frame draws quickly; a single line needs a few hundred points.
 const POINTS: usize = 24_000;
 const MOST: usize = 600;
 const LEAST: usize = 60;
-/// Tests whose loops with an effect more are computed at once, within a frame: a millisecond each.
+/// Largest number of tests whose loops with an additional effect are computed within a frame: a millisecond each.
 const EFFECTS: usize = 6;
 
 impl Cache {
-    /// The lines as the session is now.
+    /// Returns the lines at the session's current state.
     pub fn lines(
         &mut self,
         session: &Session,
@@ -151,14 +151,14 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
             lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }
-    // Models over measurements.
+    // Models are drawn over measurements.
     lines.sort_by_key(|l| l.whose as usize);
     lines
 }
 
-/// The setting at which the model is compared with a test, behind its name; that of the test or none.
+/// Formats the test's own setting at which the model is simulated, as a suffix of its name; empty without one.
 ///
-/// A test whose setting changes must not look like one that the model follows where it stands at one setting.
+/// The suffix distinguishes a test with a changing setting from a test at one setting.
 fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     let Some(dampers) = session.dampers() else { return String::new() };
     let axis = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0));
@@ -177,7 +177,7 @@ fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     }
 }
 
-/// Whose forces, in words.
+/// Returns the displayed name of a source.
 pub fn named(whose: Whose, words: &Words) -> &'static str {
     match whose {
         Whose::Measured => words.measured,
@@ -188,7 +188,7 @@ pub fn named(whose: Whose, words: &Words) -> &'static str {
     }
 }
 
-#[allow(clippy::too_many_arguments)] // each is another thing
+#[allow(clippy::too_many_arguments)] // each is a distinct quantity
 fn line(
     whose: Whose,
     place: usize,
@@ -201,12 +201,12 @@ fn line(
 ) -> Line {
     let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
     let from = seen.shown.start;
-    // Forces are counted by their own samples, the motion by those of the record.
+    // Forces are indexed by their own samples, the motion by the samples of the record.
     let n = seen.shown.len().div_ceil(stride).min(force.len());
     let at = |i: usize| from + i * stride;
     let step = n.div_ceil(most).max(1);
     let mut kept: Vec<usize> = (0..n).step_by(step).collect();
-    // A loop is closed.
+    // Close the loop.
     if !record.cycles.is_empty() && n > 0 {
         kept.push(0);
     }

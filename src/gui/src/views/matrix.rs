@@ -1,4 +1,4 @@
-//! The error matrix as coloured cells; a click shows the tests behind a cell.
+//! The error matrix as colored cells; a click shows the tests of a cell.
 
 use crate::session::Session;
 use crate::session::matrix::{Across, Grid};
@@ -28,11 +28,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
     };
     let columns = grid.columns.len().max(1) as f32;
-    // The column of the amplitudes is as wide as the others.
+    // The column of the amplitudes has the width of the other columns.
     let width = (ui.available_width() / (columns + 1.0) - 2.0).clamp(30.0, 64.0);
     let mut chosen: Option<Vec<usize>> = None;
     egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {
-        // Wide buttons would push the last columns out of a window of 1280 px.
+        // Wider buttons would not fit into a window of 1280 px.
         ui.spacing_mut().button_padding.x = 1.0;
         egui::Grid::new("matrix").spacing([2.0, 2.0]).min_col_width(width).show(ui, |ui| {
             let (length, velocity) = (view.units.length(), view.units.velocity());
@@ -83,7 +83,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
-/// A number for the edge of a small table.
+/// Formats a number for the edge of a small table.
 fn short(value: f64, w: &Words) -> String {
     w.of.words().number(&dashpot_report::numbers::digits(value, 3))
 }

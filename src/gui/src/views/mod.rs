@@ -1,22 +1,22 @@
-//! What is drawn, one file a view. A view reads the session, calls what it can do, and keeps nothing but how it is looked at.
+//! The views, one file each. A view reads the session and calls its functions; it stores only the state of the display.
 //!
 //! | file | view |
 //! |---|---|
 //! | [`bar`] | menus and verbs at the top |
 //! | [`fit`] | the button that fits a model |
-//! | [`status`] | progress, cancel and what was said last, at the bottom |
-//! | [`tests`] | the tests with what was noticed about each |
-//! | [`plots`], [`lines`] | loops, force over time, peak forces with the curve that is dragged |
+//! | [`status`] | progress, cancel and the last message, at the bottom |
+//! | [`tests`] | the tests with their notes |
+//! | [`plots`], [`lines`] | loops, force over time, peak forces with the draggable curve |
 //! | [`matrix`] | the error matrix |
-//! | [`tables`] | forces at peak velocities and at given ones |
+//! | [`tables`] | forces at peak velocities and at given velocities |
 //! | [`tune`] | elements and sliders |
-//! | [`answer`] | what fit, validation and diagnosis found |
-//! | [`records`] | how the records are read, corrected by hand |
-//! | [`study`] | one number at several values, and what an effect would look like |
-//! | [`valve`] | how the valve of a damper over a setting answers a step |
-//! | [`drawing`] | what the model says of gas, oil and valves by the drawing |
-//! | [`choosing`] | a file or folder, where the system shows no dialogs |
-//! | [`closing`], [`replacing`] | asked before anything is lost |
+//! | [`results`] | results of fit, validation and diagnosis |
+//! | [`records`] | options of reading |
+//! | [`study`] | variation of one parameter, and preview of an effect |
+//! | [`valve`] | response of an adjustable damper's valve to a step |
+//! | [`drawing`] | physical quantities from the dimensions of the damper |
+//! | [`choosing`] | choice of a file or folder if the system shows no dialogs |
+//! | [`closing`], [`replacing`] | confirmation before a loss of data |
 
 pub mod bar;
 pub mod choosing;
@@ -44,25 +44,25 @@ use crate::words::{self, Language, Words};
 use dashpot_core::parameter::Element;
 use eframe::egui::{self, Color32};
 
-/// What the right-hand side shows.
+/// Panel on the right-hand side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Side {
     /// Sliders.
     #[default]
     Tune,
-    /// Answers of the verbs.
+    /// Results of the verbs.
     Result,
-    /// How records are read.
+    /// Options of reading.
     Records,
     /// Families of loops.
     Study,
-    /// The valve of a damper over a setting.
+    /// The valve of an adjustable damper.
     Valve,
-    /// The drawing of the damper.
+    /// The dimensions of the damper.
     Drawing,
 }
 
-/// What the place at the lower right shows.
+/// Contents of the area at the lower right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Corner {
     /// The error matrix.
@@ -80,58 +80,58 @@ pub enum Corner {
     Study,
 }
 
-/// How the session is looked at.
+/// State of the display.
 #[derive(Default)]
 pub struct View {
     /// Language of all texts.
     pub language: Language,
-    /// Tests whose names hold this are listed.
+    /// Text that the names of the listed tests contain.
     pub filter: String,
-    /// The test that was clicked last: a range begins there.
+    /// The test that was clicked last, where a range begins.
     pub anchor: Option<usize>,
-    /// Right-hand side.
+    /// Panel on the right-hand side.
     pub side: Side,
-    /// Lower right.
+    /// Contents of the area at the lower right.
     pub corner: Corner,
-    /// What runs across the error matrix.
+    /// Quantity of the error matrix's columns.
     pub across: Across,
-    /// Lines of the plots, kept until something changes.
+    /// Lines of the plots, cached until a change.
     pub lines: lines::Cache,
-    /// Point of the FV curve that is being dragged.
+    /// Point of the FV curve under the pointer while dragged.
     pub grabbed: Option<usize>,
-    /// Why it does not follow the pointer.
+    /// Reason for which the dragged point does not follow the pointer.
     pub stopped: Option<plots::Stop>,
     /// Units of plots, sliders and tables.
     pub units: Units,
-    /// What the study asks.
+    /// Input of the study.
     pub question: study::Form,
-    /// Effect that is looked at, and its strength.
+    /// Previewed effect and its strength.
     pub effect: Option<(Element, f64)>,
-    /// Questions to put to the user.
+    /// Pending requests to the user.
     pub asks: Vec<Ask>,
-    /// A file or folder that is chosen in the window itself.
+    /// An active choice of a file or folder inside the window.
     pub choosing: Option<choosing::Choosing>,
-    /// What was chosen so.
+    /// Completed choices inside the window.
     pub chosen: Vec<(Ask, Vec<std::path::PathBuf>)>,
-    /// Whether the user is being asked whether to close.
+    /// Whether the confirmation to close is open.
     pub closing: bool,
     /// Whether the window may close.
     pub may_close: bool,
 }
 
 impl View {
-    /// All texts.
+    /// Returns all texts.
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
     }
 }
 
-/// The name of an element or a parameter as the reports have it, without the identifier, which stands under the pointer.
+/// Returns the display name of an element or a parameter, as in the reports. The identifier appears in a tooltip.
 pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
     words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
 
-/// The name of a setting, translated where the reports know it.
+/// Returns the name of a setting, translated if the reports contain a translation.
 pub fn setting_name<'a>(name: &'a str, words: &dashpot_report::words::Words) -> &'a str {
     match name {
         "current" => words.word("current"),
@@ -142,15 +142,14 @@ pub fn setting_name<'a>(name: &'a str, words: &dashpot_report::words::Words) -> 
     }
 }
 
-/// Colour of a `#rrggbb` text of the report's palette.
+/// Parses a `#rrggbb` color of the report's palette.
 pub fn colour(hex: &str) -> Color32 {
     Color32::from_hex(hex).unwrap_or(Color32::GRAY)
 }
 
-/// Hues of the measured tests.
+/// Hues of the measured tests, on dark and on light backgrounds.
 ///
-/// After Okabe & Ito, *Color Universal Design*, 2008, apart for colour-blind readers too; a dark and a light
-/// background take the same.
+/// After Okabe & Ito, *Color Universal Design*, 2008: color-blind readers can distinguish them.
 const HUES: [Color32; 8] = [
     Color32::from_rgb(0, 114, 178),
     Color32::from_rgb(230, 159, 0),
@@ -162,12 +161,12 @@ const HUES: [Color32; 8] = [
     Color32::from_rgb(130, 110, 200),
 ];
 
-/// Colour of the so manyeth selected test.
+/// Returns the color of the selected test with index `k`.
 pub fn hue(k: usize) -> Color32 {
     HUES[k % HUES.len()]
 }
 
-/// Tells a screen reader what a drop-down list is for.
+/// Gives a drop-down list an accessible name.
 pub fn named_list<R>(list: egui::InnerResponse<R>, name: &str) -> egui::Response {
     list.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, name));
     list.response

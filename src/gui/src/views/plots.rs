@@ -1,4 +1,4 @@
-//! The plots: loops over velocity and displacement, force over time, and the peak forces with the FV curve, whose points are dragged.
+//! The plots: loops over velocity and displacement, force over time, and peak forces with the draggable FV curve.
 
 use crate::dialogs::Ask;
 use crate::session::outputs::table;
@@ -16,7 +16,7 @@ use dashpot_simulation::prediction::{at_velocities, between_velocities};
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo};
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
 
-/// Distance from a point of the curve at which it is grabbed, px: a fingertip on a touch pad.
+/// Largest distance for grabbing a point of the curve, px: a fingertip on a touch pad.
 const GRAB: f32 = 12.0;
 /// Size of the letters of legends and remarks on plots, px.
 const LETTERS: f32 = 11.5;
@@ -34,12 +34,12 @@ impl Axes {
     }
 }
 
-/// A unit that is the same whatever was chosen.
+/// Returns a unit that does not depend on the selected units.
 fn plain(symbol: &str) -> Shown {
     Shown { factor: 1.0, symbol: symbol.to_owned() }
 }
 
-/// A plot with cursor read-out, zoom and pan, and links to the others that have force upwards.
+/// Makes a plot with cursor read-out, zoom and pan, linked to the other plots with force on the vertical axis.
 fn plot<'a>(id: &'static str, axes: &Axes, linked: bool, w: &'static Words) -> Plot<'a> {
     let (lower, left) = (Axes::label(&axes.x), Axes::label(&axes.y));
     let axes = axes.clone();
@@ -62,7 +62,7 @@ fn plot<'a>(id: &'static str, axes: &Axes, linked: bool, w: &'static Words) -> P
     }
 }
 
-/// Title of a plot, what it is for a screen reader, and what it can be saved as.
+/// Draws the title of a plot, its accessible description, and the menu for saving it.
 fn heading(
     ui: &mut Ui,
     view: &mut View,
@@ -86,7 +86,7 @@ fn heading(
                     ui.close();
                 }
                 if ui.button("PNG").clicked() {
-                    // Filled in when the plot is drawn: it lies below this line.
+                    // The rectangle is stored when the plot, which lies below, is drawn.
                     let rect = ui.ctx().memory(|m| m.data.get_temp::<Rect>(Id::unique(("plot", title.to_owned()))));
                     let rect = rect.unwrap_or(Rect::EVERYTHING);
                     view.asks.push(Ask::Picture([rect.min.x, rect.min.y, rect.max.x, rect.max.y]));
@@ -100,7 +100,7 @@ fn heading(
     });
 }
 
-/// The figure as the report draws it.
+/// Draws the figure as in the report.
 fn svg(title: &str, axes: &Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>, w: &Words) -> String {
     let all = || lines.iter().flat_map(|(_, _, points)| points.iter().copied());
     let (x, y) = (all().map(|p| p[0]).collect::<Vec<_>>(), all().map(|p| p[1]).collect::<Vec<_>>());
@@ -135,7 +135,7 @@ fn role(whose: Whose) -> Role {
     }
 }
 
-/// Colour and width of a line: measured tests in their own hue, models in ink over them.
+/// Returns color and width of a line: measured tests in their own hue, models in the text color.
 fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     let ink = ui.visuals().strong_text_color();
     match line.whose {
@@ -147,10 +147,10 @@ fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     }
 }
 
-/// Entries of a legend; further ones are counted and stand under the pointer.
+/// Largest number of legend entries; a tooltip lists further ones.
 const ENTRIES: usize = 6;
 
-/// A legend above a plot: every entry with a piece of its line.
+/// Draws a legend above a plot: every entry with a piece of its line.
 fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
@@ -160,7 +160,7 @@ fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
                 egui::FontId::proportional(LETTERS),
                 ui.visuals().text_color(),
             );
-            // One piece, so that a line is not broken between the mark and its name.
+            // One allocation prevents a line break between the mark and its name.
             let (rect, _) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
             let ends = [rect.left_center(), rect.left_center() + egui::vec2(16.0, 0.0)];
             let stroke = egui::Stroke::new(2.0, *colour);
@@ -178,7 +178,7 @@ fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     });
 }
 
-/// What the lines of the loop plots are: every measured test in its hue, and every kind of model once.
+/// Returns the legend of the loop plots: every measured test in its hue, and every kind of model once.
 fn entries(ui: &Ui, session: &Session, lines: &[Drawn], words: &Words) -> Vec<(Color32, bool, String)> {
     let mut kinds: Vec<(Color32, bool, String)> = Vec::new();
     for whose in [Whose::Model, Whose::Identified, Whose::Effect, Whose::Reference] {
@@ -198,7 +198,7 @@ fn draw<'a>(plot: &mut PlotUi<'a>, line: &'a Drawn, points: &'a [PlotPoint], (co
     plot.line(if line.whose == Whose::Reference { drawn.style(LineStyle::dashed_dense()) } else { drawn });
 }
 
-/// Which of the loop plots.
+/// Kind of loop plot.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Which {
     /// Force over velocity.
@@ -250,9 +250,9 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
     response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, format!("{title}: {shown}")));
 }
 
-/// What both ways of a cycle have in common over displacement, and half of what they do not.
+/// Draws the mean force of both directions of a cycle over displacement, and half of their difference.
 ///
-/// Gas and springs, drag and friction where the test is slow.
+/// In a slow test these are gas and springs, and drag and friction.
 pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
@@ -294,7 +294,7 @@ fn points_of(line: &Drawn, which: Which) -> &[PlotPoint] {
     }
 }
 
-/// What a screen reader says of the plots.
+/// Describes the plots for a screen reader.
 fn summary(session: &Session, words: &Words) -> String {
     let names: Vec<&str> =
         session.selected.iter().filter_map(|k| session.record(*k)).map(|r| r.name.as_str()).collect();
@@ -302,7 +302,8 @@ fn summary(session: &Session, words: &Words) -> String {
     format!("{} {model}", names.join(", "))
 }
 
-/// Peak force over peak velocity: the tests, the model moving steadily as in the report, and the points of its curve, which are dragged.
+/// Draws peak force over peak velocity: the tests, the model at constant velocity as in the report, and the draggable
+/// points of its curve.
 pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
@@ -314,7 +315,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         |params: &Params| -> Vec<[f64; 2]> { steady(params, reach(&loaded, params)).into_iter().map(shown).collect() };
     let now = session.model.as_ref().map(|m| curve(m.params()));
     let identified = session.model.as_ref().filter(|m| m.is_tuned()).map(|m| curve(&m.identified));
-    // Where tests are at their own settings, a curve for each of them.
+    // If tests have their own settings, each setting has a curve.
     let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
     let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
     let own: Vec<(String, Vec<[f64; 2]>)> = own
@@ -397,7 +398,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let stopped = view.stopped.map_or("", |why| why.text(words));
     let label = format!("{}: {} {stopped}", words.peaks, summary(session, words));
     mouse.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
-    // A press near a point takes it, before the plot takes the drag for itself.
+    // A press near a point grabs the point before the plot starts panning.
     let (pressed, down) = ui.input(|i| (i.pointer.primary_pressed(), i.pointer.primary_down()));
     if pressed && mouse.contains_pointer() {
         view.grabbed = near;
@@ -415,7 +416,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
             changed
         });
     }
-    // Why a point does not follow the pointer stands beside it, as long as it is held.
+    // While a point is dragged, its label shows the reason for a stop.
     if let Some(why) = view.stopped {
         let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
         let font = egui::FontId::proportional(LETTERS + 1.0);
@@ -441,7 +442,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
-/// How fast the tests are on either side, m/s, and the points of the model's curve, which can be grabbed.
+/// Returns the velocity range, m/s, of the tests and of the draggable points.
 fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2] {
     let peaks = loaded.tests.iter().flat_map(|t| t.peaks).map(|p| p[0]).filter(|v| v.is_finite());
     let points = handles(params).into_iter().map(|h| h.0);
@@ -449,18 +450,18 @@ fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2]
     ends.map(|v| 1.02 * v)
 }
 
-/// The force of the damper moving steadily, m/s and N, with friction and gas: what the report draws.
+/// Returns the force at constant velocity, m/s and N, with friction and gas, as in the report.
 fn steady(params: &Params, [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
     Model::new(params).map_or_else(|_| Vec::new(), |model| between_velocities(&model, low, high))
 }
 
-/// The points of the curve's table on that line; none where it has another form.
+/// Returns the points of the curve's table on this line; empty if the curve has another form.
 fn handles(params: &Params) -> Vec<(f64, f64)> {
     if !params.is_on(element!("fv_curve")) || params.number(number!("fv_form")) != 0.0 {
         return Vec::new();
     }
     let Ok(model) = Model::new(params) else { return Vec::new() };
-    // All of them, so that their places are those of the table.
+    // Evaluate all points, so that their indices are those of the table.
     let at = at_velocities(&model, params.list(list!("fv_velocity")));
     if at.len() == params.list(list!("fv_velocity")).len() {
         at.iter().map(|p| (p[0], p[1])).collect()
@@ -469,21 +470,21 @@ fn handles(params: &Params) -> Vec<(f64, f64)> {
     }
 }
 
-/// Why a point does not follow the pointer.
+/// Reason for which a point does not follow the pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
-    /// The curve has no force at rest.
+    /// The force at zero velocity is fixed to zero.
     AtRest,
-    /// The force may not pass that of the neighbor.
+    /// The force may not pass that of the neighboring point.
     Force,
-    /// The velocity may not pass that of the neighbor.
+    /// The velocity may not pass that of the neighboring point.
     Velocity,
-    /// The end of what the parameter may be.
+    /// The parameter has reached its bound.
     Bound,
 }
 
 impl Stop {
-    /// In words.
+    /// Returns the displayed text.
     pub fn text(self, words: &Words) -> &'static str {
         match self {
             Stop::AtRest => words.stop_at_rest,
@@ -496,7 +497,7 @@ impl Stop {
 
 /// Moves a point of the curve to a velocity, m/s, and a force of the damper, N.
 ///
-/// Where the neighbors are in the way it stops beside them. Returns whether it moved, and why it stopped.
+/// The point stops at its neighbors. Returns whether it moved, and the reason for a stop.
 pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> (bool, Option<Stop>) {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());
@@ -509,7 +510,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
         let high = values.get(point + 1).map_or(f64::INFINITY, |next| next - apart);
         if low <= high { restrict(wanted, low, high) } else { values[point] }
     };
-    // The line shows friction, gas and springs too: the point moves by as much as the pointer is away from it.
+    // The line also contains friction, gas and springs, so the point moves by the distance between line and pointer.
     let shown = handles(model.params()).get(point).map_or(*now, |h| h.1);
     let wanted = now + to[1] - shown;
     let allowed = between(&forces, wanted, 0.0);
@@ -521,7 +522,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     }
     let mut moved = false;
     if with_velocity {
-        // Neighbors closer than a millimeter a second would make a step of the curve.
+        // Neighbors closer than 1 mm/s would make a step of the curve.
         let allowed = between(&velocities, to[0], 1e-3);
         if allowed != to[0] {
             stopped = stopped.or(Some(Stop::Velocity));
@@ -553,11 +554,11 @@ mod tests {
         let model = Model::new(&params).unwrap();
         let drawn = steady(&params, [-0.8, 0.9]);
         assert_eq!(drawn, between_velocities(&model, -0.8, 0.9));
-        // With friction and gas: at a low speed the force is not that of the valves alone.
+        // The line includes friction and gas, so the force at a low velocity differs from that of the valves.
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
         let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");
-        // The points lie on it.
+        // The points lie on the line.
         for (v, force) in handles(&params) {
             assert_eq!(at_velocities(&model, &[v])[0][1], force);
         }

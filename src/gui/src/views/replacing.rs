@@ -1,16 +1,16 @@
-//! Asked before a model tuned by hand makes way for another.
+//! Asks for confirmation before another model replaces one tuned by hand.
 
 use crate::session::Session;
 use crate::views::View;
 use crate::views::bar::save;
 use eframe::egui::{Id, Modal, Ui};
 
-/// Asks where a model waits to take the place of values that are in no file.
+/// Asks if a model waits to replace values that are not saved.
 pub fn show(ui: &Ui, session: &mut Session, view: &mut View) {
     if session.pending.is_none() {
         return;
     }
-    // Saved meanwhile, or undone: nothing would be lost.
+    // The values were saved or restored meanwhile, so no value would be lost.
     if !session.has_unsaved_tuning() {
         session.replace_pending();
         return;

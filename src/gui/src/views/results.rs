@@ -1,4 +1,4 @@
-//! What fit, validation and diagnosis found, in the words of the report.
+//! Results of fit, validation and diagnosis, in the texts of the report.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             let (found, old) = (&answer.found.found, answer.is_old(session));
             heading(ui, w.diagnosis_result, old, w);
             wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
-            // Above the details, which are more than the window holds.
+            // The buttons stand above the details, which exceed the height of the window.
             ui.horizontal_wrapped(|ui| {
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
                 take = ui.add_enabled(free && added && !old, egui::Button::new(w.take_improved)).clicked();
@@ -57,7 +57,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         if let Some(answer) = &session.results.fit {
             let old = answer.is_old(session);
             heading(ui, w.fit_result, old, w);
-            // Above the numbers, which are more than the window holds.
+            // The sentence and the buttons stand above the numbers, which exceed the height of the window.
             let said = view.language.words();
             if let Some(quality) = &answer.found.quality {
                 wrapped(ui, RichText::new(quality::sentence(quality, said)).strong());
@@ -75,7 +75,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     });
 }
 
-/// The title of an answer, marked where it is of another model, other records or other tests than those on screen.
+/// Draws the title of a result, with a mark if model, records or tests have changed since.
 fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     ui.heading(title);
     if old {
@@ -84,7 +84,7 @@ fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     }
 }
 
-/// Buttons that write what stands beside them.
+/// Draws the buttons that write the adjacent result.
 fn papers(ui: &mut Ui, free: bool, view: &mut View, offered: &[(&str, Paper)]) {
     for (text, paper) in offered {
         if ui.add_enabled(free, egui::Button::new(*text)).clicked() {
@@ -119,7 +119,7 @@ fn fit(ui: &mut Ui, found: &Fit, language: Language) {
     }
 }
 
-/// A damper over a setting: what depends on it, the errors at each setting, and its numbers.
+/// Draws the fit of an adjustable damper: dependences on the setting, errors at each setting, and parameters.
 fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
     let (w, said) = (texts(language), language.words());
     let at = |setting: f64| format!("{} {}", w.typed(setting), found.setting.unit).trim_end().to_owned();
@@ -166,14 +166,14 @@ fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
     }
 }
 
-/// Each effect with its force and probability and, beside a given model, what became of it.
+/// Draws each effect with its force and probability; for a given model also its status.
 fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Language) {
     if items.is_empty() {
         return;
     }
     let said = language.words();
     ui.strong(said.inventory_section);
-    // One line an effect: a table of four columns is wider than the panel in most languages, and pushes all else out of it.
+    // Each effect has one line: a table of four columns would be wider than the panel in most languages.
     let headings = [said.col_force_rms, said.col_probability, said.col_status];
     let headings = headings[..if status { 3 } else { 2 }].join(said.semicolon);
     wrapped(ui, RichText::new(format!("{}{}{headings}", said.col_effect, said.colon)).small().weak());

@@ -1,4 +1,4 @@
-//! One number at several values, as the source's chapter 3 shows them; and what an effect would look like over the measured loops.
+//! Variation of one parameter, as in chapter 3 of the source; and preview of an effect over the measured loops.
 
 use crate::session::Session;
 use crate::session::model::Reach;
@@ -12,17 +12,17 @@ use dashpot_estimation::scale::Scale;
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// What is asked, as it stands in the panel.
+/// Input of the study in the panel.
 pub struct Form {
     number: Option<Number>,
-    /// From and to, SI; the slider's reach until it was set.
+    /// First and last value, SI; `None` selects the range of the slider.
     range: Option<[f64; 2]>,
     count: usize,
 }
 
 impl Default for Form {
     fn default() -> Self {
-        // Seven loops are told apart, and have a middle.
+        // Seven loops are distinguishable and have a middle.
         Form { number: None, range: None, count: 7 }
     }
 }
@@ -100,7 +100,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     effect(ui, session, view, w);
 }
 
-/// A range about a value that shows something: a factor of three to either side, or the reach of the slider.
+/// Returns an informative range around a value: a factor of three to either side, or the range of the slider.
 fn around(value: f64, reach: &Reach) -> [f64; 2] {
     if reach.factors && value > 0.0 {
         [(value / 3.0).max(reach.low), (3.0 * value).min(reach.high)]

@@ -6,13 +6,13 @@ use crate::session::velocities::{Pair, at_peaks, within_cycle};
 use crate::views::View;
 use eframe::egui::{self, RichText, Ui};
 
-/// A table in the units chosen: headings, then rows of texts.
+/// A table in the selected units: headings, then rows of texts.
 struct Table {
     headings: Vec<String>,
     rows: Vec<Vec<String>>,
 }
 
-/// Draws both.
+/// Draws both tables.
 pub fn show(ui: &mut Ui, session: &Session, view: &mut View) {
     let w = view.words();
     let selected = session.selected.iter().next_back().copied();
@@ -96,7 +96,7 @@ fn draw(ui: &mut Ui, view: &mut View, id: &str, title: &str, file: &'static str,
     });
 }
 
-/// As a file: with the decimal point, whatever the language writes, as every program reads it.
+/// Formats a table for a file. It uses the decimal point in every language, for other programs.
 fn text(table: &Table, decimal_sign: &str) -> String {
     let quoted = |cell: &String| format!("\"{}\"", cell.replace('"', "\"\""));
     let plain = |cell: &String| {
@@ -111,7 +111,7 @@ fn text(table: &Table, decimal_sign: &str) -> String {
     };
     let mut out = table.headings.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
     for row in &table.rows {
-        // The first column of the table of tests is a name, even where it reads as a number.
+        // The first column of the table of tests is a name, even if it looks like a number.
         out += &(row.iter().map(plain).collect::<Vec<_>>().join(",") + "\n");
     }
     out

@@ -1,4 +1,4 @@
-//! The tests: what each is, how far the model is from it, what was noticed, and which are used.
+//! The tests: properties, errors of the model, notes, and whether each is used.
 
 use crate::session::Session;
 use crate::units::{Shown, Units};
@@ -6,17 +6,18 @@ use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Whether a note is of damage; in a list of tests also what the command says of the whole campaign, or in a report.
+/// Returns whether a note is of damage. In the list of tests this includes frozen channels and gaps, which the command
+/// reports for the whole campaign.
 fn is_of_damage(note: &Note) -> bool {
     note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
 }
 
-/// Whether something about a test deserves a look.
+/// Returns whether a test has notes of damage.
 fn is_damaged(record: &Record) -> bool {
     record.notes.iter().any(is_of_damage)
 }
 
-/// Draws the list and what is known of the chosen test.
+/// Draws the list and the details of the selected test.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let Some(loaded) = session.campaign.clone() else {
@@ -116,7 +117,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
     });
 }
 
-/// Chooses a test as lists are used everywhere: alone, more with Ctrl, a range with Shift.
+/// Selects a test as in common lists: alone, additionally with Ctrl, a range with Shift.
 pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modifiers, listed: &[usize]) {
     let place = |k: usize| listed.iter().position(|l| *l == k);
     match (keys.shift, view.anchor.and_then(place), place(k)) {

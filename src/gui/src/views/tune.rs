@@ -1,4 +1,5 @@
-//! Elements on and off, and a slider for every number, with what dampers show and what the fit left open marked.
+//! Switches of the elements and a slider for every parameter, with marks for priors, intervals and unidentified
+//! parameters.
 
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
@@ -35,7 +36,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     if let Some(refused) = session.model.as_ref().and_then(|m| m.rejected.clone()) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
-    // What the file gives for an element that is off, and would be had by switching it on.
+    // Report the file's parameters of disabled elements, which take effect once the element is enabled.
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
         ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
     }
@@ -46,7 +47,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     egui::ScrollArea::vertical().id_salt("tune").auto_shrink([false, false]).show(ui, |ui| {
         let (on, off): (Vec<Element>, Vec<Element>) =
             Element::all().partition(|element| session.model.as_ref().is_some_and(|m| m.params().is_on(*element)));
-        // What is on stands first; what could be added follows.
+        // Enabled elements stand first; elements that could be added follow.
         for one in on {
             element(ui, session, view, one, true, &rows);
         }
@@ -60,7 +61,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     });
 }
 
-/// A slider over the setting of a damper that depends on one.
+/// Draws a slider over the setting of an adjustable damper.
 fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     let Some(model) = &session.model else { return };
     let Some((axis, at)) = model.over_setting() else { return };
@@ -87,7 +88,7 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     }
 }
 
-/// The error as it is, beside that of the identified model.
+/// Shows the current error in comparison with that of the identified model.
 fn errors(ui: &mut Ui, session: &Session, w: &Words) {
     let mean = |s: &crate::session::simulation::Simulated| {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
@@ -105,7 +106,7 @@ const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
 fn legend(ui: &mut Ui, w: &Words) {
     ui.horizontal_wrapped(|ui| {
         for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
-            // One label without a place to break: a mark never stands on another line than its text.
+            // A label without break opportunities keeps a mark on the line of its text.
             let mut entry = LayoutJob::default();
             let style = ui.style().clone();
             RichText::new("▬\u{a0}").color(colour).append_to(&mut entry, &style, FontSelection::Default, Align::Center);
@@ -150,10 +151,10 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
     }
 }
 
-/// Width of a slider, px: fine enough for a percent a pixel.
+/// Width of a slider, px: one percent per pixel is fine enough.
 const WIDTH: f32 = 140.0;
 
-/// One number: its name, a slider with marks, and a field.
+/// Draws one parameter: its name, a slider with marks, and a field.
 fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row, entry: usize) {
     let Some(model) = &session.model else { return };
     let p = row.parameter;
@@ -184,7 +185,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
         hint += &format!("\n{}", assumed(p.name, identified, &model.identified, None, w.of.words()));
     }
     ui.add(egui::Label::new(title).wrap()).on_hover_text(hint);
-    // A number that the records left open was not identified, whatever stands there.
+    // An unidentified parameter gets no mark, whatever its value.
     let mark = model.identified_value(row, entry);
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = WIDTH;
@@ -224,7 +225,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     });
 }
 
-/// Marks under a slider: what dampers show, the 95 % band, the identified value.
+/// Draws the marks under a slider: prior, 95 % interval, identified value.
 fn marks(
     ui: &Ui,
     rect: Rect,
@@ -233,7 +234,7 @@ fn marks(
     interval: Option<[f64; 2]>,
     identified: Option<f64>,
 ) {
-    // The slider's own handle stops this far from its ends.
+    // The slider's handle stops at this distance from its ends.
     let inside = rect.shrink2(egui::vec2(rect.height() / 2.5, 0.0));
     let x = |value: f64| inside.left() + inside.width() * reach.place(value) as f32;
     let painter = ui.painter();
@@ -281,14 +282,14 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     }
 }
 
-/// A curve: its forces as sliders, its places as they are; on the plot its points are dragged.
+/// Draws a curve: its forces as sliders, its positions as numbers; the plot allows dragging its points.
 fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) {
     let p = row.parameter;
     let count = session.model.as_ref().map_or(0, |m| m.params().get(row).len());
     if count == 0 {
         return;
     }
-    // Places of a curve's points are dragged with its forces, or typed.
+    // The positions of a curve's points are dragged with its forces, or typed.
     let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
     egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", translate_name(p.name, w.of.words()))).small())
         .id_salt(p.name)
@@ -305,7 +306,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) 
         });
 }
 
-/// A curve has no force at rest: that point stays.
+/// Returns whether a point of a curve may move: the point at zero velocity has no force and stays.
 fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
     let Some(model) = model else { return false };
     let velocity = list!("fv_velocity");

@@ -1,4 +1,4 @@
-//! How the valve of a damper over a setting answers a step up and one down, and the numbers of its actuator.
+//! Response of an adjustable damper's valve to a step up and a step down, and the parameters of its actuator.
 
 use crate::session::Session;
 use crate::views::{View, grid};
@@ -8,9 +8,9 @@ use dashpot_report::numbers::with_interval;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// Height of a response, px: two of them and their times stand above each other in a window of 800.
+/// Height of a response, px: two responses and their times fit into a window of 800 px.
 const HEIGHT: f32 = 162.0;
-/// Color of what the model gives.
+/// Color of the model's response.
 const MODEL: Color32 = Color32::from_rgb(213, 94, 0);
 
 /// Draws the panel.
@@ -38,7 +38,7 @@ fn wrapped(ui: &mut Ui, text: RichText) {
     ui.add(egui::Label::new(text).wrap());
 }
 
-/// The settings before and after.
+/// Formats the settings before and after the step.
 fn step_name(session: &Session, of: &StepResponse, w: &Words) -> String {
     let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
     format!("{} → {} {unit}", w.typed(of.from), w.typed(of.to)).trim_end().to_owned()
@@ -61,7 +61,7 @@ fn plot(ui: &mut Ui, id: &'static str, of: &StepResponse, view: &View) {
         });
 }
 
-/// Times of one response, in ms, and its overshoot.
+/// Draws the times of one response, in ms, and its overshoot.
 fn times(ui: &mut Ui, is_up: bool, of: &StepResponse, view: &View) {
     let (w, said) = (view.words(), view.language.words());
     egui::Grid::new(("times", is_up)).num_columns(3).striped(true).show(ui, |ui| {
@@ -85,13 +85,13 @@ fn times(ui: &mut Ui, is_up: bool, of: &StepResponse, view: &View) {
     });
 }
 
-/// A time or a fraction in percent, to a tenth; a dash where there is none.
+/// Formats a time or a percentage with one decimal; a dash without a value.
 fn known(value: Option<f64>, w: &Words) -> String {
-    // A hair below zero would have a sign.
+    // A value slightly below zero would get a sign.
     value.map_or_else(|| "–".to_owned(), |value| w.fixed(if value.abs() < 0.05 { 0.0 } else { value }, 1))
 }
 
-/// Times of all steps of the open tests.
+/// Draws the times of all steps of the open tests.
 fn all_steps(ui: &mut Ui, session: &Session, view: &View) {
     let (w, said) = (view.words(), view.language.words());
     let all = &session.responses.of_force;
@@ -118,7 +118,7 @@ fn all_steps(ui: &mut Ui, session: &Session, view: &View) {
     });
 }
 
-/// The numbers of the actuator with their intervals.
+/// Draws the parameters of the actuator with their intervals.
 fn numbers(ui: &mut Ui, session: &Session, view: &View) {
     let said = view.language.words();
     wrapped(ui, RichText::new(said.actuator_table).small().weak());

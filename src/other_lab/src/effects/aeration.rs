@@ -6,9 +6,9 @@ use crate::plant::Scale;
 
 pub(super) const EFFECT: Effect = Effect { name: "aeration", laws: &[("henry", henry as Make), ("pocket", pocket)] };
 
-/// Bubbles that are pressed together and dissolve, as Henry's law has it and in their own time.
+/// Bubbles that are compressed, and that dissolve by Henry's law with time constants.
 ///
-/// Fast to come out, slow to go back (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid Power
+/// Release is fast, dissolution is slow (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid Power
 /// 13, 2012).
 struct Henry {
     stroke: f64,
@@ -23,7 +23,7 @@ impl EffectModel for Henry {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is the share that is dissolved: 0 at rest.
+        // The state is the dissolved fraction: 0 in equilibrium.
         let target = libm::tanh(here.hydraulic.abs() / self.dissolved);
         let short = target - s[0];
         let quick = 0.5 * (1.0 + libm::tanh(short / 0.05));
@@ -45,14 +45,14 @@ fn henry(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     })
 }
 
-/// A pocket of air that one chamber has and the other hardly.
+/// An air pocket, mostly in one chamber.
 ///
-/// Its bubbles are of all sizes, and the pocket closes exponentially with pressure (Hayward, Brit. Hydromech. Res.
-/// Ass. 1961).
+/// Its bubbles have all sizes, and the pocket closes exponentially with pressure (Hayward, Brit. Hydromech. Res. Ass.
+/// 1961).
 struct Pocket {
     stroke: f64,
     force: f64,
-    /// Share of it that the rebound and the compression chamber have.
+    /// Fractions of the pocket in the rebound and the compression chamber.
     sides: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! The end of the compression stroke; see [`super::stop`].
+//! The stop at the end of the compression stroke; see [`super::stop`].
 
 use super::{Effect, EffectModel, Make, stop};
 use crate::draw::Draw;

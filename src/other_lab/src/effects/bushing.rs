@@ -1,4 +1,4 @@
-//! Rubber in line with the damper that relaxes and slips.
+//! A rubber mount in series with the damper, with relaxation or slip.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,8 +9,10 @@ pub(super) const EFFECT: Effect =
 
 const BRANCHES: usize = 5;
 
-/// A fractional derivative of the deflection, by five relaxing branches with times a decade apart (Sjöberg & Kari, Veh. Syst.
-/// Dyn. 37, 2002; Oustaloup's approximation), behind a softer spring.
+/// A fractional derivative of the deflection in parallel with a softer spring.
+///
+/// Five relaxing branches with time constants a decade apart approximate the derivative (Sjöberg & Kari, Veh. Syst.
+/// Dyn. 37, 2002; Oustaloup's approximation).
 struct Fractional {
     compliance: f64,
     stiffness: [f64; BRANCHES],
@@ -48,10 +50,10 @@ fn fractional(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel
 
 const SLIDERS: usize = 4;
 
-/// Filled rubber with friction in the filler, so small motion meets a stiffer mount.
+/// Filled rubber with friction in the filler, so that the mount is stiffer for small motion.
 ///
 /// The friction force grows with the root of the deflection since the last reversal (Coveney & Johnson, triboelastic
-/// model, 1995; Fletcher & Gent 1953). The rest hardens as the hyperbolic sine does.
+/// model, 1995; Fletcher & Gent 1953). The elastic part hardens like the hyperbolic sine.
 struct Triboelastic {
     compliance: f64,
     hardens: f64,
@@ -81,7 +83,7 @@ impl EffectModel for Triboelastic {
 fn triboelastic(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let k = scale.series_n_m.min(1.5e6);
     let first = d.between(0.4, 0.8);
-    // A root over the deflection: stiffness falls with the root of the slip length.
+    // A root of the deflection: the stiffness of a slider decreases with the root of its slip length.
     let slips: [f64; SLIDERS] = std::array::from_fn(|i| 2e-5 * 4f64.powi(i as i32));
     Box::new(Triboelastic {
         compliance: strength * d.between(1.5, 3.0) / k,

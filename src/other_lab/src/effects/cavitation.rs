@@ -1,4 +1,4 @@
-//! Voids that one stroke opens and the other has to close.
+//! Voids that open in one stroke and must close in the other.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,20 +7,20 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "cavitation", laws: &[("gas_release", gas_release as Make), ("starved_intake", starved_intake)] };
 
-/// Below a pressure gas comes out of the oil with a rate, and goes back more slowly.
+/// Gas release: below a threshold pressure, gas leaves the oil at a finite rate and returns more slowly.
 ///
-/// What is out takes up room in proportion (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013, after Singhal's
-/// full cavitation model, 2002).
+/// The volume of the void is proportional to the released gas (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013,
+/// after Singhal's full cavitation model, 2002).
 struct GasRelease {
-    /// Hydraulic force of compression at which release sets in, N, and width, N.
+    /// Hydraulic force of compression at the onset of release, N, and width of the onset, N.
     onset: f64,
     width: f64,
-    /// Velocity that the released gas takes up, at twice the onset, m/s.
+    /// Rate of the void's growth at twice the onset, as a velocity, m/s.
     rate: f64,
     back: f64,
 }
 
-/// Void below which its closing slows down, m.
+/// Void length below which its closing slows down, m.
 const CLOSED: f64 = 2e-5;
 
 impl GasRelease {
@@ -28,7 +28,7 @@ impl GasRelease {
         let beyond = (-here.hydraulic - self.onset) / self.width;
         let void = s[0].max(0.0);
         let releases = self.rate * softplus(beyond) * self.width / self.onset;
-        // Pressure above the onset presses the gas together, and what is left dissolves.
+        // Pressure above the onset compresses the gas, and the remaining gas dissolves.
         let closes =
             (softplus(-beyond) * self.width / self.onset * self.rate + void / self.back) * void / (void + CLOSED);
         releases - closes
@@ -56,12 +56,12 @@ fn gas_release(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectMode
     Box::new(GasRelease { onset, width: 0.04 * onset, rate: strength * d.between(0.3, 0.8), back: d.scale(0.05, 0.3) })
 }
 
-/// The intake valve passes no more than the pressure of the reserve drives through it.
+/// A starved intake: the pressure of the reserve limits the flow through the intake valve.
 ///
-/// In a fast rebound stroke the chamber below stays unfilled, the intake fills it on while it is, and compression
-/// begins in the void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
+/// In a fast rebound stroke the compression chamber stays partly unfilled. The intake continues to fill it, and the
+/// compression stroke begins in the void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
 struct StarvedIntake {
-    /// Piston velocity that the intake can follow, m/s, and velocity over which it falls behind.
+    /// Largest piston velocity that the intake can follow, m/s. `edge` is the width of this limit, m/s.
     follows: f64,
     edge: f64,
     share: f64,
@@ -73,7 +73,7 @@ impl StarvedIntake {
         let lags = self.share * softplus((here.v - self.follows) / self.edge) * self.edge;
         let is_open = void / (void + CLOSED);
         let still_fills = 0.1 * self.share * self.follows;
-        // The piston comes down into the void: it takes up the stroke.
+        // The compression stroke closes the void.
         lags - is_open * (still_fills + (-here.v).max(0.0))
     }
 }

@@ -1,4 +1,4 @@
-//! A force channel that is late.
+//! A delayed force channel.
 
 use super::{Effect, EffectModel, Make};
 use crate::draw::Draw;
@@ -8,7 +8,7 @@ use crate::trace::interpolate;
 pub(super) const EFFECT: Effect =
     Effect { name: "channel_delay", laws: &[("latency", latency as Make), ("boxcar", boxcar)] };
 
-/// A converter with a queue behind a first-order filter: the queue is of another length in every test, by a few parts in ten.
+/// A converter with a queue after a first-order filter; the length of the queue varies between tests.
 struct Latency {
     queue: f64,
     varies: f64,
@@ -23,7 +23,7 @@ impl EffectModel for Latency {
         let mut state = force[0];
         for i in 1..time.len() {
             let h = time[i] - time[i - 1];
-            // Exact for a force that runs straight between the instants.
+            // The formula is exact for a force that is linear between the sample times.
             let (e, slope) = (libm::exp(-h / self.filter), (force[i] - force[i - 1]) / h);
             state = force[i] - slope * self.filter + (state - force[i - 1] + slope * self.filter) * e;
             filtered[i] = state;
@@ -38,7 +38,7 @@ fn latency(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Latency { queue: all - filter, varies: d.between(0.1, 0.3), filter, seed: (d.fraction() * 1e9) as u64 })
 }
 
-/// A converter that integrates over a window and gives the mean at its end (dual-slope conversion; Horowitz & Hill).
+/// A converter that integrates over a window and returns the mean at its end (dual-slope conversion; Horowitz & Hill).
 struct Boxcar {
     window: f64,
 }

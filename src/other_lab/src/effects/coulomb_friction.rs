@@ -1,4 +1,4 @@
-//! Dry friction beside that of the seal.
+//! Dry friction in addition to that of the seal.
 
 use super::{Effect, EffectModel, Here, Make, soft_sign};
 use crate::draw::Draw;
@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "coulomb_friction", laws: &[("lip", lip as Make), ("logarithmic", logarithmic)] };
 
-/// A lip seal wipes harder on one stroke than on the other (Müller & Nau, Fluid Sealing Technology, 1998).
+/// A lip seal with unequal friction in the two strokes (Müller & Nau, Fluid Sealing Technology, 1998).
 struct Lip {
     out: f64,
     back: f64,
@@ -26,8 +26,8 @@ fn lip(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Lip { out, back: out * d.between(0.5, 0.8), within: d.scale(4e-4, 2e-3) })
 }
 
-/// Friction that grows with the logarithm of speed, regularised at rest (Rice, Lapusta & Ranjith, J. Mech. Phys. Solids 49,
-/// 2001).
+/// Friction that grows with the logarithm of speed, regularized at standstill (Rice, Lapusta & Ranjith, J. Mech. Phys.
+/// Solids 49, 2001).
 struct Logarithmic {
     force: f64,
     share: f64,

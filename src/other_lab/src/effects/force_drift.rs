@@ -1,4 +1,4 @@
-//! A force channel whose zero wanders.
+//! A force channel with a drifting zero.
 
 use super::{Effect, EffectModel, Make, Reading};
 use crate::draw::Draw;
@@ -7,7 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "force_drift", laws: &[("diffusion", diffusion as Make), ("wander", wander)] };
 
-/// Heat that creeps into the cell through its flange: with the root of time at first (Carslaw & Jaeger, half space).
+/// Heat that diffuses into the cell through its flange: initially proportional to the root of time (Carslaw & Jaeger,
+/// half space).
 struct Diffusion {
     force: f64,
     length: f64,
@@ -27,7 +28,8 @@ fn diffusion(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
 
 const WAVES: usize = 3;
 
-/// A slow wander, as draughts and a heating that switches make it: waves of a quarter to all of the campaign.
+/// A slow random drift, for example by drafts and a switching heater: waves with periods of a quarter to all of the
+/// campaign.
 struct Wander {
     waves: [[f64; 3]; WAVES],
 }

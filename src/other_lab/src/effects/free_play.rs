@@ -7,8 +7,9 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "free_play", laws: &[("worn_eye", worn_eye as Make), ("offset_gap", offset_gap)] };
 
-/// A gap whose contact closes as the hyperbolic tangent does: x − d(F) = g tanh(F/F_0) (Kogan, free-play smoothing; Kim,
-/// Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances).
+/// A gap whose contact closes like the hyperbolic tangent: x − d(F) = g tanh(F/F_0).
+///
+/// (Kogan, free-play smoothing; Kim, Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances.)
 struct WornEye {
     gap: f64,
     force: f64,
@@ -25,10 +26,10 @@ fn worn_eye(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(WornEye { gap: strength * d.between(1.5e-4, 3.5e-4), force: d.scale(15.0, 50.0) })
 }
 
-/// A gap that weight or clamping has shifted.
+/// A gap shifted by weight or clamping.
 ///
-/// It opens round a force that is not zero, and its contact is an asperity distribution (Greenwood & Williamson,
-/// Proc. R. Soc. A 295, 1966).
+/// It opens at a nonzero force, and its contact follows an asperity distribution (Greenwood & Williamson, Proc. R. Soc.
+/// A 295, 1966).
 struct OffsetGap {
     gap: f64,
     at: f64,

@@ -1,4 +1,4 @@
-//! Damping that is less for short, fast strokes.
+//! Reduced damping for short, fast strokes.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -11,19 +11,19 @@ pub(super) const EFFECT: Effect = Effect {
 
 /// A small piston in a passage through the rod.
 ///
-/// Short strokes move it freely, long ones bring it to its end, where the passage is shut (amplitude-selective
+/// Short strokes move it freely. Long strokes bring it to its end, where the passage is closed (amplitude-selective
 /// damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
 struct TravellingPiston {
-    /// Damper's stroke that brings it to its end, m.
+    /// Stroke of the damper that moves the piston to its end, m.
     travel: f64,
-    /// Force that the passage takes at 1 m/s of the damper, N.
+    /// Force of the passage at a damper velocity of 1 m/s, N.
     resistance: f64,
     end: f64,
 }
 
 impl TravellingPiston {
     fn moves(&self, here: &Here, s: &[f64]) -> f64 {
-        // The state is its place between the ends, from -1 to 1.
+        // The state is the piston's position between the ends, from -1 to 1.
         let driven = here.hydraulic - self.end * s[0].powi(7);
         driven / (self.resistance * (1.0 + (driven.abs() / self.resistance)).sqrt())
     }
@@ -37,14 +37,15 @@ impl EffectModel for TravellingPiston {
         r[0] = self.moves(here, s) / self.travel;
     }
     fn taken(&self, here: &Here, s: &[f64]) -> f64 {
-        // Counted in strokes of the damper already.
+        // The velocity is already expressed as that of the damper.
         self.moves(here, s)
     }
 }
 
 fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
-    // A stronger case has a larger piston: more stroke at less resistance; none at all at strength 0.
+    // A stronger effect has a larger piston, with more stroke and less resistance. At strength 0 the piston has no
+    // stroke.
     let strength = strength.max(1e-6);
     Box::new(TravellingPiston {
         travel: strength * d.between(1.5e-3, 4e-3),
@@ -53,9 +54,9 @@ fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Effe
     })
 }
 
-/// A pilot chamber behind the valve follows the pressure through a small hole.
+/// A pilot chamber behind the valve that follows the pressure through a small orifice.
 ///
-/// While it is behind, the valve is held open more (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
+/// While it lags the pressure, the valve opens further (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
 struct PilotChamber {
     opens: f64,
     force: f64,

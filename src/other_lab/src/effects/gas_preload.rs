@@ -1,4 +1,4 @@
-//! A gas force that is not a constant.
+//! A gas force that is not constant.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "gas_preload", laws: &[("leaking", leaking as Make), ("sticking_piston", sticking_piston)] };
 
-/// A seal that lets gas out through an orifice: pressure falls exponentially over the campaign (choked flow; Shigley,
+/// A seal that leaks gas through an orifice: the pressure falls exponentially over the campaign (choked flow; Shigley,
 /// compressed-gas tables).
 struct Leaking {
     force: f64,
@@ -26,7 +26,7 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// The floating piston's O-ring holds a pressure difference that reverses with the stroke.
+/// An O-ring of the floating piston that maintains a pressure difference, which reverses with the stroke.
 ///
 /// Karaszewski, Hydraulic seals; friction of 0.1 to 0.3 of the gas force.
 struct StickingPiston {
@@ -40,7 +40,7 @@ impl EffectModel for StickingPiston {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The O-ring rolls first and slides then.
+        // The O-ring first rolls and then slides.
         r[0] = (here.v - here.v.abs() * s[0].powi(3)) / self.length;
     }
     fn parallel(&self, _: &Here, s: &[f64]) -> f64 {

@@ -1,4 +1,4 @@
-//! A gas force that grows as the rod goes in.
+//! A gas force that increases in compression.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,9 +7,10 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "gas_spring", laws: &[("two_columns", two_columns as Make), ("redlich_kwong", redlich_kwong)] };
 
-/// Two gas spaces that the rod loads together, one thin-walled (slow, isothermal) and one well insulated (adiabatic).
+/// Two gas volumes that the rod compresses together: one thin-walled (slow, isothermal) and one well insulated
+/// (adiabatic).
 ///
-/// As with a bag next to a free surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
+/// An example is a gas bag next to a free surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
 struct TwoColumns {
     force: f64,
     share: f64,
@@ -31,7 +32,8 @@ fn two_columns(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectMode
     })
 }
 
-/// Real gas by Redlich and Kwong (Chem. Rev. 44, 1949), isothermal, with the finite volume that high pressure leaves.
+/// Real gas by Redlich and Kwong (Chem. Rev. 44, 1949), isothermal, with the finite volume of the molecules at high
+/// pressure.
 struct RedlichKwong {
     force: f64,
     length: f64,

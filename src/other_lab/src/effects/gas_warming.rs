@@ -1,4 +1,4 @@
-//! A gas force that grows as the damper warms.
+//! A gas force that increases with the damper's temperature.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,7 +9,7 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("room_taken_by_oil", room_taken_by_oil as Make), ("gas_leaves_the_oil", gas_leaves_the_oil)],
 };
 
-/// Temperature at which the damper is as it is without the effect, °C.
+/// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
 /// Expansion of mineral oil, 1/K.
@@ -17,11 +17,11 @@ const EXPANSION: f64 = 8e-4;
 
 /// An ideal gas behind a floating piston.
 ///
-/// Its pressure grows with its absolute temperature and as the oil beside it expands into its room (Dixon, The Shock
-/// Absorber Handbook, 2007, ch. 5). The more the rod is in, the less room there is.
+/// Its pressure increases with its absolute temperature, and as the expanding oil reduces the gas volume (Dixon, The
+/// Shock Absorber Handbook, 2007, ch. 5). In compression the gas volume is smaller.
 struct RoomTakenByOil {
     force: f64,
-    /// Oil for one volume of gas.
+    /// Ratio of oil volume to gas volume.
     oil: f64,
     length: f64,
 }
@@ -43,9 +43,9 @@ fn room_taken_by_oil(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Effe
     })
 }
 
-/// Low-pressure gas that lies over the oil of a twin tube.
+/// Low-pressure gas above the oil of a twin tube.
 ///
-/// What is dissolved leaves as the oil warms, by van 't Hoff's exponential, up to all there is.
+/// Dissolved gas leaves the oil with temperature, by van 't Hoff's exponential, up to the total amount.
 struct GasLeavesTheOil {
     force: f64,
     kelvin: f64,

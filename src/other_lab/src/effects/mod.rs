@@ -1,6 +1,6 @@
-//! What may be hidden in a damper or on its rig: one file an effect, every law with its source.
+//! Effects that can be injected into a damper or its rig: one file per effect, every law with its source.
 //!
-//! A law's strength 0 is neutral and its effect grows steadily with strength; 1 is a plain case of it.
+//! A law of strength 0 has no influence, and its effect increases monotonically with strength; 1 is a typical case.
 
 mod aeration;
 mod bump_stop;
@@ -33,20 +33,20 @@ mod viscous_friction;
 use crate::draw::Draw;
 use crate::plant::Scale;
 
-/// What an effect knows of the instant.
+/// Quantities available to an effect at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Here {
     /// Time in the record, s.
     pub t: f64,
     /// Time in the campaign, s.
     pub clock: f64,
-    /// Share of the campaign's time that has passed.
+    /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Displacement, velocity and acceleration of the driven end.
+    /// Displacement, velocity and acceleration of the moving end.
     pub input: crate::jet::Jet,
-    /// Displacement of the part of the damper where friction and springs act, m.
+    /// Displacement of the damper's part with friction and springs, m.
     pub x: f64,
-    /// Its velocity, m/s.
+    /// Velocity of this part, m/s.
     pub v: f64,
     /// Hydraulic force, N.
     pub hydraulic: f64,
@@ -60,18 +60,18 @@ pub struct Here {
     pub oil_c: f64,
 }
 
-/// What a sensor reads at a sample.
+/// Quantities available to a sensor at a sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading {
     /// Time in the record, s.
     pub t: f64,
     /// Time in the campaign, s.
     pub clock: f64,
-    /// Share of the campaign's time that has passed.
+    /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Motion of the driven end.
+    /// Motion of the moving end.
     pub input: crate::jet::Jet,
-    /// Force so far, N.
+    /// Force before this effect, N.
     pub force: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -79,70 +79,70 @@ pub struct Reading {
     pub peak: f64,
 }
 
-/// An effect. It says where it acts by the functions that it replaces.
+/// An effect. It overrides the functions of the quantities that it influences.
 pub trait EffectModel: Send + Sync {
-    /// Tolerances of its states, as many as there are.
+    /// Returns the tolerances of its states, one per state.
     fn tolerances(&self) -> &[f64] {
         &[]
     }
-    /// Rates of its states.
+    /// Computes the rates of its states.
     fn rates(&self, _: &Here, _states: &[f64], _rates: &mut [f64]) {}
-    /// Force parallel to the damper, N.
+    /// Returns a force in parallel with the damper, N.
     fn parallel(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Compliance in line with the mount, m/N.
+    /// Returns a compliance in series with the mount, m/N.
     fn series(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Force beside the mount, N.
+    /// Returns a force in parallel with the mount, N.
     fn parallel_to_mount(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Compliance of the oil column, m/N.
+    /// Returns a compliance of the oil column, m/N.
     fn column(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Velocity that does not reach the valves, m/s.
+    /// Returns a velocity that bypasses the valves, m/s.
     fn taken(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Factor on what the valves pass.
+    /// Returns a factor on the flow through the valves.
     fn gain(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// Factor on the viscosity that the valves feel.
+    /// Returns a factor on the effective viscosity in the valves.
     fn viscosity(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// What the force channel reads more, N.
+    /// Returns an additional reading of the force channel, N.
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// What becomes of the force over time in the channel: `force` at the instants `time`.
+    /// Transforms the force in the channel over time; `time` contains the instants of `force`.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
-    /// What the displacement channel reads of a displacement, m.
+    /// Returns the reading of the displacement channel, m.
     fn displacement(&self, x: f64) -> f64 {
         x
     }
 }
 
-/// Makes an effect of a strength that suits a damper.
+/// Function that makes an effect of a strength, scaled to a damper.
 pub type Make = fn(f64, &Scale, &mut Draw) -> Box<dyn EffectModel>;
 
 /// An effect's name and laws.
 pub struct Effect {
-    /// Its name.
+    /// Name.
     pub name: &'static str,
-    /// Names of its laws, and what makes them.
+    /// Names of its laws, and the functions that make them.
     pub laws: &'static [(&'static str, Make)],
 }
 
-/// Something that is in no list of damper models.
+/// An effect outside of all catalogs of damper models.
 pub struct Unknown {
-    /// Its name and laws.
+    /// Name and laws.
     pub effect: Effect,
-    /// Whether the diagnosis of this project has a detector for such a thing, which says so without a name for it.
+    /// Whether this project's diagnosis detects such an effect, without naming it.
     pub has_detector: bool,
 }
 
@@ -175,20 +175,20 @@ pub const KNOWN: &[Effect] = &[
     gas_warming::EFFECT,
 ];
 
-/// Effects that a diagnosis should not give a name of the others.
+/// Effects for which the diagnosis should not give the name of a known effect.
 pub const UNKNOWN: &[Unknown] = unknown::ALL;
 
-/// An effect by name, known or not.
+/// Finds an effect by name, known or unknown.
 pub fn find(name: &str) -> Option<&'static Effect> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).find(|e| e.name == name)
 }
 
-/// A smooth sign that turns over within a speed, without an exponential.
+/// Computes a smooth, algebraic sign function with a velocity scale.
 fn soft_sign(v: f64, within: f64) -> f64 {
     v / (v * v + within * within).sqrt()
 }
 
-/// All names.
+/// Returns all names.
 pub fn names() -> impl Iterator<Item = &'static str> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).map(|e| e.name)
 }

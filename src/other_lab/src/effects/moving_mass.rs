@@ -1,4 +1,4 @@
-//! Mass that moves with the damper's end, in the path of the force.
+//! Mass that moves with the damper's end, in the force path.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,10 +7,10 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "moving_mass", laws: &[("fluid_inerter", fluid_inerter as Make), ("sprung_clamp", sprung_clamp)] };
 
-/// Oil that a long passage makes heavy.
+/// Inertia of oil in a long passage.
 ///
-/// The passage in use grows with extension, so the force is that of Lagrange's equation with M(x) (Swift et al.,
-/// Proc. R. Soc. A 469, 2013).
+/// The effective length of the passage grows with extension, so the force follows Lagrange's equation with M(x) (Swift
+/// et al., Proc. R. Soc. A 469, 2013).
 struct FluidInerter {
     mass: f64,
     per_length: f64,
@@ -28,9 +28,9 @@ fn fluid_inerter(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(FluidInerter { mass: strength * d.between(3.0, 8.0), per_length: d.sign() * d.between(2.0, 6.0) })
 }
 
-/// A clamp that hangs on the end by a joint of its own (Ewins, Modal Testing, 2000).
+/// A clamp attached to the end by an elastic joint (Ewins, Modal Testing, 2000).
 ///
-/// A mass at low frequency, more than itself towards its resonance.
+/// It acts as a mass at low frequency, and as a larger mass toward its resonance.
 struct SprungClamp {
     mass: f64,
     omega: f64,
@@ -38,7 +38,7 @@ struct SprungClamp {
 }
 
 impl SprungClamp {
-    /// Pull of the joint per mass; the states are its stretch and the rate of that.
+    /// Computes the force of the joint per mass; the states are its deflection and the rate of the deflection.
     fn pull(&self, s: &[f64]) -> f64 {
         self.omega * self.omega * s[0] + 2.0 * self.damping * self.omega * s[1]
     }

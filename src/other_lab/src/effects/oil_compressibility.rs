@@ -1,4 +1,4 @@
-//! Oil and tube that yield to pressure, not in proportion to it.
+//! Oil and tube with a nonlinear compliance.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -19,7 +19,7 @@ impl EffectModel for Tait {
     }
 }
 
-/// Stiffness of an oil column for a damper of some force, N/m: about 1 mm at the largest forces.
+/// Draws the compliance of an oil column for a damper of some force, m/N: about 1 mm at the largest forces.
 fn soft(scale: &Scale, d: &mut Draw) -> f64 {
     d.between(0.35, 0.9) * 1e-3 / (scale.rebound_n + scale.compression_n)
 }
@@ -28,8 +28,8 @@ fn tait(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Tait { compliance: strength * soft(scale, d), force: d.between(2.0, 4.0) * scale.rebound_n })
 }
 
-/// A hose or plastic part that yields at once and creeps on (Kelvin & Voigt; Johnston et al., Proc. IMechE I 224, 2010, for
-/// hose walls).
+/// A hose or plastic part with an immediate deflection and creep (Kelvin & Voigt; Johnston et al., Proc. IMechE I 224,
+/// 2010, for hose walls).
 struct CreepingHose {
     at_once: f64,
     later: f64,

@@ -1,5 +1,5 @@
-//! A spring beside the damper that does not give back what it took. A force of place alone would be the table of a lookup
-//! spring, whatever its shape.
+//! A dissipative spring in parallel with the damper. A force that depends only on position would be a lookup spring,
+//! whatever its shape.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -8,8 +8,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "parallel_spring", laws: &[("lossy", lossy as Make), ("relaxing", relaxing)] };
 
-/// Stiffness and a loss that is a share of the force and turns over in millimetres (structural damping; Caughey, J. Appl.
-/// Mech. 27, 1960).
+/// A stiffness with a loss proportional to the force, which reverses within millimeters (structural damping; Caughey,
+/// J. Appl. Mech. 27, 1960).
 struct Lossy {
     stiffness: f64,
     loss: f64,
@@ -33,7 +33,7 @@ fn lossy(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Lossy { stiffness, loss: d.between(0.08, 0.2), length: d.scale(1e-3, 4e-3) })
 }
 
-/// A polymer sleeve or boot: a spring and a branch that relaxes within a second or so (Zener 1948).
+/// A polymer sleeve or boot: a spring, and a branch that relaxes within about a second (Zener 1948).
 struct Relaxing {
     stiffness: f64,
     share: f64,

@@ -1,4 +1,4 @@
-//! Valves or passages that depend on the place in the stroke.
+//! Valves or passages that depend on the position in the stroke.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,8 +9,9 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("tapered_groove", tapered_groove as Make), ("needle", needle)],
 };
 
-/// A groove whose depth falls off as a straight wedge from its middle; it passes laminar and turbulent (Lee & Moon, Mech.
-/// Syst. Signal Process. 20, 2006, displacement-sensitive shock absorber).
+/// A groove whose depth decreases linearly from its middle, with laminar and turbulent flow.
+///
+/// (Lee & Moon, Mech. Syst. Signal Process. 20, 2006, displacement-sensitive shock absorber.)
 struct TaperedGroove {
     area: f64,
     centre: f64,
@@ -31,7 +32,7 @@ impl EffectModel for TaperedGroove {
 }
 
 fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
-    // It passes about 0.5 m/s at the damper's force at 0.5 m/s where it is deepest.
+    // At its deepest point it passes about 0.5 m/s under the damper's force at 0.5 m/s.
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
     Box::new(TaperedGroove {
         area: strength * d.between(0.5, 1.1),
@@ -42,8 +43,8 @@ fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// A metering needle: the flow of the valves varies over the whole stroke as a line and a parabola (Konieczny, Shock
-/// and Vibration 2016).
+/// A metering needle: the flow of the valves varies over the stroke as a parabola (Konieczny, Shock and Vibration
+/// 2016).
 struct Needle {
     slope: f64,
     curve: f64,
@@ -52,7 +53,7 @@ struct Needle {
 impl EffectModel for Needle {
     fn gain(&self, here: &Here, _: &[f64]) -> f64 {
         let bent = self.slope * here.x + self.curve * here.x * here.x;
-        // Never shut: as the exponential for a narrow passage, straight for a wide one.
+        // The factor stays positive: exponential for a narrow passage, linear for a wide passage.
         if bent < 0.0 { libm::exp(bent) } else { 1.0 + bent }
     }
 }

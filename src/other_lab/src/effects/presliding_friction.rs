@@ -1,4 +1,4 @@
-//! Contacts that bend before they slide.
+//! Contacts that deflect before they slide.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -11,8 +11,10 @@ pub(super) const EFFECT: Effect = Effect {
 
 const SLIDERS: usize = 5;
 
-/// Elastic and perfectly plastic elements in parallel, whose strengths follow a power law over their slip lengths (Iwan,
-/// J. Appl. Mech. 33, 1966; Segalman, J. Appl. Mech. 72, 2005). Such a contact remembers every turn.
+/// Elastic, perfectly plastic elements in parallel, whose strengths follow a power law over their slip lengths.
+///
+/// (Iwan, J. Appl. Mech. 33, 1966; Segalman, J. Appl. Mech. 72, 2005.) The state of such a contact depends on all past
+/// reversals.
 struct Iwan {
     force: f64,
     lengths: [f64; SLIDERS],
@@ -25,7 +27,7 @@ impl EffectModel for Iwan {
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         for ((rate, z), length) in r.iter_mut().zip(s).zip(self.lengths) {
-            // Slip sets in within the last fifth of the strength, and only in the direction of loading.
+            // Slip begins within the last fifth of the strength, and only in the direction of loading.
             let slips = if here.v * z > 0.0 { z.abs().powi(9) } else { 0.0 };
             *rate = here.v * (1.0 - slips) / length;
         }
@@ -45,13 +47,15 @@ fn iwan(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Iwan { force, lengths, shares: raw.map(|r| r / sum) })
 }
 
-/// Bouc and Wen's loop with other levels out and in (Song & Der Kiureghian, J. Eng. Mech. 132, 2006): the rate of slip depends
-/// on the signs of velocity and of force apart.
+/// Bouc and Wen's loop with different levels in extension and compression (Song & Der Kiureghian, J. Eng. Mech. 132,
+/// 2006).
+///
+/// The rate of slip depends separately on the signs of velocity and of force.
 struct AsymmetricBoucWen {
     force: f64,
     length: f64,
     power: f64,
-    /// Of sgn(v z), and of sgn(v).
+    /// Coefficient of sgn(v z); `lean` is the coefficient of sgn(v).
     beta: f64,
     lean: f64,
 }

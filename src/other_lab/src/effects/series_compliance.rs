@@ -1,4 +1,4 @@
-//! What yields in line with the damper, and not as a straight spring.
+//! A nonlinear compliance in series with the damper.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -26,7 +26,7 @@ fn hertz_eye(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(HertzEye { deflection: strength * force / scale.series_n_m.min(2e6) * d.between(1.0, 2.5), force })
 }
 
-/// A bracket that is backed on one side only: it yields more to a pull than to a push (Timoshenko's beam on one-sided
+/// A bracket supported on one side only: it yields more to a pull than to a push (Timoshenko's beam on one-sided
 /// support).
 struct OneSided {
     pull: f64,

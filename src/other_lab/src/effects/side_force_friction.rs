@@ -1,4 +1,4 @@
-//! Friction that side force makes in guide and piston.
+//! Friction from side force in guide and piston.
 
 use super::{Effect, EffectModel, Here, Make, soft_sign};
 use crate::draw::Draw;
@@ -9,8 +9,9 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("sintered_bush", sintered_bush as Make), ("edge_contact", edge_contact)],
 };
 
-/// Load carried by a bush of PTFE, less than in proportion (Bowden & Tabor 1950; Deubel & Prokop 2023), on contacts that bend
-/// before they slide.
+/// Friction of a PTFE bush, less than proportional to the load, with contacts that deflect before they slide.
+///
+/// (Bowden & Tabor 1950; Deubel & Prokop 2023.)
 struct SinteredBush {
     coefficient: f64,
     power: f64,
@@ -34,7 +35,7 @@ fn sintered_bush(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(SinteredBush { coefficient, power: d.between(0.75, 0.9), length: d.scale(5e-5, 2e-4) })
 }
 
-/// Beyond some load the bush tilts on its edge and wipes its film off (Hertz 1882; Stribeck 1902).
+/// Edge contact: beyond some load the bush tilts on its edge and wipes off its film (Hertz 1882; Stribeck 1902).
 struct EdgeContact {
     coefficient: f64,
     edge: f64,

@@ -1,13 +1,14 @@
-//! The two ends of the stroke, of which either has its own effect.
+//! Stops at both ends of the stroke, each of which is a separate effect.
 
 use super::{EffectModel, Here};
 use crate::draw::Draw;
 use crate::plant::Scale;
 
-/// Microcellular polyurethane: a plateau as the cells buckle, then ever stiffer as they close (Gibson & Ashby, Cellular
-/// Solids, 1997), with a share that relaxes (Zener).
+/// Microcellular polyurethane with a relaxing part (Zener).
+///
+/// Its force has a plateau as the cells buckle, then stiffens as they close (Gibson & Ashby, Cellular Solids, 1997).
 pub(super) struct Foam {
-    /// +1: at the end of rebound.
+    /// +1 at the end of rebound, -1 at the end of compression.
     side: f64,
     clearance: f64,
     plateau: f64,
@@ -29,7 +30,7 @@ impl EffectModel for Foam {
         &[0.5]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // A force that follows the static one with a lag.
+        // The state is a force that follows the static force with a lag.
         r[0] = (self.static_force(self.side * here.x - self.clearance) - s[0]) / self.time;
     }
     fn parallel(&self, here: &Here, s: &[f64]) -> f64 {
@@ -56,14 +57,15 @@ pub(super) fn foam(strength: f64, scale: &Scale, d: &mut Draw, side: f64) -> Box
 
 const HOLES: usize = 4;
 
-/// A cut-off ring that covers one row of holes after the other, behind a preloaded coil (Czop & Sławik, Mech. Syst. Signal
-/// Process. 25, 2011; Reimpell, The Automotive Chassis, 2001): force with the power 1.75 of speed in steps over the stroke,
-/// and a jump at contact.
+/// A ring that covers one row of holes after the other, in parallel with a preloaded coil spring.
+///
+/// The force grows with the power 1.75 of velocity and in steps over the stroke, with a jump at contact (Czop & Sławik,
+/// Mech. Syst. Signal Process. 25, 2011; Reimpell, The Automotive Chassis, 2001).
 pub(super) struct Holes {
     side: f64,
     clearance: f64,
     pitch: f64,
-    /// Force at 1 m/s for each row covered, N.
+    /// Force at 1 m/s per covered row, N.
     row: f64,
     preload: f64,
     rate: f64,

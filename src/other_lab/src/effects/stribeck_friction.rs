@@ -28,8 +28,10 @@ fn makkar(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     })
 }
 
-/// The oil film takes time to build and to be squeezed out, so friction follows an older speed (Hess & Soom, J. Tribology
-/// 112, 1990; frictional memory in Armstrong-Hélouvry et al., Automatica 30, 1994).
+/// Friction with the lag of the oil film, which takes time to build up and to be squeezed out.
+///
+/// Friction therefore follows an earlier velocity (Hess & Soom, J. Tribology 112, 1990; frictional memory in
+/// Armstrong-Hélouvry et al., Automatica 30, 1994).
 struct FilmLag {
     force: f64,
     stribeck: f64,

@@ -1,4 +1,4 @@
-//! Oil that thins as it warms.
+//! Oil whose viscosity decreases with temperature.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,10 +9,11 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("andrade", andrade as Make), ("growing_clearance", growing_clearance)],
 };
 
-/// Temperature at which the damper is as it is without the effect, °C.
+/// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 
-/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin; the valves feel it in their laminar passages alone.
+/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin; it acts only in the laminar passages of the
+/// valves.
 struct Andrade {
     kelvin: f64,
 }
@@ -27,10 +28,9 @@ fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Andrade { kelvin: strength * d.between(3500.0, 6500.0) })
 }
 
-/// The piston's clearance grows with the cube of a gap that widens as the aluminium does, while the oil in it thins
-/// (Poiseuille; Merritt 1967).
+/// A leak past the piston, whose gap widens with the thermal expansion of aluminum (Poiseuille; Merritt 1967).
 ///
-/// A leak that is nothing when cold.
+/// The flow grows with the cube of the gap and the decreasing viscosity. At the reference temperature the leak is zero.
 struct GrowingClearance {
     per_force: f64,
     widens: f64,
@@ -42,7 +42,7 @@ impl EffectModel for GrowingClearance {
         let warmer = here.oil_c - REFERENCE_C;
         let gap = (1.0 + self.widens * warmer).max(0.1);
         let leak = gap.powi(3) * (1.0 + self.thins * warmer).max(0.1) - 1.0;
-        // The passage that is always there is part of the damper; a colder gap takes some of it away.
+        // The damper already contains the leak at the reference temperature; a colder gap reduces the leak.
         self.per_force * leak.max(-1.0) * here.hydraulic
     }
 }

@@ -1,4 +1,4 @@
-//! Valves that open and close at other forces.
+//! Valves that open and close at different forces.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,8 +9,10 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("popping_poppet", popping_poppet as Make), ("stiction_film", stiction_film)],
 };
 
-/// A poppet whose pressure area grows once it has lifted: it pops open and closes at a lower pressure (Hős et al., J. Loss
-/// Prev. Process Ind. 31, 2014, on direct spring operated relief valves). It passes oil beside the valves of its stroke.
+/// A poppet whose pressure area grows after it lifts: it pops open and closes at a lower pressure.
+///
+/// It is in parallel with the valves of its stroke (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on direct spring
+/// operated relief valves).
 struct PoppingPoppet {
     opens: f64,
     grows: f64,
@@ -33,7 +35,7 @@ impl EffectModel for PoppingPoppet {
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         let lift = s[0];
         let r0 = self.load(here) / self.opens;
-        // A lifted poppet offers more area, up to some lift.
+        // A lifted poppet has a larger pressure area, up to some lift.
         let area = 1.0 + self.grows * (1.0 - libm::exp(-(lift / 0.15).max(0.0)));
         let push = (r0 * area - 1.0) / self.stiffness;
         let end = 1.0 / libm::cbrt(1.0 + push.max(0.0).powi(3));
@@ -57,9 +59,9 @@ fn popping_poppet(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// A film of oil between shim and seat fills before the shim lifts, and is squeezed out again in its own time.
+/// An oil film between shim and seat, which must fill before the shim lifts and is squeezed out slowly.
 ///
-/// The valves pass less until they are free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid stiction of separating
+/// The valves pass less until the shim is free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid stiction of separating
 /// plates).
 struct StictionFilm {
     holds: f64,
@@ -73,7 +75,7 @@ impl EffectModel for StictionFilm {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is how free the shim is: 0 on its seat.
+        // The state is the freedom of the shim: 0 on its seat, 1 free.
         let load = (here.hydraulic.abs() / self.force).powi(3);
         let lifts = load / (1.0 + load);
         r[0] = lifts * (1.0 - s[0]) / self.frees - (1.0 - lifts) * s[0] / self.settles;

@@ -2,26 +2,26 @@
 
 use super::Plant;
 
-/// A part of a damper's own physics, which a diagnosis may name.
+/// A part of a damper's physics that a diagnosis may name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Distance over which friction turns over.
+    /// Distance over which friction reverses.
     Presliding,
     /// Peak of the friction at low velocity.
     Stribeck,
     /// Hardening and damping of the mount.
     Bushing,
-    /// Compliance of the oil column, that of its air included.
+    /// Compliance of the oil column, including its air.
     OilCompressibility,
-    /// Air in the oil, at pressures above the atmosphere's.
+    /// Air in the oil at pressures above atmospheric pressure.
     Aeration,
-    /// Void below the pressure of the atmosphere.
+    /// Void below atmospheric pressure.
     Cavitation,
     /// Rise of the gas force over the stroke.
     GasSpring,
-    /// Valves that pass more on one side of the stroke.
+    /// Valves with different flow on the two sides of the stroke.
     PositionDependence,
-    /// Viscosity that falls as the oil warms up.
+    /// Viscosity that decreases with the oil temperature.
     Warmth,
     /// Mass on the damper's side of the load cell.
     Mass,
@@ -42,7 +42,7 @@ impl Part {
         Part::Mass,
     ];
 
-    /// Name of the effect in the list of those that a diagnosis names.
+    /// Returns the name of the effect that a diagnosis should report.
     pub fn effect(self) -> &'static str {
         match self {
             Part::Presliding => "presliding_friction",
@@ -59,11 +59,12 @@ impl Part {
     }
 }
 
-/// Factor by which a compliance that is removed becomes stiffer. Less leaves a visible part of it; more only costs steps.
+/// Stiffness factor for removing a compliance. A smaller factor leaves a visible compliance; a larger factor only costs
+/// steps.
 pub(super) const STIFFER: f64 = 100.0;
 
 impl Plant {
-    /// The damper without a part.
+    /// Returns the damper without a part.
     #[must_use]
     pub fn without(mut self, part: Part) -> Plant {
         match part {

@@ -1,62 +1,63 @@
-//! What valves let through under a force: piston velocity over hydraulic force, direction by direction.
+//! Flow laws of valves for each direction: piston velocity over hydraulic force.
 
 use crate::draw::Draw;
 
-/// Velocity through a passage that is partly laminar, partly turbulent: `h = a w + b w²` (Merritt, Hydraulic Control
-/// Systems, 1967), for h ≥ 0.
+/// Computes the velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0.
+///
+/// (Merritt, Hydraulic Control Systems, 1967.)
 pub fn passage(h: f64, a: f64, b: f64) -> f64 {
     2.0 * h / (a + (a * a + 4.0 * b * h).sqrt())
 }
 
-/// x where it is positive, with an edge rounded over `width`.
+/// Computes the positive part of x, with the corner rounded over `width`.
 pub fn ramp(x: f64, width: f64) -> f64 {
     0.5 * (x + (x * x + width * width).sqrt())
 }
 
-/// Velocity through a check valve that a light spring holds: it lifts over the force `lifts`, for h ≥ 0.
+/// Computes the velocity through a check valve with a light spring, which lifts above the force `lifts`, for h ≥ 0.
 pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
     passage(h * h / (h + lifts), a, b)
 }
 
-/// One direction's valves.
+/// Valves of one direction.
 #[derive(Debug, Clone)]
 pub enum Valves {
-    /// Bleed by a power law `w_1 (h/h_1)^p`, and beyond the blow-off force a valve by another, blended over the pressure.
+    /// Bleed with a power law `w_1 (h/h_1)^p`, in parallel with a blow-off valve that opens smoothly above a force.
     PowerAndBlowOff {
         /// Bleed: w at h_1, h_1, p.
         bleed: [f64; 3],
-        /// Blow-off: opening force, w at twice that force, exponent, width of the blend.
+        /// Blow-off: opening force, w at twice that force, exponent, width of the transition.
         blow_off: [f64; 4],
     },
-    /// The inverse of `F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
+    /// Inverse of `F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
     Sum {
-        /// Forces over a grid in the square root of the velocity, up to the fastest.
+        /// Forces and inverse slopes over a grid of velocities up to the largest one.
         table: Vec<[f64; 2]>,
     },
-    /// Bleed orifice, laminar and turbulent, and a shim that a spring holds.
+    /// Bleed orifice, laminar and turbulent, in parallel with a spring-loaded shim.
     ///
-    /// Its opening grows with pressure beyond its preload up to a stop, and passes as an orifice (Talbott & Starkey,
-    /// SAE 2002-01-3337).
+    /// The opening of the shim grows with pressure beyond its preload up to a stop, and acts as an orifice (Talbott &
+    /// Starkey, SAE 2002-01-3337).
     OrificeAndShim {
         /// a and b of the bleed.
         bleed: [f64; 2],
-        /// Preload, force from there to the stop, and w when fully open at 1 kN.
+        /// Preload, additional force up to the stop, and w when fully open at 1 kN.
         shim: [f64; 3],
     },
 }
 
-/// Largest velocity of the tabulated law, m/s; it runs on straight beyond.
+/// Largest velocity of the tabulated law, m/s; the law is linear beyond.
 const FASTEST: f64 = 4.0;
 const POINTS: usize = 500;
 
 impl Valves {
-    /// Power law and blow-off with about the force `h` at 0.5 m/s.
+    /// Draws a power law and blow-off with about the force `h` at 0.5 m/s.
     pub fn power_and_blow_off(d: &mut Draw, h: f64) -> Valves {
         let knee = d.between(0.3, 0.6) * h;
         let knee_speed = d.between(0.06, 0.16);
         let p = d.between(0.55, 0.85);
         let exponent = d.between(1.0, 1.35);
-        // What the bleed passes at h is missing from 0.5 m/s.
+        // The blow-off valve passes the part of 0.5 m/s that the bleed does not pass at h.
         let rest = 0.5 - knee_speed * libm::pow(h / knee, p);
         let open = rest.max(0.1) / libm::pow((h - knee) / knee, exponent);
         Valves::PowerAndBlowOff {
@@ -65,7 +66,7 @@ impl Valves {
         }
     }
 
-    /// The sum with about the force `h` at 0.5 m/s.
+    /// Draws the sum law with about the force `h` at 0.5 m/s.
     pub fn sum(d: &mut Draw, h: f64) -> Valves {
         let (step, linear) = (d.between(0.3, 0.6), d.between(0.2, 0.4));
         let speed = d.between(0.05, 0.14);
@@ -78,7 +79,7 @@ impl Valves {
         Valves::Sum { table: table.collect() }
     }
 
-    /// Orifice and shim with about the force `h` at 0.5 m/s.
+    /// Draws orifice and shim with about the force `h` at 0.5 m/s.
     pub fn orifice_and_shim(d: &mut Draw, h: f64) -> Valves {
         let preload = d.between(0.25, 0.5) * h;
         let knee_speed = d.between(0.05, 0.15);
@@ -92,7 +93,8 @@ impl Valves {
         Valves::OrificeAndShim { bleed: [a, b], shim: [preload, opening, full] }
     }
 
-    /// The part of [`Valves::velocity`] that passes a bleed orifice, which is open both ways; 0 for laws that have none.
+    /// Computes the part of [`Valves::velocity`] through a bleed orifice, which is open in both directions; 0 for laws
+    /// without one.
     pub fn bleed(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::OrificeAndShim { bleed: [a, b], .. } => passage(h, a * viscosity, *b),
@@ -100,11 +102,11 @@ impl Valves {
         }
     }
 
-    /// Velocity at the force `h` ≥ 0 with oil `viscosity` times as thick as at the reference.
+    /// Computes the velocity at the force `h` ≥ 0 for a relative oil viscosity.
     pub fn velocity(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::PowerAndBlowOff { bleed: [w, h1, p], blow_off: [open_at, open, m, width] } => {
-                // The power law starts straight: no infinite slope at rest.
+                // The power law is linearized near zero, to avoid an infinite slope.
                 let low = 0.03;
                 let r = h / h1;
                 let bled = w * (r * libm::pow(r * r + low * low, 0.5 * (p - 1.0))) / (0.4 + 0.6 * viscosity);
@@ -122,7 +124,7 @@ impl Valves {
     }
 }
 
-/// w from the table of forces and slopes, by Hermite's cubic.
+/// Interpolates w in the table of forces and slopes with Hermite's cubic.
 fn inverse(table: &[[f64; 2]], h: f64) -> f64 {
     let speed = |i: usize| FASTEST * (i as f64 / POINTS as f64).powi(3);
     let [last, slope] = table[POINTS];

@@ -1,4 +1,4 @@
-//! A damper as the thesis describes it, with smooth laws: one oil column, one force-velocity law a direction.
+//! A damper with the thesis's topology and smooth laws: one oil column, one force-velocity law per direction.
 
 use super::ablation::STIFFER;
 use super::{Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
@@ -7,7 +7,7 @@ use crate::draw::Draw;
 struct Lumped {
     rebound: Valves,
     compression: Valves,
-    /// Stiffness of the oil column, N/m: so stiff that it is hardly felt beside the mount.
+    /// Stiffness of the oil column, N/m, which is large compared with that of the mount.
     column: f64,
 }
 
@@ -46,7 +46,7 @@ impl Oil for Lumped {
     }
 }
 
-/// One of two families of laws, in ranges of passenger cars' dampers.
+/// Draws one of two families of laws, in the range of passenger car dampers.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let make = if d.choice(2) == 0 { Valves::power_and_blow_off } else { Valves::sum };

@@ -1,5 +1,5 @@
-//! Dampers without a hidden effect. None of them is the model that is fitted to them: each carries friction with memory,
-//! and the physical ones several small mismatches more.
+//! Dampers without an injected effect. All differ from the fitted model: each has friction with internal states, and
+//! the physical dampers have several further small deviations.
 
 mod ablation;
 pub mod flow;
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Input, series spring and damper, mass, a smooth force-velocity law; friction and gas parallel to the whole.
+    /// Series spring and damper, mass, a smooth force-velocity law; friction and gas act in parallel with all of these.
     ThesisLike,
     /// Piston between two chambers, gas behind a floating piston.
     Monotube,
@@ -32,10 +32,10 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All.
+    /// All kinds.
     pub const ALL: [Kind; 3] = [Kind::ThesisLike, Kind::Monotube, Kind::TwinTube];
 
-    /// Its name.
+    /// Returns the name.
     pub fn name(self) -> &'static str {
         match self {
             Kind::ThesisLike => "thesis_like",
@@ -45,73 +45,73 @@ impl Kind {
     }
 }
 
-/// Effects on the oil other than those of the valves.
+/// Influences on the oil other than the valves.
 #[derive(Debug, Clone, Copy)]
 pub struct OilContext {
-    /// Velocity that passages beside the valves, or voids, take from the piston's, m/s.
+    /// Velocity of the flow through bypasses or into voids, m/s.
     pub taken: f64,
-    /// Compliance beside that of the oil, m/N.
+    /// Compliance in addition to that of the oil, m/N.
     pub compliance: f64,
-    /// What the valves pass, relative to what they are made for.
+    /// Factor on the flow through the valves.
     pub gain: f64,
-    /// Viscosity of the oil relative to that at the reference.
+    /// Viscosity of the oil relative to the reference.
     pub viscosity: f64,
 }
 
-/// The part of a damper that the oil is in. Its states come after those of mount, mass and seal.
+/// The hydraulic part of a damper. Its states follow those of mount, mass and seal.
 pub trait Oil: Send + Sync {
-    /// Number of states.
+    /// Returns the number of states.
     fn states(&self) -> usize;
-    /// States at rest at a displacement.
+    /// Computes the equilibrium states at a displacement.
     fn rest(&self, x: f64, states: &mut [f64]);
-    /// Tolerances of the states.
+    /// Returns the tolerances of the states.
     fn tolerances(&self, tolerances: &mut [f64]);
-    /// Hydraulic force, N: what the pressures' differences make, without the gas.
+    /// Computes the hydraulic force from the pressure differences, without the gas, N.
     fn hydraulic(&self, states: &[f64]) -> f64;
-    /// All that the oil does to the rod, N.
+    /// Computes the total force of the oil on the rod, N.
     fn force(&self, states: &[f64]) -> f64;
-    /// Rates at displacement x and velocity v of the rod.
+    /// Computes the rates at displacement x and velocity v of the rod.
     fn rates(&self, x: f64, v: f64, beside: &OilContext, states: &[f64], rates: &mut [f64]);
-    /// Removes a part of the oil's or the gas's physics; other parts leave it unchanged.
+    /// Removes a part of the oil's or the gas's physics; other parts leave the oil unchanged.
     fn remove(&mut self, part: Part);
 }
 
-/// What a damper is like, for effects that have to suit it.
+/// Characteristic values of a damper, for scaling the effects.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Scale {
     /// Hydraulic force at 0.5 m/s in rebound, N.
     pub rebound_n: f64,
-    /// Force in compression, as a positive number.
+    /// Hydraulic force at 0.5 m/s in compression, positive, N.
     pub compression_n: f64,
-    /// Stiffness of what is in line with the damper, N/m.
+    /// Stiffness of the mount in series with the damper, N/m.
     pub series_n_m: f64,
     /// Friction, N.
     pub friction_n: f64,
-    /// Push of the gas at mid-stroke, N.
+    /// Gas force at mid-stroke, N.
     pub gas_n: f64,
 }
 
-/// Small things that are never quite right.
+/// Small deviations from an ideal damper and rig.
 #[derive(Debug, Clone, Copy)]
 pub struct Slight {
     /// Rig mass on the damper's side of the load cell, kg.
     pub laden_kg: f64,
-    /// Change of what the valves pass over the stroke, 1/m.
+    /// Relative change of the valve flow over the stroke, 1/m.
     pub position: f64,
-    /// Share of the viscosity's exponent that the valves feel.
+    /// Fraction of the viscosity's temperature exponent that acts in the valves.
     pub warmth: f64,
     /// Stiffness of a gas column parallel to the damper, N/m, and its length, m.
     pub gas: [f64; 2],
 }
 
-/// How a physical damper is built: what a drawing of it would say.
+/// Dimensions of a physical damper.
 #[derive(Debug, Clone)]
 pub struct Built {
     /// Inner diameter of the tube in which the piston runs, m.
     pub bore_m: f64,
     /// Diameter of the rod, m.
     pub rod_m: f64,
-    /// Length of the rebound chamber and of the oil below the piston at mid-stroke, m.
+    /// Lengths of the rebound chamber and of the oil below the piston at mid-stroke, m.
     pub lengths_m: [f64; 2],
     /// Absolute pressure of the gas at mid-stroke, bar.
     pub gas_bar: f64,
@@ -119,16 +119,16 @@ pub struct Built {
     pub gas_m3: f64,
     /// Bulk modulus of the oil without air, bar.
     pub oil_bar: f64,
-    /// Volume of the air at 1 bar over that of the oil.
+    /// Ratio of the air's volume at 1 bar to the oil's volume.
     pub air: f64,
     /// Valves of rebound and compression.
     pub valves: [Valves; 2],
-    /// Areas on which they act, m².
+    /// Areas on which the valve pressures act, m².
     pub areas_m2: [f64; 2],
 }
 
 impl Built {
-    /// Modulus of the oil with its air under the pressure of the gas, bar.
+    /// Computes the effective modulus of the oil with its air at the gas pressure, bar.
     pub fn modulus_bar(&self) -> f64 {
         1.0 / Fluid { oil: 1.0 / self.oil_bar, air: self.air, air_is_felt: true, void_is_felt: true }
             .compliance(self.gas_bar)
@@ -137,28 +137,28 @@ impl Built {
 
 /// A damper.
 pub struct Plant {
-    /// Which kind.
+    /// Kind.
     pub kind: Kind,
-    /// What is in line with it.
+    /// Mount in series with the damper.
     pub mount: Mount,
-    /// Mass behind the mount, kg.
+    /// Mass between mount and oil, kg.
     pub mass: f64,
     /// Friction.
     pub seal: Seal,
-    /// Whether friction and gas act beside mount and oil together, as in the thesis, or behind the mount.
+    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis, or behind the mount.
     pub seal_is_outside: bool,
     /// The oil.
     pub oil: Box<dyn Oil>,
-    /// How it is built; `None` for a damper without chambers.
+    /// Dimensions; `None` for a damper without chambers.
     pub built: Option<Built>,
-    /// Small mismatches.
+    /// Small deviations.
     pub slight: Slight,
-    /// What it is like.
+    /// Characteristic values.
     pub scale: Scale,
 }
 
 impl Plant {
-    /// The damper of a seed.
+    /// Draws the damper of a seed.
     pub fn new(kind: Kind, seed: u64) -> Plant {
         let mut d = Draw::new(seed, kind.name());
         match kind {
@@ -169,7 +169,7 @@ impl Plant {
     }
 }
 
-/// Rebound and compression force at 0.5 m/s: rebound is usually 1.3 to 3.5 times as firm.
+/// Draws rebound and compression force at 0.5 m/s: rebound is typically 1.3 to 3.5 times as firm.
 fn forces(d: &mut Draw) -> (f64, f64) {
     let rebound = d.scale(450.0, 1900.0);
     (rebound, rebound / d.between(1.3, 3.5))
@@ -179,7 +179,7 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Air is felt above one atmosphere, a void below: what is removed of either leaves the other.
+    /// Air acts above one atmosphere, a void below: removing one keeps the other.
     #[test]
     fn oil_without_air_keeps_its_void() {
         let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };
@@ -191,7 +191,7 @@ mod tests {
         let (aeration, cavitation) = (without(Part::Aeration), without(Part::Cavitation));
         assert!(aeration.compliance(5.0) < whole.compliance(5.0) && aeration.compliance(0.2) > 10.0 * whole.oil);
         assert!((cavitation.compliance(5.0) - whole.compliance(5.0)).abs() < 1e-15);
-        // Vapor rounds the pressure by half a percent at 1 bar.
+        // Vapor smooths the pressure by half a percent at 1 bar.
         assert!((cavitation.compliance(0.2) / cavitation.compliance(1.0) - 1.0).abs() < 0.02);
         assert!(without(Part::OilCompressibility).compliance(5.0) < 0.05 * whole.compliance(5.0));
     }

@@ -17,11 +17,11 @@ pub(crate) struct Fluid {
     pub void_is_felt: bool,
 }
 
-/// Below this pressure, bar, vapour keeps the pressure up: the compliance is that of a void.
+/// Pressure, bar, below which vapor maintains the pressure: the compliance is that of a void.
 const VAPOUR: f64 = 0.15;
 
 impl Fluid {
-    /// Compliance relative to the volume, 1/bar.
+    /// Computes the compliance relative to the volume, 1/bar.
     pub fn compliance(&self, p: f64) -> f64 {
         let p = 0.5 * (p + (p * p + VAPOUR * VAPOUR).sqrt());
         let at = |p: f64| self.air / (1.3 * p * p);
@@ -29,7 +29,7 @@ impl Fluid {
         self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// Removes the compliance of the oil with its air, of the air, or of the void.
+    /// Removes the compliance of the oil including its air, of the air, or of the void.
     pub fn remove(&mut self, part: Part) {
         match part {
             Part::OilCompressibility => {
@@ -52,9 +52,9 @@ impl Fluid {
     }
 }
 
-/// N per bar and m².
+/// Pascals per bar.
 pub(crate) const BAR: f64 = 1e5;
-/// Exponent of the gas in motion.
+/// Polytropic exponent of the gas in motion.
 pub(crate) const GAS: f64 = 1.3;
 
 struct Monotube {
@@ -113,18 +113,18 @@ impl Oil for Monotube {
     fn remove(&mut self, part: Part) {
         self.fluid.remove(part);
         if part == Part::GasSpring {
-            // A large volume keeps its pressure.
+            // The pressure of a large volume stays constant.
             self.gas[1] *= STIFFER;
         }
     }
 }
 
-/// Pistons of 36 to 46 mm, rods of 11 to 14 mm, gas at 18 to 30 bar.
+/// Draws a damper: piston of 36 to 46 mm, rod of 11 to 14 mm, gas at 18 to 30 bar or more.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let area = |diameter: f64| std::f64::consts::FRAC_PI_4 * diameter * diameter;
     let (piston, rod) = (area(d.between(0.036, 0.046)), area(d.between(0.011, 0.014)));
-    // The rebound chamber must not run out of pressure at the damper's own compression force: gas is chosen for it.
+    // The gas pressure must keep the rebound chamber pressurized at the damper's own compression force.
     let needed = 2.6 * compression_n / ((piston - rod) * BAR);
     let pressure = d.between(18.0, 30.0).max(needed);
     let oil = Monotube {

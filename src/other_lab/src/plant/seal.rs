@@ -7,7 +7,7 @@ use crate::draw::Draw;
 pub struct Seal {
     /// σ_0, N/m.
     pub stiffness: f64,
-    /// σ_1 at standstill, N s/m; it fades over v_s so that the bristles never drive the rod.
+    /// σ_1 at standstill, N s/m; it decays over v_s, so that the bristles never drive the rod.
     pub damping: f64,
     /// F_c, N.
     pub sliding: f64,
@@ -18,7 +18,7 @@ pub struct Seal {
 }
 
 impl Seal {
-    /// A seal with some friction.
+    /// Draws a seal with a range of friction.
     pub fn new(d: &mut Draw, sliding: (f64, f64)) -> Seal {
         let sliding = d.scale(sliding.0, sliding.1);
         let stiffness = sliding / d.scale(4e-5, 2.5e-4);
@@ -31,18 +31,18 @@ impl Seal {
         }
     }
 
-    /// Deflection of bristles that slide, m.
+    /// Computes the deflection of sliding bristles, m.
     pub fn length(&self) -> f64 {
         self.sliding / self.stiffness
     }
 
-    /// dz/dt.
+    /// Computes dz/dt.
     pub fn rate(&self, v: f64, z: f64) -> f64 {
         let level = self.sliding + (self.breakaway - self.sliding) * libm::exp(-(v / self.stribeck).powi(2));
         v - v.abs() * z * self.stiffness / level
     }
 
-    /// The friction.
+    /// Computes the friction force, N.
     pub fn force(&self, v: f64, z: f64) -> f64 {
         let fades = libm::exp(-(v / self.stribeck).powi(2));
         self.stiffness * z + self.damping * fades * self.rate(v, z)

@@ -1,25 +1,25 @@
 //! A solenoid valve: driver, coil, magnet, pilot spool and the main stage, which is an orifice of variable opening.
 //!
-//! The driver is a current controller on a battery; it can pull the current down by a diode alone. Eddy currents keep the flux behind the current.
-//! Magnetic force saturates. A spring, the flow force and friction with bristles hold the spool, and the main stage follows it by oil that fills its
-//! chamber through an orifice.
+//! The driver is a current controller on a battery; only a diode reduces the current. Eddy currents make the flux lag
+//! the current, and the magnetic force saturates. A spring, the flow force and bristle friction act on the spool. The
+//! main stage follows the spool as oil fills its chamber through an orifice.
 
 use crate::draw::Draw;
 
 use super::flow::ramp;
 
-/// States of the valve, in their order.
+/// Indices of the valve's states.
 pub const CURRENT: usize = 0;
 const FLUX: usize = 1;
 const SPOOL: usize = 2;
 const SPEED: usize = 3;
 const BRISTLE: usize = 4;
-/// Main stage, m: 0 is open.
+/// Position of the main stage, m: 0 is open.
 pub const STAGE: usize = 5;
 /// Number of states.
 pub const STATES: usize = 6;
 
-/// Errors that each state may have in a step.
+/// Error tolerance of each state per step.
 pub const TOLERANCES: [f64; STATES] = [2e-4, 2e-4, 2e-7, 2e-4, 2e-9, 2e-7];
 
 /// Stiffness of the stops of the spool, N/m.
@@ -27,12 +27,12 @@ const STOP: f64 = 4e5;
 /// Density of the oil, kg/m³, and discharge coefficient of a sharp edge.
 const DENSITY: f64 = 850.0;
 const DISCHARGE: f64 = 0.65;
-/// Hydraulic force at which the flow turns from laminar to turbulent, N.
+/// Hydraulic force at the transition from laminar to turbulent flow, N.
 const TRANSITION: f64 = 15.0;
 /// cos of the jet's angle of 69° at a sharp metering edge (Merritt, Hydraulic Control Systems, 1967).
 const JET: f64 = 0.36;
 
-/// A valve.
+/// A solenoid valve.
 #[derive(Debug, Clone)]
 pub struct SolenoidValve {
     /// Voltage of the battery and of the diode, V.
@@ -43,7 +43,7 @@ pub struct SolenoidValve {
     pub coil: [f64; 2],
     /// Time constant of the eddy currents, s.
     pub eddy: f64,
-    /// Magnetic force at saturation, N, and the current at which it begins, A.
+    /// Magnetic force at saturation, N, and the current at which saturation begins, A.
     pub magnet: [f64; 2],
     /// Mass of the spool, kg, stiffness of its spring, N/m, and its damping, N s/m.
     pub spool: [f64; 3],
@@ -51,22 +51,22 @@ pub struct SolenoidValve {
     pub friction: [f64; 2],
     /// Fraction of the flow force that acts on the spool.
     pub flow_force: f64,
-    /// Time constant of the main stage for small moves, s, and the distance at which its filling is turbulent, m.
+    /// Time constant of the main stage for small motion, s, and the distance above which its filling is turbulent, m.
     pub stage: [f64; 2],
     /// Travel, m, and width of the opening, m.
     pub opening: [f64; 2],
-    /// Opening that stays, m².
+    /// Opening that always remains, m².
     pub leak: f64,
 }
 
 impl SolenoidValve {
-    /// The valve of a damper whose soft setting needs this opening, m², for currents up to `most`, A.
+    /// Draws the valve of a damper whose soft setting needs this opening, m², for currents up to `most`, A.
     pub fn new(d: &mut Draw, area: f64, most: f64) -> SolenoidValve {
         let travel = d.between(1.0e-3, 1.6e-3);
         let stiffness = d.between(5e3, 1e4);
         let mass = d.between(6e-3, 14e-3);
         let begins = most * d.between(0.7, 1.2);
-        // At the largest current the spool has gone most of its way.
+        // At the largest current the spool has moved most of its travel.
         let reached = d.between(0.9, 0.96) * travel * stiffness;
         let force = reached / libm::tanh(most / begins);
         SolenoidValve {
@@ -84,25 +84,25 @@ impl SolenoidValve {
         }
     }
 
-    /// Opening of the main stage, m².
+    /// Computes the opening of the main stage, m².
     pub fn area(&self, states: &[f64]) -> f64 {
         let [travel, width] = self.opening;
         width * ramp(travel - states[STAGE], 0.02 * travel) + self.leak
     }
 
-    /// Velocity that the opening takes from the piston's at the hydraulic force h ≥ 0 on an area, m/s.
+    /// Computes the flow through the opening as a piston velocity, m/s, at the hydraulic force h ≥ 0 on an area.
     pub fn velocity(&self, h: f64, area: f64, states: &[f64]) -> f64 {
         let ratio = area / (DISCHARGE * self.area(states));
         let turbulent = 0.5 * DENSITY * area * ratio * ratio;
         super::flow::passage(h, (turbulent * TRANSITION).sqrt(), turbulent)
     }
 
-    /// Rates under a commanded current, A, and the pressure across the main stage, Pa.
+    /// Computes the rates for a commanded current, A, and a pressure across the main stage, Pa.
     pub fn rates(&self, command: f64, pressure: f64, y: &[f64], r: &mut [f64]) {
         let [resistance, inductance] = self.coil;
         let wanted = resistance * command + self.gain * (command - y[CURRENT]);
         let voltage = wanted.min(self.supply[0]).max(-self.supply[1]);
-        // A diode lets no current flow back.
+        // A diode prevents negative current.
         let rate = (voltage - resistance * y[CURRENT]) / inductance;
         r[CURRENT] = if y[CURRENT] < 0.0 { -y[CURRENT] / 1e-4 } else { rate };
         r[FLUX] = (y[CURRENT] - y[FLUX]) / self.eddy;

@@ -12,9 +12,9 @@ struct TwinTube {
     rebound: Valves,
     /// Base valve in compression: velocity over the force on the rod's area.
     base: Valves,
-    /// Opening force, a and b (N, N s/m, N s²/m²) of two valves.
+    /// Opening force, a and b (N, N s/m, N s²/m²) of the piston's check valve, which acts on the annulus.
     ///
-    /// They are the piston's check valve on the annulus, and the intake valve on the rod's area.
+    /// `intake` contains those of the intake valve, which acts on the rod's area.
     check: [f64; 3],
     intake: [f64; 3],
     fluid: Fluid,
@@ -26,7 +26,7 @@ struct TwinTube {
 }
 
 impl TwinTube {
-    /// Forces of piston valve and base valve, positive in rebound.
+    /// Computes the forces of piston valve and base valve, positive in rebound.
     fn across(&self, p: &[f64]) -> [f64; 2] {
         [(p[0] - p[1]) * BAR * self.annulus, (p[2] - p[1]) * BAR * self.rod]
     }
@@ -64,7 +64,7 @@ impl Oil for TwinTube {
             let [lifts, a, b] = self.check;
             -self.rebound.bleed(-piston, beside.viscosity) - check_valve(-piston, lifts, a, b)
         };
-        // From the compression chamber into the reserve.
+        // The flow is positive from the compression chamber into the reserve.
         let through_base = if base <= 0.0 {
             beside.gain * self.base.velocity(-base, beside.viscosity)
         } else {
@@ -92,14 +92,15 @@ impl Oil for TwinTube {
     }
 }
 
-/// Pistons of 27 to 32 mm, rods of 12.4 to 22 mm, gas at 3 to 8 bar.
+/// Draws a damper with a piston of 27 to 32 mm, a rod of 12.4 to 20 mm, and gas at 3 to 8 bar.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let area = |diameter: f64| std::f64::consts::FRAC_PI_4 * diameter * diameter;
     let (piston, rod) = (area(d.between(0.027, 0.032)), area(d.between(0.0124, 0.020)));
     let annulus = piston - rod;
     let gas = [d.between(3.0, 8.0), d.between(8e-5, 1.6e-4)];
-    // A check valve takes a few per cent of the force at 1 m/s; an intake less than the gas pressure gives.
+    // A check valve needs a few percent of the force at 1 m/s; an intake valve needs less than the gas pressure
+    // supplies.
     let check = d.between(0.05, 0.12) * compression_n;
     let intake = d.between(0.1, 0.3) * gas[0] * BAR * rod;
     let oil = TwinTube {

@@ -1,4 +1,4 @@
-//! How a campaign is run and measured.
+//! Protocol of a campaign: execution and measurement.
 
 pub mod motion;
 pub mod plan;
@@ -8,30 +8,30 @@ use crate::draw::Draw;
 use plan::Plan;
 use serde::Serialize;
 
-/// How a campaign is run and measured.
+/// Protocol of execution and measurement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Protocol {
     /// The tests.
     pub plan: Plan,
-    /// Sampling, Hz: slow tests are thinned, see `most_samples`.
+    /// Sample rate, Hz; slow tests have a reduced rate, see `most_samples`.
     pub sample_rate_hz: f64,
-    /// A sine or triangle with more samples than this is sampled more slowly, in whole parts.
+    /// Number of samples above which a sine or triangle is decimated by an integer factor.
     pub most_samples: usize,
     /// Cycles at full amplitude.
     pub cycles: u32,
     /// Duration of a road, s.
     pub road_s: f64,
-    /// Rest before the motion, s.
+    /// Standstill before the motion, s.
     pub rest_s: f64,
-    /// Force noise as a percentage of each test's rms; 0.5 N come on top. 0: no noise in any channel.
+    /// Force noise in percent of each test's rms, plus 0.5 N. 0 disables the noise of all channels.
     pub noise_percent: f64,
-    /// Correlation of neighbouring samples of the force noise (AR(1)); 0: white.
+    /// Correlation between successive samples of the force noise (AR(1)); 0 is white.
     pub noise_colour: f64,
     /// Amplitude of 50 Hz hum on the force, N.
     pub hum_n: f64,
-    /// Steps of the converter of force and displacement as powers of two; none: no rounding.
+    /// Bits of the converters of force and displacement; `None` does not round.
     pub bits: Option<u32>,
-    /// How late the force channel is, s.
+    /// Delay of the force channel, s.
     pub force_delay_s: f64,
     /// Zero error of the force, N.
     pub force_offset_n: f64,
@@ -41,9 +41,9 @@ pub struct Protocol {
     pub velocity_channel: bool,
     /// Whether the temperature of the oil is measured.
     pub temperature_channel: bool,
-    /// Whether the tests are run in random order, repeats at start, middle and end.
+    /// Whether the tests are shuffled, with repeats at start, middle and end.
     pub shuffled: bool,
-    /// How many times the recorded cycles each test is run before, unrecorded, for which the oil warms up.
+    /// Ratio of unrecorded conditioning cycles to recorded cycles of each test; conditioning heats the oil.
     pub conditioning: f64,
 }
 
@@ -72,10 +72,10 @@ impl Default for Protocol {
 }
 
 impl Protocol {
-    /// A random laboratory protocol.
+    /// Draws a random laboratory protocol.
     ///
-    /// Sampling from 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, hum, with or without
-    /// channels for velocity and temperature. Delay and offset are separate options.
+    /// It has 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, and hum. Channels for velocity
+    /// and temperature are optional. Delay and offset are separate options.
     pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
         let mut d = Draw::new(seed, "laboratory");
         let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];
@@ -98,10 +98,10 @@ impl Protocol {
 }
 
 impl Protocol {
-    /// Whether it can be run.
+    /// Verifies the protocol.
     ///
     /// # Errors
-    /// [`LabError::Protocol`] names what cannot.
+    /// [`LabError::Protocol`] with the invalid entry.
     pub fn check(&self) -> Result<(), LabError> {
         let positive = [
             ("sample_rate_hz", self.sample_rate_hz),

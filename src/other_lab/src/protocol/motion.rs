@@ -1,4 +1,4 @@
-//! Motions of the driven end.
+//! Motions of the moving end.
 
 use crate::draw::Draw;
 use crate::jet::Jet;
@@ -16,14 +16,14 @@ pub enum Motion {
         /// Frequency, Hz.
         frequency: f64,
     },
-    /// A triangle with rounded tips: constant speed in between.
+    /// A triangle with rounded tips and constant speed in between.
     Triangle {
         /// Amplitude, m.
         amplitude: f64,
         /// Frequency, Hz.
         frequency: f64,
     },
-    /// A sine whose frequency grows exponentially; its amplitude falls so that the peak velocity stays.
+    /// A sine whose frequency grows exponentially, with a constant peak velocity.
     Sweep {
         /// Amplitude at the first frequency, m.
         amplitude: f64,
@@ -32,7 +32,7 @@ pub enum Motion {
         /// Duration, s.
         seconds: f64,
     },
-    /// A road: waves of random phases up to 25 Hz whose displacement falls with frequency as that of a road does.
+    /// A road: waves of random phases up to 25 Hz whose amplitude falls with frequency like that of a road.
     Road {
         /// Largest displacement, m.
         displacement: f64,
@@ -40,18 +40,18 @@ pub enum Motion {
         velocity: f64,
         /// Duration, s.
         seconds: f64,
-        /// Which road.
+        /// Seed of the road.
         seed: u64,
     },
 }
 
-/// Tips of a triangle are rounded: this share of the peak of the sine below it.
+/// Amplitude of the sine inside the arc sine of a triangle; a value below 1 rounds the tips.
 const SHARP: f64 = 0.995;
 const WAVES: usize = 28;
-/// Time in which a road or sweep sets in and fades, s.
+/// Duration of fade-in and fade-out of a road or sweep, s.
 const FADE: f64 = 0.5;
 
-/// A motion that is ready to be asked.
+/// A motion prepared for evaluation.
 #[derive(Debug, Clone)]
 pub struct Ready {
     motion: Motion,
@@ -63,7 +63,7 @@ pub struct Ready {
 }
 
 impl Motion {
-    /// Longest time that a step of the simulation may take, s.
+    /// Returns the longest step of the simulation, s.
     pub fn longest_step(&self) -> f64 {
         match self {
             Motion::Sine { frequency, .. } => 1.0 / (110.0 * frequency),
@@ -72,7 +72,7 @@ impl Motion {
         }
     }
 
-    /// Time that full motion lasts, s.
+    /// Returns the duration of the full motion, s.
     pub fn seconds(&self, cycles: f64) -> f64 {
         match self {
             Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => cycles / frequency,
@@ -80,7 +80,7 @@ impl Motion {
         }
     }
 
-    /// Time in which the motion is built up before that, s.
+    /// Returns the duration of the fade-in before the full motion, s.
     pub fn run_up(&self) -> f64 {
         match self {
             Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => 1.0 / frequency,
@@ -88,7 +88,7 @@ impl Motion {
         }
     }
 
-    /// Makes it ready about a mean displacement, after some rest.
+    /// Prepares the motion about a mean displacement, after a standstill.
     pub fn ready(&self, mean: f64, rest: f64, cycles: f64) -> Ready {
         let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
         if let Motion::Road { displacement, velocity, seconds, seed } = *self {
@@ -96,7 +96,8 @@ impl Motion {
             let ratio = libm::log(25.0 / 0.5) / WAVES as f64;
             let drawn: Vec<[f64; 2]> =
                 (0..WAVES).map(|i| [0.5 * libm::exp((i as f64 + d.fraction()) * ratio), TAU * d.fraction()]).collect();
-            // A steeper spectrum moves further at the same velocity: the one that uses both limits is found by halving.
+            // A steeper spectrum has a larger displacement at equal velocity. Bisection finds the spectrum that reaches
+            // both limits.
             let (mut flat, mut steep) = (-0.3, 1.5);
             for _ in 0..24 {
                 let power = 0.5 * (flat + steep);
@@ -126,7 +127,7 @@ impl Motion {
 }
 
 impl Ready {
-    /// Displacement, velocity and acceleration at time `t` of the record.
+    /// Computes displacement, velocity and acceleration at time `t` of the record.
     pub fn evaluate(&self, t: f64) -> Jet {
         let since = Jet::time(t - self.rest);
         if since.x <= 0.0 {
@@ -163,7 +164,7 @@ impl Ready {
         start * (Jet::constant(seconds) - since).times(1.0 / FADE).smooth_step()
     }
 
-    /// Length of the record, s.
+    /// Returns the length of the record, s.
     pub fn seconds(&self) -> f64 {
         self.rest + self.motion.run_up() + self.motion.seconds(self.cycles)
     }

@@ -1,4 +1,4 @@
-//! Which tests are run.
+//! Plans: the tests of a campaign.
 
 use super::motion::Motion;
 use serde::{Deserialize, Serialize};
@@ -7,17 +7,17 @@ use std::f64::consts::TAU;
 /// One test of a campaign.
 #[derive(Debug, Clone)]
 pub struct Test {
-    /// Its name, and that of its file.
+    /// Name of the test and of its file.
     pub name: String,
-    /// How the driven end moves.
+    /// Motion of the moving end.
     pub motion: Motion,
     /// Mean displacement, m.
     pub mean: f64,
     /// Side force, N.
     pub side: f64,
-    /// Whether it is kept from the identification.
+    /// Whether the test is excluded from identification.
     pub left_out: bool,
-    /// Whether it repeats the test that shows drift; it is not shuffled away from start, middle and end.
+    /// Whether it is a repeat for detecting drift, which stays at start, middle or end of a shuffled plan.
     pub is_reference: bool,
 }
 
@@ -25,9 +25,11 @@ pub struct Test {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Plan {
-    /// 34 tests to identify by (sines, three mean positions, side force, three repeats of one) and 10 left out.
+    /// 34 tests for identification (sines, three mean positions, side force, three repeats of one test) and 10 left
+    /// out.
     Sines,
-    /// The thesis's matrix: eight strokes at the same peak velocities, slow tests; no other mean position, no side force.
+    /// The thesis's matrix: eight strokes at common peak velocities, and slow tests, without other mean positions and
+    /// side force.
     Thesis,
     /// Twelve sines of three strokes and three left out.
     Reduced,
@@ -37,7 +39,7 @@ pub enum Plan {
     Roads,
 }
 
-/// Begins the names of tests that are left out.
+/// Prefix of the names of left-out tests.
 pub const LEFT_OUT_PREFIX: &str = "check_";
 
 /// Amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
@@ -91,10 +93,10 @@ const SINES_LEFT_OUT: [Row; 7] = [
     (16.0, 0.8, 0.0, 650.0),
 ];
 
-/// Peak velocities (m/s) and strokes (mm) of the thesis's matrix.
+/// Peak velocities, m/s, of the thesis's matrix; the next constant contains its strokes, mm.
 const THESIS_SPEEDS: [f64; 7] = [0.052, 0.131, 0.262, 0.393, 0.524, 1.047, 1.571];
 const THESIS_STROKES: [f64; 8] = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
-/// Its rig goes no faster, Hz.
+/// Frequency limit of the thesis's rig, Hz.
 const THESIS_FASTEST: f64 = 25.03;
 
 fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {
@@ -130,7 +132,7 @@ fn references(amplitude: f64, frequency: f64) -> impl Iterator<Item = Test> {
 }
 
 impl Plan {
-    /// Its tests in the order of the plan; `roads` is how long a road lasts, s.
+    /// Returns the tests in the order of the plan; `roads` is the duration of a road, s.
     pub fn tests(self, roads: f64) -> Vec<Test> {
         match self {
             Plan::Sines => references(20.0, 1.3)
@@ -147,7 +149,7 @@ impl Plan {
                 .flat_map(|stroke| THESIS_SPEEDS.map(|speed| (stroke, speed / (TAU * stroke * 1e-3))))
                 .filter(|(_, f)| *f <= THESIS_FASTEST)
                 .map(|(stroke, f)| {
-                    // Round to what a plan would state.
+                    // Round to digits that a plan would state.
                     let digits = libm::pow(10f64, 3.0 - libm::log10(f).ceil());
                     let prefix = if stroke == 30.0 || stroke == 2.0 { LEFT_OUT_PREFIX } else { "" };
                     sine(prefix, row(stroke, (f * digits).round() / digits))

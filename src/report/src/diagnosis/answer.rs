@@ -1,4 +1,4 @@
-//! The verdict in a sentence, and the error of every test before and after.
+//! The verdict in a sentence, and the error of every test before and after the diagnosis.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
@@ -9,12 +9,12 @@ use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 use dashpot_records::Sentence;
 
-/// The first section.
+/// Builds the first section.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
-    // What a name may be worth belongs to it on paper too.
+    // The remark on the reference qualifies the findings, so the brief print includes it.
     blocks.extend(found.about_the_reference.as_ref().map(|about| Block::Paragraph(sentence(about, words))));
     let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
     blocks.push(Block::Wide(errors.saying(words.errors_caption)));
@@ -22,18 +22,18 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     Section::new("answer", words.answer, blocks)
 }
 
-/// The answer as one sentence.
+/// Formats the result as one sentence.
 pub fn headline(found: &Diagnosis, words: &Words) -> String {
     sentence(&found.summary, words)
 }
 
-/// A text with a capital and a full stop.
+/// Begins a text with a capital letter and ends it with a full stop.
 pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
     let said = words.say(text);
     words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
-/// What the verdict means and how much of the gap is closed.
+/// Explains the verdict and the fraction of the gap that is closed.
 fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let left_out = found.tests.iter().filter(|t| t.left_out).count();
     let (text, before, after) = match (left_out, found.before.left_out_rmse_n, found.after.left_out_rmse_n) {
@@ -54,7 +54,7 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     })
 }
 
-/// Left-out tests that got worse.
+/// Reports left-out tests whose error increased.
 fn worse(found: &Diagnosis, words: &Words) -> Option<String> {
     if found.findings.is_empty() {
         return None;
@@ -93,8 +93,7 @@ fn key_table(found: &Diagnosis, words: &Words) -> Table {
     Table { caption: words.mean_cycles_caption.to_owned(), columns, rows, sortable: false }
 }
 
-/// The before/after picture by itself: the loop of the left-out test with the largest gap beside its rest, above the error
-/// of every test.
+/// Draws the before/after picture: the error of every test below the loops of the left-out test with the largest gap.
 pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let shown = super::loops::largest(&found.tests, true).or_else(|| super::loops::largest(&found.tests, false))?;
     let [wide, tall] = crate::plot::axes::SIZE;

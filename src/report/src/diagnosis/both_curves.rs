@@ -1,4 +1,4 @@
-//! The FV curve of the damper beside that of the reference.
+//! The FV curve of the damper in comparison with the FV curve of the reference.
 
 use crate::blocks::Figure;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
@@ -8,10 +8,12 @@ use dashpot_core::{Model, Params};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_simulation::prediction::between_velocities;
 
-/// Size, px: printed across the page.
+/// Size, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 340.0];
 
-/// The figure, with friction and gas force, as far as the tests reach; `None` without a reference.
+/// Draws both FV curves, including friction and gas force, over the velocity range of the tests.
+///
+/// Returns `None` without a reference.
 pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {
     let reference = found.reference.as_ref()?;
     let velocities = || found.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

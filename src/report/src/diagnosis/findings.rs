@@ -1,4 +1,4 @@
-//! What was added, with its numbers, and why not something else.
+//! The added effects with their parameters, and the evidence against the alternatives.
 
 use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
@@ -8,7 +8,7 @@ use crate::numbers::{error, fraction, with_unit};
 use crate::words::Words;
 use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
-/// The findings, and the suspects of what got no name; `None` where nothing is missing.
+/// Builds the findings and the suspected causes of unexplained residuals. Returns `None` if nothing is missing.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let mut blocks = Vec::new();
     for (k, finding) in found.findings.iter().enumerate() {
@@ -32,7 +32,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .collect();
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
-    // Alone they give the section its heading.
+    // If changed parameters are the only content, they supply the title of the section.
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changes.is_empty();
     if !found.changes.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
@@ -54,7 +54,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     Some(Section::new("findings", title, blocks))
 }
 
-/// Unit of what the rig added: that of the number that was found.
+/// Returns the unit of an effect of the rig: the unit of its identified parameter.
 fn unit_of(found: &Diagnosis, effect: &str) -> &'static str {
     let finding = found.findings.iter().find(|finding| finding.effect == effect);
     finding.and_then(|finding| finding.parameters.values().next()).map_or("N", |value| value.unit)
@@ -132,7 +132,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
 }
 
-/// A changed number in words; of a point of the FV curve with its velocity.
+/// Formats the name of a changed parameter; a point of the FV curve includes its velocity.
 pub fn changed_name(change: &Change, words: &Words) -> String {
     let name = words.named(change.name);
     match change.velocity_m_s {

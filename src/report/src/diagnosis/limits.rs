@@ -1,11 +1,11 @@
-//! What these records cannot show, the tests that would tell more, and remarks.
+//! Limits of these records, tests that would resolve the open questions, and remarks.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// What else could be measured, and what these records cannot show.
+/// Builds the section of further tests and of the limits of these records.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if !found.next_tests.is_empty() {
@@ -25,9 +25,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     Section::new("limits", words.limits_section, blocks)
 }
 
-/// What was noticed in the records and on the way; `None` where nothing was.
+/// Lists the remarks of reading and diagnosis. Returns `None` without remarks.
 pub fn remarks(found: &Diagnosis, reading: &[String], words: &Words) -> Option<Section> {
-    // One of them stands beside the answer.
+    // The remark on the reference stands next to the verdict.
     let notes = found.notes.iter().filter(|note| Some(*note) != found.about_the_reference.as_ref());
     let remarks: Vec<String> = notes.map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
     (!remarks.is_empty()).then(|| Section::new("remarks", words.remarks, vec![Block::List(remarks)]))

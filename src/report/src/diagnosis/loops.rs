@@ -1,4 +1,4 @@
-//! Loops of the tests with the largest disagreement, fitted and left out.
+//! Loops of the fitted and left-out tests with the largest disagreement.
 
 use crate::blocks::{Block, Figure, Section};
 use crate::numbers::{digits, fraction};
@@ -6,12 +6,12 @@ use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
-/// Tests shown of each kind.
+/// Number of tests shown of each kind.
 const SHOWN: usize = 3;
 
-/// The loops of the worst left-out test, which the short print has, and those of the others.
+/// Builds the loops of the worst left-out test, which the brief print includes, and the loops of the other tests.
 ///
-/// Where no test was left out, it is the worst of all.
+/// If no test was left out, the first section shows the worst fitted test.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
@@ -39,15 +39,14 @@ pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     sections
 }
 
-/// The test of one kind whose disagreement is the largest share of its force.
+/// Finds the test of one kind with the largest disagreement relative to its force.
 pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
     worst(tests, held_out).first().map(|place| &tests[*place])
 }
 
-/// Places of the tests of one kind, largest gap between error and noise first, as a share of the test's largest
-/// force.
+/// Sorts the indices of the tests of one kind by the gap between error and noise, largest first.
 ///
-/// Tests without cycles, whose loops nobody can read, last.
+/// The gap is relative to the test's largest force. Tests without cycles, whose loops are unreadable, come last.
 fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     let gap = |test: &TestOutcome| {
         let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));

@@ -1,4 +1,4 @@
-//! Errors by amplitude and peak velocity, before and after.
+//! Errors by amplitude and peak velocity, before and after the diagnosis.
 
 use crate::blocks::{Block, Figure, Section};
 use crate::errors;
@@ -8,7 +8,7 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 use dashpot_identification::validation::{Compared, Validation, validate};
 use dashpot_records::Record;
 
-/// The error matrix; `None` where nothing can be compared.
+/// Builds the error matrix. Returns `None` if no test is comparable.
 pub fn section(found: &Diagnosis, records: &[&Record], words: &Words) -> Option<Section> {
     let cycles = mean_cycles(&found.tests, records);
     let compared: Vec<Compared<'_>> = cycles
@@ -36,7 +36,7 @@ fn figures(validation: &Validation, changed: bool, words: &Words) -> Vec<Block> 
     before.into_iter().chain(after).collect()
 }
 
-/// One record per test, made of its mean cycles, with the force before and after and whether it was left out.
+/// Makes one record per test from its mean cycles, with the force before and after, and whether the test was left out.
 fn mean_cycles(tests: &[TestOutcome], records: &[&Record]) -> Vec<(Record, Vec<f64>, Vec<f64>, bool)> {
     let mut all: Vec<(Record, Vec<f64>, Vec<f64>, bool)> = Vec::new();
     for test in tests {

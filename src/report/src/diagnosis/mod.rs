@@ -1,19 +1,19 @@
-//! The report of a diagnosis: the answer, where model and records disagree, what is missing, and what is left.
+//! The report of a diagnosis: verdict, disagreement of model and records, missing effects, and residual.
 //!
 //! | file | section |
 //! |---|---|
 //! | [`answer`] | the verdict, the error before and after, test by test |
 //! | [`inventory`](crate::inventory) | every effect of the model with its force |
-//! | [`both_curves`] | FV curves of the damper and of the reference |
-//! | [`findings`] | what was added, with numbers, intervals and rivals |
+//! | [`both_curves`] | FV curves of the damper and the reference |
+//! | [`findings`] | the added effects with parameters, intervals and alternatives |
 //! | [`loops`] | loops of the tests with the largest disagreement |
-//! | [`limits`] | what these records cannot show, and the tests that would; what was noticed |
-//! | [`places`] | where they disagree, in words, figures and maps |
+//! | [`limits`] | limits of these records, tests that would resolve them, and remarks |
+//! | [`places`] | regions of the disagreement, as text, figures and maps |
 //! | [`matrix`] | errors by amplitude and peak velocity, before and after |
-//! | [`tried`] | everything that was tried, round by round |
+//! | [`tried`] | all tested hypotheses, by iteration |
 //! | [`over_settings`] | one damper diagnosed at several settings |
 //!
-//! The first five, with the worst test's loops alone, are what is printed in short.
+//! The brief print consists of the first five sections and the loops of the worst test.
 
 mod answer;
 mod both_curves;
@@ -39,39 +39,39 @@ use dashpot_records::Record;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use std::path::{Path, PathBuf};
 
-/// Everything the report of a diagnosis tells.
+/// Contents of the report of a diagnosis.
 #[derive(Debug, Clone)]
 pub struct DiagnosisReport<'a> {
     /// Name of the model file diagnosed.
     pub model_file: String,
     /// Name of the data.
     pub data: String,
-    /// What was found.
+    /// Result of the diagnosis.
     pub found: &'a Diagnosis,
-    /// The records, which say how each test moved.
+    /// The records, which contain the motion of each test.
     pub records: &'a [&'a Record],
-    /// Remarks on reading: the sign that was worked out, what cleaning noticed.
+    /// Remarks on reading: the detected sign, and notes of the cleaning.
     pub reading: Vec<String>,
-    /// What `dashpot validate` says of the models in it.
+    /// Errors over whole records, from `dashpot validate`, of the models in the diagnosis.
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
-    /// What it was made from.
+    /// Origin of the report.
     pub made: Made,
-    /// What a printer puts on paper.
+    /// Extent of the printed report.
     pub print: Print,
     /// The language.
     pub words: &'static Words,
 }
 
 impl DiagnosisReport<'_> {
-    /// The report as one HTML document; the same input gives the same bytes.
+    /// Renders the report as one HTML document. Equal input gives equal bytes.
     pub fn render(&self) -> String {
         let [title, subtitle] = self.titles();
         page::page(&title, &subtitle, &self.sections(), self.words, self.print)
     }
 
-    /// The tables of the report as a workbook.
+    /// Returns the tables of the report as a workbook.
     pub fn workbook(&self) -> Workbook<'_> {
         let [title, subtitle] = self.titles();
         Workbook { title, subtitle, sections: self.sections(), made: self.made.clone(), words: self.words }
@@ -83,18 +83,18 @@ impl DiagnosisReport<'_> {
         [self.words.diagnosis_title.to_owned(), subtitle]
     }
 
-    /// Writes the report, replacing an older one only when the new one is complete.
+    /// Writes the report. It replaces an older report only once the new one is complete.
     ///
     /// # Errors
-    /// When the folder does not exist or cannot be written; the older report then stays.
+    /// If the folder does not exist or is not writable; the older report then stays.
     pub fn write(&self, path: &Path) -> anyhow::Result<()> {
         write_page(&self.render(), path)
     }
 
-    /// Writes every figure as a file of its own into a folder, which is made if missing.
+    /// Writes every figure as a file into a folder, and creates the folder if it is missing.
     ///
     /// # Errors
-    /// When the folder or a file cannot be written.
+    /// If the folder or a file is not writable.
     pub fn write_svgs(&self, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
         write_figures(&self.sections(), folder)
     }
@@ -117,7 +117,7 @@ impl DiagnosisReport<'_> {
     }
 }
 
-/// A text that begins a sentence. A parameter stays as the model file writes it.
+/// Capitalizes the first letter of a text. The name of a parameter stays unchanged.
 fn capital(text: &str) -> String {
     if text.split_whitespace().next().is_some_and(|first| first.contains('_')) {
         return text.to_owned();

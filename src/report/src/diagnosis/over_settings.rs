@@ -1,4 +1,5 @@
-//! The report of one damper diagnosed at several settings: one table over the settings, then each setting folded.
+//! The report of one damper diagnosed at several settings: one table over the settings, then a collapsed part per
+//! setting.
 
 use super::DiagnosisReport;
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -12,7 +13,7 @@ use dashpot_diagnosis::settings::{
 };
 use dashpot_records::setting_in_words;
 
-/// Everything that the report tells.
+/// Contents of the report.
 #[derive(Debug, Clone)]
 pub struct SettingsReport<'a> {
     /// Name of the model file diagnosed.
@@ -21,25 +22,25 @@ pub struct SettingsReport<'a> {
     pub data: String,
     /// Unit of the setting.
     pub unit: String,
-    /// What the settings say together.
+    /// Joint result of the settings.
     pub over: &'a OverSettings,
     /// The report of each setting.
     pub settings: Vec<(f64, DiagnosisReport<'a>)>,
-    /// What it was made from.
+    /// Origin of the report.
     pub made: Made,
-    /// What a printer puts on paper.
+    /// Extent of the printed report.
     pub print: Print,
     /// The language.
     pub words: &'static Words,
 }
 
 impl SettingsReport<'_> {
-    /// The report as one HTML document; the same input gives the same bytes.
+    /// Renders the report as one HTML document. Equal input gives equal bytes.
     pub fn render(&self) -> String {
         page::page(self.words.diagnosis_title, &self.subtitle(), &self.sections(), self.words, self.print)
     }
 
-    /// The tables of the report as a workbook.
+    /// Returns the tables of the report as a workbook.
     pub fn workbook(&self) -> Workbook<'_> {
         Workbook {
             title: self.words.diagnosis_title.to_owned(),
@@ -78,13 +79,13 @@ impl SettingsReport<'_> {
         sections
     }
 
-    /// What stands at each setting, in one cell.
+    /// Joins the texts of all settings in one cell.
     fn each(&self, all: impl Iterator<Item = (f64, String)>) -> String {
         let all: Vec<String> = all.map(|(setting, text)| format!("{}: {text}", self.named(setting))).collect();
         all.join(self.words.comma)
     }
 
-    /// A row an effect.
+    /// Builds a table with one row per effect.
     fn table(&self) -> Table {
         let words = self.words;
         let each = |of: &EffectOverSettings, write: &dyn Fn(&EffectAtSetting) -> String| {
@@ -122,7 +123,7 @@ impl SettingsReport<'_> {
         }
     }
 
-    /// A row a change against the reference.
+    /// Builds a table with one row per change from the reference.
     fn changes(&self) -> Table {
         let words = self.words;
         let each = |of: &ChangeOverSettings, write: &dyn Fn(&ChangeAtSetting) -> String| {
@@ -149,7 +150,7 @@ impl SettingsReport<'_> {
         }
     }
 
-    /// The answer at each setting.
+    /// Builds a table with the verdict at each setting.
     fn answers(&self) -> Table {
         let words = self.words;
         let row = |(setting, report): &(f64, DiagnosisReport<'_>)| -> Vec<Cell> {
@@ -179,7 +180,7 @@ impl SettingsReport<'_> {
     }
 }
 
-/// The sections of a report as one, its figures under names of their own.
+/// Merges the sections of a report into one section and prefixes the names of its figures.
 fn merged(id: &str, title: String, sections: Vec<Section>) -> Section {
     let renamed = |figure: Figure| Figure { file: format!("{id}-{}", figure.file), ..figure };
     let own = |block: Block| match block {
@@ -188,7 +189,7 @@ fn merged(id: &str, title: String, sections: Vec<Section>) -> Section {
         other => other,
     };
     let mut blocks = Vec::new();
-    // What it was made from stands once in the whole report.
+    // The whole report contains the section on its origin once.
     for section in sections.into_iter().filter(|section| section.id != made::ID) {
         blocks.push(Block::Heading(section.title));
         blocks.extend(section.blocks.into_iter().map(own));

@@ -1,4 +1,4 @@
-//! Where model and records disagree before anything is added.
+//! Regions where model and records disagree before any effect is added.
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
@@ -7,7 +7,7 @@ use crate::plot::{residual, residual_map};
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, Region};
 
-/// Regions, maps and curves.
+/// Builds the section of regions, maps and curves.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if found.regions.is_empty() {

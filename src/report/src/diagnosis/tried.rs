@@ -1,11 +1,11 @@
-//! Everything that was tried: nothing is named behind the reader's back.
+//! All tested hypotheses, so that the reader can verify each finding.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// One table per round; `None` where nothing was tried.
+/// Builds one table per iteration. Returns `None` if no hypothesis was tested.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let rounds: Vec<_> = found.iterations.iter().filter(|round| !round.is_empty()).collect();
     if rounds.is_empty() {
@@ -13,7 +13,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     }
     let mut blocks = vec![Block::Paragraph(words.tried_about.to_owned())];
     for (k, round) in rounds.iter().enumerate() {
-        // What was named is in the model to which the rest was added.
+        // The first table includes the findings: the other hypotheses were added to the model that contains the
+        // findings.
         let named = if k == 0 { found.findings.as_slice() } else { &[] };
         let named = named.iter().map(|f| (f.effect, f.form, f.confidence, &f.evidence));
         let rows = named

@@ -11,9 +11,9 @@ use dashpot_identification::family::{FamilyFit, SettingError, WorstLeftOut};
 use dashpot_identification::validation::{Summary, Validation};
 use dashpot_records::setting_in_words;
 
-/// Errors of the model and of the plain curve over the whole records of each setting.
+/// Builds the errors of the model and of its FV curve over the whole records of each setting.
 ///
-/// Tests whose setting changes have a row of their own.
+/// Tests with a changing setting have a separate row.
 pub fn validated(damper: &Definition, validation: &Validation, words: &Words) -> Table {
     let row = |name: String, summary: &Summary| {
         let mut row: Vec<Cell> = vec![name.into(), Cell::count(summary.tests)];
@@ -34,7 +34,7 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
-/// How good the family is between its settings; `None` where none was left out.
+/// Describes the error of the family between its settings. Returns `None` if no setting was left out.
 pub fn between(fit: &FamilyFit, words: &Words) -> Option<String> {
     let WorstLeftOut { setting, error, ratio } = fit.worst_left_out()?;
     let at = setting_in_words(setting, &fit.setting.unit);
@@ -44,7 +44,7 @@ pub fn between(fit: &FamilyFit, words: &Words) -> Option<String> {
     Some(words.fill(text, &[("at", &at), ("error", error), ("percent", percent), ("ratio", ratio)]))
 }
 
-/// Errors of an ordinary fit, of the family, and of the family that did not see the setting.
+/// Compares the errors of an ordinary fit, of the family, and of the family fitted without the setting.
 pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
     let pair = |of: Option<&SettingError>| match of {
         Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],

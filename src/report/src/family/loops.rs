@@ -10,10 +10,10 @@ use crate::words::Words;
 use dashpot_core::family::Definition;
 use dashpot_identification::validation::{Compared, Validation};
 
-/// By how much amplitude and peak velocity of one motion may differ from setting to setting.
+/// Largest relative difference of amplitude and peak velocity between settings for which the motion counts as equal.
 const SAME_MOTION: f64 = 0.1;
 
-/// The section; `None` without settings.
+/// Builds the section. Returns `None` without settings.
 pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Option<Section> {
     let common = common_motion(validation)?;
     let mut blocks = Vec::new();
@@ -53,7 +53,7 @@ pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'
     Some(Section::new("setting-loops", words.family_loops_section, blocks))
 }
 
-/// The test of each setting that has the fastest motion that most settings share; `None` without settings.
+/// Selects for each setting its test of the fastest motion that most settings share. Returns `None` without settings.
 fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
     let alike = |a: usize, b: usize| {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs().max(b.abs());
@@ -73,7 +73,7 @@ fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
         .map(|(all, _)| all)
 }
 
-/// The loops of one motion at all settings, model over measurement.
+/// Draws the loops of one motion at all settings, model over measurement.
 fn together(
     damper: &Definition,
     validation: &Validation,
@@ -87,7 +87,7 @@ fn together(
         common.iter().enumerate().filter_map(|(k, place)| Some((k, tests.get((*place)?)?))).collect();
     let lines = |compared: &Compared<'_>, force: &[f64]| -> Vec<Vec<[f64; 2]>> {
         let x = over(compared);
-        // One loop is enough where several lie over each other.
+        // One loop is enough where several loops coincide.
         let last = of_test::shown(compared).pop();
         last.into_iter().map(|range| range.map(|i| [1e3 * x[i], force[i]]).collect()).collect()
     };

@@ -1,9 +1,9 @@
-//! The report of a damper over a setting: curves first, then errors, then loops; the caller folds everything else.
+//! The report of an adjustable damper: first curves, then errors, then loops. The caller collapses all other sections.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
 //! | [`curves`] | FV curves by setting, force over the setting, ratio of two settings |
-//! | [`numbers`] | numbers over the setting with their intervals |
+//! | [`numbers`] | parameters over the setting with their intervals |
 //! | [`errors`] | errors at each setting |
 //! | [`responses`] | responses to steps of the setting, the actuator, hysteresis over the setting |
 //! | [`loops`] | loops of selected tests |
@@ -22,17 +22,17 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{Compared, SettingSummary, Validation};
 use dashpot_records::setting_in_words;
 
-/// What a report of a damper over a setting is made from, beside its validation.
+/// Input of the report of an adjustable damper, in addition to its validation.
 #[derive(Debug, Clone, Copy)]
 pub struct FamilyReport<'a> {
     /// The model file.
     pub model: &'a ModelFile,
-    /// Its fit, where that has just been made.
+    /// Its fit, if this run made one.
     pub fit: Option<&'a FamilyFit>,
 }
 
 impl FamilyReport<'_> {
-    /// The sections that come before everything else.
+    /// Builds the sections at the beginning of the report.
     pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
         let damper = self.model.definition();
         let mut first: Vec<Block> =
@@ -53,7 +53,7 @@ impl FamilyReport<'_> {
         sections
     }
 
-    /// The numbers with their intervals, and what depends on the setting.
+    /// Builds the tables of parameters with intervals, and of their dependence on the setting.
     pub fn tables(self, words: &Words) -> Option<Section> {
         let mut blocks: Vec<Block> = numbers::table(self.model, words).map(Block::Table).into_iter().collect();
         blocks.extend(self.fit.map(|fit| Block::Table(numbers::dependences(fit, words))));
@@ -62,24 +62,24 @@ impl FamilyReport<'_> {
     }
 }
 
-/// Name of the setting; the word for any where the file gives none.
+/// Returns the name of the setting, or a generic word if the file contains no name.
 fn axis_name<'a>(damper: &'a Definition, words: &'a Words) -> &'a str {
     let name = damper.axis.name();
     if name.is_empty() { words.col_setting } else { name }
 }
 
-/// Title of an axis of the setting, with its unit.
+/// Formats the title of an axis over the setting, with its unit.
 fn axis_title(damper: &Definition, words: &Words) -> String {
     let unit = damper.axis.unit();
     format!("{}, {}", axis_name(damper, words), if unit.is_empty() { "-" } else { unit })
 }
 
-/// A value of the setting with its unit.
+/// Formats a value of the setting with its unit.
 fn named(damper: &Definition, setting: f64, words: &Words) -> String {
     words.number(&setting_in_words(setting, damper.axis.unit()))
 }
 
-/// A setting of the tests, marked where the model file gives no numbers at it.
+/// Formats a setting of the tests. A note marks a setting that is not in the model file's grid.
 fn named_summary(damper: &Definition, of: &SettingSummary, words: &Words) -> String {
     let name = named(damper, of.setting, words);
     let (low, high) = damper.axis.range();

@@ -1,4 +1,4 @@
-//! Numbers of the damper over the setting, with their intervals.
+//! Parameters of the damper over the setting, with their intervals.
 
 use super::{axis_title, named};
 use crate::blocks::{Column, Figure, Table};
@@ -13,7 +13,7 @@ use dashpot_core::parameter::{self, Number, Row};
 use dashpot_identification::family::{FamilyFit, FamilyItem, ForceAtSetting};
 use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
 
-/// Friction levels and the gas force: they are drawn whether they depend on the setting or not.
+/// Friction levels and the gas force, whose figures appear even if they do not depend on the setting.
 const ALWAYS: [Number; 5] = [
     number!("coulomb_force"),
     number!("stribeck_coulomb_force"),
@@ -24,7 +24,7 @@ const ALWAYS: [Number; 5] = [
 /// Points of a line over the setting.
 const POINTS: usize = 61;
 
-/// A figure for each number that depends on the setting, and for friction and gas.
+/// Draws a figure for each parameter that depends on the setting, and for friction and gas.
 pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
     let varies = |number: Number| model.axis.values(number).is_some();
     let wanted = |row: &Row| {
@@ -35,7 +35,7 @@ pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
     parameter::table().filter_map(|row| wanted(&row)).map(|number| figure(model, number, words)).collect()
 }
 
-/// The 95 % interval of a number at a place of the grid; `None` where the fit leaves none.
+/// Returns the 95 % interval of a parameter at a grid position, or `None` if the fit has no interval.
 fn interval(model: &ModelFile, number: Number, place: usize) -> Option<[f64; 2]> {
     let known = &model.identification;
     let found = match known.intervals_over_setting.get(number.name()) {
@@ -45,7 +45,7 @@ fn interval(model: &ModelFile, number: Number, place: usize) -> Option<[f64; 2]>
             _ => None,
         },
     };
-    // Two ends that are alike stand for none.
+    // Equal ends mean that there is no interval.
     found.filter(|[low, high]| low < high)
 }
 
@@ -76,7 +76,7 @@ fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
     let definition = model.definition();
     let parameter = number.parameter();
     let all = || series.iter().flat_map(|series| &series.lines).flatten().copied();
-    // From zero, so that a number that hardly varies looks so.
+    // The axis includes zero, so that a nearly constant parameter looks constant.
     let values = all().map(|p| p[1]).chain([0.0]);
     let plane = Plane {
         title: number.name().to_owned(),
@@ -93,7 +93,7 @@ fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
     Figure::new(format!("number-{}", number.name()), svg).saying(caption)
 }
 
-/// Every number that depends on the setting, at each value of the grid.
+/// Builds the table of every parameter that depends on the setting, at each value of the grid.
 pub fn table(model: &ModelFile, words: &Words) -> Option<Table> {
     let definition = model.definition();
     let mut rows: Vec<Vec<Cell>> = Vec::new();
@@ -131,7 +131,7 @@ pub fn table(model: &ModelFile, words: &Words) -> Option<Table> {
     Some(Table { caption: words.family_numbers_table.to_owned(), columns, rows, sortable: true })
 }
 
-/// The points of the FV curve at each value of the grid.
+/// Builds the rows for the points of the FV curve at each value of the grid.
 fn curve_rows(model: &ModelFile, words: &Words) -> Vec<Vec<Cell>> {
     let definition = model.definition();
     let velocities = model.params.list(dashpot_core::list!("fv_velocity"));
@@ -161,7 +161,7 @@ fn curve_rows(model: &ModelFile, words: &Words) -> Vec<Vec<Cell>> {
     rows
 }
 
-/// The force of every effect at each setting; `None` where there is none beside the FV curve.
+/// Builds the table of every effect's force at each setting. Returns `None` if the FV curve is the only effect.
 pub fn effects(model: &ModelFile, fit: &FamilyFit, words: &Words) -> Option<Table> {
     let definition = model.definition();
     let rows_of = |of: &FamilyItem| -> Vec<Vec<Cell>> {
@@ -190,7 +190,7 @@ pub fn effects(model: &ModelFile, fit: &FamilyFit, words: &Words) -> Option<Tabl
     (!rows.is_empty()).then_some(Table { caption, columns, rows, sortable: true })
 }
 
-/// What depends on the setting, with its probability.
+/// Builds the table of dependences on the setting, with their probabilities.
 pub fn dependences(fit: &FamilyFit, words: &Words) -> Table {
     let rows = fit.dependences.iter().map(|of| {
         let how = if of.varies { words.yes } else { words.no };

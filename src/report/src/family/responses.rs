@@ -1,4 +1,4 @@
-//! Responses to steps of the setting: one step up and one down, their times, the numbers of the actuator, hysteresis.
+//! Responses to steps of the setting: one step up and one down, their times, actuator parameters and hysteresis.
 
 use super::{FamilyReport, axis_title, named};
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -15,12 +15,12 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
-/// Points of a way over the setting.
+/// Points of one branch over the setting.
 const POINTS: usize = 61;
 /// Fraction of the largest velocity of the tests at which hysteresis is drawn.
 const VELOCITY: f64 = 0.5;
 
-/// The section; `None` for a damper without an actuator and tests without steps.
+/// Builds the section. Returns `None` if the damper has no actuator and no test contains a step.
 pub fn section(
     report: FamilyReport<'_>,
     damper: &Definition,
@@ -59,7 +59,7 @@ fn step_name(damper: &Definition, of: &StepResponse, words: &Words) -> String {
     format!("{} → {}", named(damper, of.from, words), named(damper, of.to, words))
 }
 
-/// One kind of step, model over measurement.
+/// Draws one kind of step, model over measurement.
 fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: &Words) -> Figure {
     let line = |response: &[f64]| -> Vec<[f64; 2]> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|p| p[1].is_finite()).collect()
@@ -81,7 +81,7 @@ fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: 
     Figure::new(file, plane.draw_named(&names, SIZE, words)).saying(step_name(damper, of, words))
 }
 
-/// Times of all kinds of steps.
+/// Builds the table of the times of all kinds of steps.
 fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Table {
     let five = |times: Option<&ResponseTimes>| -> [Cell; 5] {
         let milli = |s: f64| Cell::number(1e3 * s, |v| digits(v, 3));
@@ -116,7 +116,7 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
     }
 }
 
-/// Numbers of the actuator; `None` for a damper without one.
+/// Builds the table of actuator parameters. Returns `None` for a damper without actuator.
 fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
     let rows: Vec<Vec<Cell>> = actuator_numbers(&model.axis, &model.identification)
         .into_iter()
@@ -136,7 +136,7 @@ fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
     (!rows.is_empty()).then_some(Table { caption, columns, rows, sortable: false })
 }
 
-/// What the valve has, with its probability.
+/// Builds the table of the actuator's components with their probabilities.
 fn parts(parts: &[ActuatorDecision], words: &Words) -> Table {
     let row = |of: &ActuatorDecision| -> Vec<Cell> {
         let how = if of.is_present { words.yes } else { words.no };
@@ -147,7 +147,7 @@ fn parts(parts: &[ActuatorDecision], words: &Words) -> Table {
     Table { caption: words.actuator_parts.to_owned(), columns, rows: parts.iter().map(row).collect(), sortable: false }
 }
 
-/// Force over the setting on a slow way up and down; `None` without hysteresis.
+/// Draws the force over a slowly increasing and decreasing setting. Returns `None` without hysteresis.
 fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
     let actuator = damper.axis.actuator();
     if !actuator.has_hysteresis() {
@@ -156,7 +156,7 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
     let peaks = validation.tests.iter().map(|test| test.peak_velocity_m_s);
     let velocity = VELOCITY * peaks.fold(0.0, f64::max);
     let (low, high) = damper.axis.range();
-    // Slow: the valve is at rest at each command.
+    // The sweep is slow: the valve is in equilibrium at each command.
     let still = Actuator { hysteresis: actuator.hysteresis, ..Actuator::NONE };
     let mut stand = Stand { lagged: low, turned: 0.0 };
     let mut way = |is_up: bool| -> Vec<[f64; 2]> {
@@ -170,7 +170,7 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
         }
         points
     };
-    // A round before makes the way up that of a loop.
+    // A preceding cycle brings the hysteresis to its steady state.
     let _ = (way(true), way(false));
     let lines = [way(true), way(false)];
     let names = [words.way_up.to_owned(), words.way_down.to_owned()];

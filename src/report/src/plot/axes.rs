@@ -1,4 +1,4 @@
-//! A plane figure: two axes with marks and units, a legend above, lines or dots inside.
+//! A plane figure: two axes with ticks and units, a legend above, and lines or dots.
 
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
@@ -7,15 +7,15 @@ use crate::words::Words;
 
 /// Size of a plane figure, px.
 pub const SIZE: [f64; 2] = [460.0, 330.0];
-/// Points that the lines of a series may keep. With 260 a report of 55 tests stays below 3 MB; with 450 it has 3.8 MB and
-/// shows no more.
+/// Largest number of points of a series' lines. With 260 a report of 55 tests stays below 3 MB; with 450 it has 3.8 MB
+/// without visible improvement.
 pub const LINE_LIMIT: usize = 260;
 
-/// Text sizes, px.
+/// Size of the title, px.
 pub const TITLE: f64 = 13.0;
-/// Axis titles and legend.
+/// Size of axis titles and legend, px.
 pub const LABEL: f64 = 12.0;
-/// Tick labels.
+/// Size of tick labels, px.
 pub const TICK: f64 = 11.0;
 
 /// One axis: its title with unit, and the range shown.
@@ -27,23 +27,23 @@ pub struct Axis {
     pub low: f64,
     /// Largest value shown.
     pub high: f64,
-    /// How values are spread over it.
+    /// Scale of the values.
     pub scale: Scale,
 }
 
-/// How an axis spreads its values.
+/// Scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear.
     Linear,
-    /// By their logarithm; all are positive.
+    /// Logarithmic, for positive values.
     Logarithmic,
-    /// By the root of their magnitude: what happens near zero gets room, and the sign stays.
+    /// Signed square root: it magnifies the neighborhood of zero and keeps the sign.
     Root,
 }
 
 impl Scale {
-    /// Its name for the page's script, which spreads values the same way where a reader zooms.
+    /// Returns the name for the page's script, which applies the same scale when a reader zooms.
     fn name(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -52,7 +52,7 @@ impl Scale {
         }
     }
 
-    /// A value on the evenly spread scale.
+    /// Transforms a value to its position on the scale.
     pub fn position(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
@@ -61,7 +61,7 @@ impl Scale {
         }
     }
 
-    /// The value at a place of the evenly spread scale.
+    /// Transforms a position on the scale back to the value.
     pub fn back(self, place: f64) -> f64 {
         match self {
             Self::Linear => place,
@@ -72,7 +72,8 @@ impl Scale {
 }
 
 impl Axis {
-    /// An axis that shows all values with a margin. Constant or missing values get a range of their own size.
+    /// Makes an axis that shows all values with a margin. Constant or missing values get a range of their own
+    /// magnitude.
     pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = values.into_iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
@@ -81,13 +82,13 @@ impl Axis {
         let margin = match () {
             () if span > 1e-9 * size => 0.04 * span,
             () if size > 0.0 => (0.5 * size).max(1e-6),
-            // Of nothing but zeros the unit is as good as any range, and its numbers can be read.
+            // If all values are zero, a range of one unit has readable ticks.
             () => 1.0,
         };
         Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 
-    /// An axis that ends exactly where the values do (time).
+    /// Makes an axis that ends exactly at the extreme values (time).
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
         if high > low {
             Self { label: label.into(), low, high, scale: Scale::Linear }
@@ -96,13 +97,13 @@ impl Axis {
         }
     }
 
-    /// Place of a value between 0 (low end) and 1 (high end).
+    /// Returns the position of a value between 0 (low end) and 1 (high end).
     pub fn place(&self, value: f64) -> f64 {
         let [low, value, high] = [self.low, value, self.high].map(|v| self.scale.position(v));
         (value - low) / (high - low)
     }
 
-    /// Marks, about `wanted` of them.
+    /// Returns about `wanted` ticks.
     pub fn ticks(&self, wanted: usize, words: &Words) -> Ticks {
         let ticks = match self.scale {
             Scale::Linear => Ticks::linear(self.low, self.high, wanted),
@@ -116,24 +117,24 @@ impl Axis {
 /// Lines of one role in data units; each inner list is one unbroken line.
 #[derive(Debug, Clone)]
 pub struct Series {
-    /// Whose force.
+    /// Role, which selects the color.
     pub role: Role,
     /// Name in the legend.
     pub label: &'static str,
     /// Unbroken lines.
     pub lines: Vec<Vec<[f64; 2]>>,
-    /// How its points are shown.
+    /// Display of the points.
     pub marks: Marks,
 }
 
-/// How the points of a series are shown.
+/// Display of the points of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marks {
     /// Joined by a line.
     Line,
-    /// Joined and marked one by one, as for a curve of few points.
+    /// Joined and marked individually, for a curve of few points.
     Both,
-    /// Marked alone: each is a result by itself.
+    /// Marked only: each point is a separate result.
     Dots,
     /// A larger dot, which stays visible under dots on top.
     LargeDots,
@@ -142,7 +143,7 @@ pub enum Marks {
 /// A plane figure.
 #[derive(Debug, Clone)]
 pub struct Plane {
-    /// What is shown.
+    /// Title of the figure.
     pub title: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -152,12 +153,12 @@ pub struct Plane {
     pub series: Vec<Series>,
 }
 
-/// How the lines of a figure are drawn.
+/// Method of drawing the lines of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Drawn {
-    /// As lines of at most so many points.
+    /// As lines with at most this number of points.
     Lines(usize),
-    /// As the places that they pass.
+    /// As the area that the lines cover.
     Traces,
 }
 
@@ -167,12 +168,12 @@ impl Plane {
         self.drawn(Drawn::Lines(LINE_LIMIT), SIZE, words, &[])
     }
 
-    /// Draws lines that swing for a long time, with as many points as that takes.
+    /// Draws long oscillating lines with a larger limit of points.
     pub fn draw_long(&self, words: &Words) -> String {
         self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE, words, &[])
     }
 
-    /// Draws the figure of lines that cross themselves many times, as the places that they pass.
+    /// Draws lines with many self-intersections as the area that they cover.
     pub fn draw_traces(&self, words: &Words) -> String {
         self.drawn(Drawn::Traces, SIZE, words, &[])
     }
@@ -182,7 +183,7 @@ impl Plane {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, &[])
     }
 
-    /// The figure at a size, its series called by names that are no words of the report.
+    /// Draws the figure at another size; the names of its series come from the data and not from the report's texts.
     pub fn draw_named(&self, names: &[String], size: [f64; 2], words: &Words) -> String {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, names)
     }
@@ -204,7 +205,7 @@ impl Plane {
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
         let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
         let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
-        // A series under an empty name shares the mark of another one.
+        // A series with an empty name uses the legend entry of another series.
         let named = self.series.iter().zip(&labels).filter(|(_, label)| names.is_empty() || !label.is_empty());
         let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);
@@ -260,7 +261,7 @@ impl Plane {
     }
 }
 
-/// How a series is marked, in the figure and in its legend.
+/// Mark of a series in the figure and in the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mark {
     /// A line.
@@ -269,7 +270,8 @@ pub enum Mark {
     Dot,
 }
 
-/// Title and, below it, the legend: a mark and a name for each series. What would run over the right edge is written smaller.
+/// Draws the title and, below it, the legend: a mark and a name for each series. Text too wide for the figure gets a
+/// smaller font.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mark)]) {
     let room = svg.width() - left - 4.0;
     let size = TITLE * (room / (BOLD * text_width(title, TITLE))).min(1.0);
@@ -288,11 +290,13 @@ pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mar
     }
 }
 
-/// How much wider bold letters are.
+/// Width of bold letters relative to regular letters.
 const BOLD: f64 = 1.08;
 
-/// Width of a text, px, in the widest of the usual fonts (Verdana and DejaVu Sans; Chinese letters are as wide as high). A
-/// narrower font leaves a little air; a guess from a narrow one would cut labels off.
+/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans; Chinese letters are as wide
+/// as high).
+///
+/// A narrower font leaves a small gap; an estimate from a narrow font would cut labels off.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let letter = |c: char| if ('\u{2e80}'..='\u{ffef}').contains(&c) { 1.02 } else { 0.64 };
     size * text.chars().map(letter).sum::<f64>()

@@ -1,4 +1,4 @@
-//! Before and after a diagnosis: the error of every test, and the loops of one.
+//! Figures before and after a diagnosis: the error of every test, and the loops of one test.
 
 use super::axes::{Axis, LABEL, Mark, Marks, Plane, Series, TICK, heading, text_width};
 use super::overview::shorten;
@@ -8,10 +8,10 @@ use super::ticks::Ticks;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Least error that is told apart from none, N.
+/// Smallest error that the figure distinguishes from zero, N.
 const FLOOR: f64 = 0.01;
 
-/// Name of every test; the stretches of a long one are numbered.
+/// Returns the name of every test; the segments of a long test are numbered.
 pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
     let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.left_out == b.left_out;
     tests
@@ -24,14 +24,14 @@ pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
             }
             let place = tests[..k].iter().filter(|other| same(other, test)).count();
             let (place, count) = ((place + 1).to_string(), count.to_string());
-            // The name comes last: it may hold braces.
+            // The name comes last, because it may contain braces.
             words.fill(words.stretch, &[("place", &place), ("count", &count), ("test", &test.test)])
         })
         .collect()
 }
 
-/// Root-mean-square error of every test before and after, with what noise alone makes; fitted tests left, left-out ones
-/// right.
+/// Draws the root mean square error of every test before and after the diagnosis, with the noise. Fitted tests are on
+/// the left, left-out tests on the right.
 pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let fitted = tests.iter().filter(|t| !t.left_out).count();
     let groups = usize::from(fitted > 0) + usize::from(fitted < tests.len());
@@ -46,7 +46,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
     let legend = [(Role::Before, words.before, Mark::Dot), (Role::Model, words.after, Mark::Dot)];
     heading(&mut svg, title, left, &legend);
-    // Behind the legend, which is wider in some languages than in English.
+    // The noise entry stands to the right of the legend, which is wider in some languages than in English.
     let wide: f64 = legend.iter().map(|(_, label, _)| 41.0 + text_width(label, LABEL)).sum();
     let noise = left + wide.max(175.0);
     svg.frame(&[[[noise, 33.0], [noise + 12.0, 33.0]]], 1.6);
@@ -94,21 +94,21 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     svg.finish()
 }
 
-/// Force over velocity: measured, before, after.
+/// Draws force over velocity: measured, before, after.
 pub fn force_velocity(test: &TestOutcome, words: &Words) -> String {
     let velocity = &test.curves.velocity;
     let series = forces(test, words, |i| 1e3 * velocity[i]);
     plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Force over displacement: measured, before, after.
+/// Draws force over displacement: measured, before, after.
 pub fn force_displacement(test: &TestOutcome, words: &Words) -> String {
     let displacement = &test.curves.displacement;
     let series = forces(test, words, |i| 1e3 * displacement[i]);
     plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
-/// What is left before and after, over velocity.
+/// Draws the residual before and after, over velocity.
 pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     let curves = &test.curves;
     let line = |role, label, force: &[f64]| {
@@ -119,7 +119,7 @@ pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     plane([words.plot_left_velocity, words.axis_velocity, words.axis_residual], series, words)
 }
 
-/// Places along the curve; a cycle returns to its start.
+/// Returns the indices along the curve; a cycle returns to its start.
 fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
     let count = test.curves.measured.len();
     (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))
@@ -142,20 +142,20 @@ fn forces(test: &TestOutcome, words: &Words, over: impl Fn(usize) -> f64) -> Vec
     .collect()
 }
 
-/// A figure whose axes hold all series.
+/// Makes a figure whose axes contain all series.
 fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String {
     let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
     Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }.draw(words)
 }
 
 #[cfg(test)]
-/// Tests, and what those of other pictures share.
+/// Tests, and test data shared with other figures.
 pub mod tests {
     use super::*;
     use crate::words::EN;
     use dashpot_diagnosis::Curves;
 
-    /// A sine test whose model lacks 20 N of friction before and 1 N after.
+    /// Makes a sine test whose model lacks 20 N of friction before the diagnosis and 1 N after.
     pub fn outcome(name: &str, held_out: bool) -> TestOutcome {
         let phase = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / 100.0;
         let over = |f: &dyn Fn(f64) -> f64| (0..100).map(|i| f(phase(i))).collect::<Vec<f64>>();

@@ -1,7 +1,7 @@
-//! The cross-plot of the field: force over velocity and displacement, drawn in space, and its error likewise.
+//! Three-dimensional cross-plots of one test: the force over velocity and displacement, and its error.
 //!
-//! A parallel (axonometric) projection, so that equal lengths along an axis stay equal. The measured loop's shadows
-//! on the back walls are the force–velocity and force–displacement plots.
+//! The projection is parallel (axonometric), so that equal lengths along an axis stay equal. The projections of the
+//! measured loop on the back walls are the force–velocity and force–displacement plots.
 
 use super::axes::{Axis, LABEL, LINE_LIMIT, Mark, SIZE, TICK, heading};
 use super::of_test::shown;
@@ -11,16 +11,16 @@ use super::svg::{Anchor, Svg, TextStyle};
 use crate::words::Words;
 use dashpot_identification::validation::Compared;
 
-/// Turn of the box about the vertical, degrees.
+/// Rotation of the box about the vertical axis, degrees.
 const TURN: f64 = 36.0;
-/// Height of the eye above the floor, degrees.
+/// Elevation of the line of sight, degrees.
 const ELEVATION: f64 = 20.0;
-/// Edges of the box: velocity, displacement, force, px.
+/// Edge lengths of the box: velocity, displacement, force, px.
 const BOX: [f64; 3] = [225.0, 185.0, 150.0];
-/// Middle of the box in the figure, px.
+/// Center of the box in the figure, px.
 const MIDDLE: Point = [242.0, 168.0];
 
-/// Force over velocity and displacement.
+/// Draws the force over velocity and displacement.
 pub fn force(compared: &Compared<'_>, words: &Words) -> String {
     let series = [
         (Role::Measured, words.measured, compared.record.force.clone()),
@@ -30,7 +30,7 @@ pub fn force(compared: &Compared<'_>, words: &Words) -> String {
     draw([words.plot_force_space, words.axis_force], compared, &series, words)
 }
 
-/// Error over velocity and displacement.
+/// Draws the error over velocity and displacement.
 pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     let minus = |force: &[f64]| force.iter().zip(&compared.record.force).map(|(f, measured)| f - measured).collect();
     let series =
@@ -38,9 +38,9 @@ pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     draw([words.plot_error_space, words.axis_error], compared, &series, words)
 }
 
-/// Place in the figure of a place in the box, each coordinate from 0 to 1.
+/// Projects a point of the box, each coordinate from 0 to 1, into the figure.
 ///
-/// Velocity runs right and towards the reader, displacement right and away, force up.
+/// Velocity points right and toward the reader, displacement right and away, force up.
 fn project(at: [f64; 3]) -> Point {
     let (turn, elevation) = (TURN.to_radians(), ELEVATION.to_radians());
     let [u, w, z] = [0, 1, 2].map(|i| (at[i] - 0.5) * BOX[i]);
@@ -90,7 +90,7 @@ fn draw(
     svg.finish()
 }
 
-/// Floor and two back walls with grid, frame, tick labels and axis titles along the outer edges.
+/// Draws the floor and two back walls with grid, frame, tick labels and axis titles along the outer edges.
 fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
     let ticks = [(0, 5), (1, 4), (2, 5)].map(|(axis, wanted)| axes[axis].ticks(wanted, words));
     let places = |axis: usize| ticks[axis].at.iter().map(move |(value, _)| axes[axis].place(*value));
@@ -121,7 +121,7 @@ fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
         line([0.0, 1.0, 1.0], [1.0, 1.0, 1.0]),
     ]);
     svg.frame(&frame, 0.8);
-    // Where the quantity is zero, on both back walls.
+    // Draw the line of zero on both back walls.
     let zero = axes[2].place(0.0);
     if (0.0..=1.0).contains(&zero) {
         svg.frame(&[line([0.0, 0.0, zero], [0.0, 1.0, zero]), line([0.0, 1.0, zero], [1.0, 1.0, zero])], 0.6);
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn the_back_walls_are_behind_the_box() {
-        // Of two corners on the same line of sight the one on a wall must be hidden by nothing: its depth is largest.
+        // The center of each drawn wall must lie behind the opposite one: its depth is larger.
         let depth = |at: [f64; 3]| {
             let turn = TURN.to_radians();
             (at[1] - 0.5) * BOX[1] * libm::cos(turn) - (at[0] - 0.5) * BOX[0] * libm::sin(turn)

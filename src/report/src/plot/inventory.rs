@@ -1,4 +1,4 @@
-//! The force that each effect of an inventory carries, stacked, by bands of amplitude and of peak velocity.
+//! Stacked force of each effect in an inventory, by bands of amplitude and of peak velocity.
 
 use super::axes::{Axis, LABEL, TICK, TITLE, text_width};
 use super::palette::Role;
@@ -7,13 +7,14 @@ use crate::numbers::{digits, error};
 use crate::words::{Words, fill};
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// Effects with a hue of their own; the palette has eight, of which the last stands for all smaller ones.
+/// Number of effects with a distinct hue; the palette has eight, of which the last one stands for all smaller effects.
 const SHOWN: usize = 7;
-/// Most bands of one kind, so that both kinds fit half a printed page.
+/// Largest number of bands of one kind, so that both kinds fit half a printed page.
 const BANDS: usize = 6;
-/// Ratio of neighboring values from which they may belong to different bands: rigs hold an amplitude within 5 %, and matrices step by 20 % or more.
+/// Ratio of neighboring values above which a band may end. Rigs control an amplitude within 5 %, and test matrices step
+/// by 20 % or more.
 const APART: f64 = 1.15;
-/// Size, px: printed across the page.
+/// Width of the figure, px, for the full width of a printed page.
 const WIDTH: f64 = 880.0;
 const ROW: f64 = 24.0;
 const BAR: f64 = 16.0;
@@ -27,7 +28,7 @@ struct Band {
     tests: Vec<usize>,
 }
 
-/// Bands of values, divided at the largest ratios of neighbors: tests of one nominal value never part.
+/// Divides values into bands at the largest ratios of neighbors. Tests of one nominal value stay together.
 fn bands(values: &[f64]) -> Vec<Band> {
     let mut order: Vec<usize> = (0..values.len()).filter(|k| values[*k].is_finite() && values[*k] > 0.0).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]).then(a.cmp(b)));
@@ -46,7 +47,7 @@ fn bands(values: &[f64]) -> Vec<Band> {
 }
 
 impl Band {
-    /// Its values in mm or mm/s: one, or a range.
+    /// Formats the values in mm or mm/s: one value, or a range.
     fn label(&self, words: &Words) -> String {
         let text = |si: f64| digits(1e3 * si, 2);
         if self.high < APART * self.low {
@@ -55,21 +56,23 @@ impl Band {
         words.number(&fill(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
     }
 
-    /// Root mean square over its tests.
+    /// Computes the root mean square over the tests of the band.
     fn rms(&self, by_test: &[f64]) -> f64 {
         let sum: f64 = self.tests.iter().map(|k| by_test[*k] * by_test[*k]).sum();
         (sum / self.tests.len() as f64).sqrt()
     }
 }
 
-/// An effect in its hue, with its force in each test.
+/// An effect with its hue and its force in each test.
 struct Layer {
     role: Role,
     name: String,
     by_test: Vec<f64>,
 }
 
-/// Effects of the most probable model, largest force first; those without a hue together, by the root of their summed squares.
+/// Returns the effects of the most probable model, largest force first.
+///
+/// The last layer combines all effects without a hue of their own, by the root of their summed squares.
 fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     let is_drawn = |item: &&InventoryItem| {
         matches!(item.status, Status::Kept | Status::Added)
@@ -96,7 +99,7 @@ fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     all
 }
 
-/// The figure; `None` where no effect carries a force in a fitted test.
+/// Draws the figure. Returns `None` if no effect carries a force in a fitted test.
 pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<String> {
     let fitted: Vec<&TestOutcome> = tests.iter().filter(|test| !test.left_out).collect();
     let layers = layers(items, fitted.len(), words);
@@ -164,7 +167,7 @@ pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(svg.finish())
 }
 
-/// Positions of the names, in as many lines as they need, and the lower edge of the last line.
+/// Positions the names in as few lines as possible, and returns the lower edge of the last line.
 fn legend(layers: &[Layer], left: f64, right: f64) -> (Vec<[f64; 2]>, f64) {
     let [mut x, mut y] = [left, 37.0];
     let mut all = Vec::new();
@@ -224,7 +227,8 @@ mod tests {
         ];
         let text = stacked(&items, &tests, &EN).unwrap();
         assert!(!text.contains("NaN") && !text.contains("inf"));
-        // One band of amplitude, one of speed: both tests are the same motion. 40 and 0 N are 28.3 N rms.
+        // There is one band of amplitude and one of velocity, because both tests have the same motion. 40 and 0 N are
+        // 28.3 N rms.
         assert_eq!(text.matches("<title>air in the oil: 28.3 N</title>").count(), 2, "{text}");
         assert_eq!(text.matches("<title>dry friction: 20.0 N</title>").count(), 2);
         assert!(!text.contains("rubber bush") && !text.contains("gas spring"));

@@ -1,7 +1,7 @@
 //! Plane figures of one test.
 //!
-//! Loops show the last two whole cycles, where the model has settled; a test without cycles is shown whole.
-//! Displacement in mm, velocity in mm/s, force in N.
+//! Loops show the last two whole cycles, where the model is in steady state; a test without cycles is shown whole.
+//! Displacement is in mm, velocity in mm/s, force in N.
 
 use super::axes::{Axis, Marks, Plane, Series};
 use super::palette::Role;
@@ -12,12 +12,12 @@ use std::ops::Range;
 /// Whole cycles shown in a loop.
 pub const CYCLES_SHOWN: usize = 2;
 
-/// Force over velocity.
+/// Draws force over velocity.
 pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
     let mut series = forces(compared, words, &shown, |i| 1e3 * velocity[i]);
-    // The curve has no loop: one line from the lowest to the highest velocity.
+    // The curve has no loop, so one line runs from the lowest to the highest velocity.
     for curve in series.iter_mut().filter(|one| one.role == Role::FvOnly) {
         let mut line = curve.lines.concat();
         line.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -26,7 +26,7 @@ pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Force over velocity with another model beside the validated one.
+/// Draws force over velocity with a second model for comparison.
 pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64], words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
@@ -37,14 +37,14 @@ pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force
     plane([name, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Force over displacement.
+/// Draws force over displacement.
 pub fn force_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     let series = forces(compared, words, &shown(compared), |i| 1e3 * displacement[i]);
     plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
-/// Force over time, from the start of the cycles shown.
+/// Draws force over time, from the start of the cycles shown.
 pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     let time = &compared.record.time;
     let shown = shown(compared);
@@ -56,7 +56,7 @@ pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     plane.draw(words)
 }
 
-/// Error over velocity.
+/// Draws the error over velocity.
 pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     plane(
@@ -66,7 +66,7 @@ pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Error over displacement.
+/// Draws the error over displacement.
 pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     plane(
@@ -76,7 +76,7 @@ pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Gap between the strokes over velocity, averaged over all whole cycles.
+/// Draws the gap between the strokes over velocity, averaged over all whole cycles.
 pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,
@@ -92,7 +92,8 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     plane([words.plot_gap, words.axis_velocity, words.axis_gap], series, words)
 }
 
-/// Sample ranges a loop shows, each up to the first sample of the cycle behind it, so that loops close; none is empty.
+/// Returns the non-empty ranges of samples in a loop. Each includes the first sample of the next cycle, so that loops
+/// close.
 pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     let cycles = &compared.record.cycles;
     let samples = compared.record.force.len();
@@ -102,7 +103,7 @@ pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
 
-/// Measured, curve and model over a quantity, in drawing order: the model on top.
+/// Returns measurement, curve and model over a quantity, in drawing order: the model on top.
 fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
     [
         (Role::Measured, words.measured, &compared.record.force),
@@ -119,7 +120,7 @@ fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: 
     .collect()
 }
 
-/// Errors of curve and model over a quantity.
+/// Returns the errors of curve and model over a quantity.
 fn errors(compared: &Compared<'_>, words: &Words, over: impl Fn(usize) -> f64) -> Vec<Series> {
     let measured = &compared.record.force;
     let shown = shown(compared);
@@ -134,7 +135,7 @@ fn errors(compared: &Compared<'_>, words: &Words, over: impl Fn(usize) -> f64) -
         .collect()
 }
 
-/// A figure whose axes hold all series.
+/// Makes a figure whose axes contain all series.
 fn prepare(title: &str, x: &str, y: &str, series: Vec<Series>) -> Plane {
     let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
     Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }
@@ -145,13 +146,13 @@ fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String
 }
 
 #[cfg(test)]
-/// Tests, and what those of other pictures share.
+/// Tests, and test data shared with other figures.
 pub mod tests {
     use super::*;
     use crate::words::EN;
     use dashpot_records::Record;
 
-    /// A sine test of `cycles` cycles with 400 samples each; none marked when `marked` is false.
+    /// Makes a sine test of `cycles` cycles with 400 samples each. The record contains the cycles only if `marked`.
     pub fn record(cycles: usize, marked: bool) -> Record {
         let mut record = Record {
             name: "50 mm <5 Hz>".into(),
@@ -173,7 +174,7 @@ pub mod tests {
         record
     }
 
-    /// The record beside a model 5 N too high and a curve without the loop.
+    /// Compares the record with a model that is 5 N too high and a curve without the loop.
     pub fn compared(record: &Record) -> Compared<'_> {
         Compared {
             record,

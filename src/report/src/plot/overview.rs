@@ -7,10 +7,11 @@ use super::ticks::{Ticks, number};
 use crate::words::Words;
 use dashpot_identification::validation::{Errors, Validation};
 
-/// Longest test name written out, characters.
+/// Longest test name that is not shortened, characters.
 const NAME: usize = 28;
 
-/// Error percent of every test in the order given, on a logarithmic scale: model against force–velocity curve.
+/// Draws the relative error of every test in the given order, on a logarithmic scale: model against force–velocity
+/// curve.
 pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let tests = &validation.tests;
     let pitch = (880.0 / tests.len() as f64).clamp(14.0, 60.0);
@@ -23,7 +24,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let mut svg = Svg::new(right.max(380.0) + 14.0, bottom + longest + 20.0, title);
     heading(&mut svg, title, left, &[(Role::Model, words.model, Mark::Dot), (Role::FvOnly, words.fv_curve, Mark::Dot)]);
 
-    // An exact fit has no logarithm; it is drawn on the floor.
+    // An exact fit has no logarithm, so the plot shows it at this lower bound.
     const FLOOR: f64 = 0.01;
     let percents = tests.iter().flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
@@ -51,15 +52,17 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     svg.finish()
 }
 
-/// Error percent by amplitude (rows) and peak velocity (columns); the force–velocity curve's below the model's.
-/// `None` where the campaign has no periodic tests.
+/// Draws the relative error by amplitude (rows) and peak velocity (columns); the curve's error stands below the
+/// model's.
+///
+/// Returns `None` if the campaign has no periodic tests.
 pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     let note = words.fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
     let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
     map(validation, [words.plot_error_map, &note], words, both)
 }
 
-/// The overview of one of the two forces: the model's, or the one compared with it.
+/// Draws the error map of one of the two compared forces.
 pub fn error_map_of(
     validation: &Validation,
     title: &str,
@@ -115,13 +118,13 @@ fn map(
     Some(svg.finish())
 }
 
-/// A length in mm or a velocity in mm/s from SI, three digits.
+/// Formats a length in mm or a velocity in mm/s from SI, with three digits.
 fn millimetres(si: f64) -> String {
     let value = 1e3 * si;
     number(value, (2.0 - libm::log10(value.abs().max(0.01)).floor()).clamp(0.0, 2.0) as usize)
 }
 
-/// A percentage with two or three digits.
+/// Formats a percentage with two or three digits.
 fn percent(value: f64) -> String {
     number(
         value,
@@ -135,7 +138,7 @@ fn percent(value: f64) -> String {
     )
 }
 
-/// A name cut to what fits below the axis; the end tells tests apart, so the middle goes.
+/// Shortens a name to fit below the axis. The end distinguishes tests, so the middle is omitted.
 pub fn shorten(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= NAME {

@@ -1,11 +1,11 @@
-//! Who is drawn in which colour.
+//! Colors of the figures.
 //!
-//! The three hues stay apart for deuteranopes and protanopes too (blue, vermilion and bluish green, after Okabe & Ito,
-//! *Color Universal Design*, 2008); the green is dashed as well, so that a grey print still tells them apart.
+//! Deuteranopes and protanopes can distinguish the three hues (blue, vermilion and bluish green, after Okabe & Ito,
+//! *Color Universal Design*, 2008). The green is also dashed, so that it stays distinct in a gray print.
 
 use std::fmt::Write as _;
 
-/// Whose force a mark shows.
+/// Source of a plotted force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The rig's measurement.
@@ -14,17 +14,17 @@ pub enum Role {
     Model,
     /// The force–velocity curve alone.
     FvOnly,
-    /// The model as it came, beside an improved one.
+    /// The model before the improvement, in comparison with the improved model.
     Before,
     /// Projections and other background marks.
     Shadow,
-    /// What a damper may show.
+    /// Limits of a specification.
     Limit,
-    /// One of many dampers; of eight hues.
+    /// One of many dampers, by one of eight hues.
     Group(u8),
 }
 
-/// Hues of many dampers, on light and on dark paper: after Okabe & Ito too.
+/// Hues of many dampers, on light and on dark background, also after Okabe & Ito.
 const GROUPS: [[&str; 2]; 8] = [
     ["#d43d0f", "#ff7f52"],
     ["#0067a5", "#5cb8f2"],
@@ -35,14 +35,14 @@ const GROUPS: [[&str; 2]; 8] = [
     ["#4f6b00", "#b5cf5a"],
     ["#7a5230", "#d3a57e"],
 ];
-/// Their classes.
+/// CSS classes of the hues.
 const GROUP_CLASSES: [&str; 8] = ["g0", "g1", "g2", "g3", "g4", "g5", "g6", "g7"];
 
-/// Every role, for the page's style sheet.
+/// All other roles, for the page's style sheet.
 const ROLES: [Role; 6] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow, Role::Limit];
 
 impl Role {
-    /// Class of the mark in SVG and page.
+    /// Returns the class of the mark in SVG and page.
     pub fn class(self) -> &'static str {
         match self {
             Self::Measured => "measured",
@@ -55,7 +55,7 @@ impl Role {
         }
     }
 
-    /// Colour on a light background.
+    /// Returns the color on a light background.
     pub fn light(self) -> &'static str {
         match self {
             Self::Measured => "#0067a5",
@@ -68,7 +68,7 @@ impl Role {
         }
     }
 
-    /// Colour on a dark background.
+    /// Returns the color on a dark background.
     fn dark(self) -> &'static str {
         match self {
             Self::Measured => "#5cb8f2",
@@ -81,10 +81,10 @@ impl Role {
         }
     }
 
-    /// Line width, px.
+    /// Returns the line width, px.
     pub fn width(self) -> f64 {
         match self {
-            // Wide, so that a model lying right on it leaves it visible on both sides.
+            // The line is wide, so that both its edges stay visible under a coincident model.
             Self::Measured => 2.8,
             Self::Model => 1.1,
             Self::FvOnly | Self::Before => 1.3,
@@ -94,13 +94,13 @@ impl Role {
         }
     }
 
-    /// Dash pattern, if the line is not solid.
+    /// Returns the dash pattern of a dashed line.
     pub fn dash(self) -> Option<&'static str> {
         matches!(self, Self::FvOnly | Self::Before).then_some("5 2.5")
     }
 }
 
-/// Text, frame and grid on a light background.
+/// Text on a light background.
 pub const INK: &str = "#22272c";
 /// Secondary text and frame.
 pub const FAINT_INK: &str = "#5d666e";
@@ -109,7 +109,7 @@ pub const GRID: &str = "#e3e6e9";
 /// Background of a figure.
 pub const PAPER: &str = "#ffffff";
 
-/// Style rules that recolour inline figures where the reader prefers a dark page; print stays light.
+/// Returns style rules that recolor inline figures if the reader prefers a dark page; print stays light.
 pub fn page_css() -> String {
     let mut css = String::from("@media screen and (prefers-color-scheme: dark) {\n");
     for role in ROLES.into_iter().chain((0..GROUPS.len() as u8).map(Role::Group)) {
@@ -127,8 +127,9 @@ pub fn page_css() -> String {
     css
 }
 
-/// Fill of a heat-map cell for an error in percent, and whether black text is readable on it (else white). One hue from pale to deep,
-/// logarithmic from 0.5 % to 50 %.
+/// Returns the fill of a heat-map cell for an error in percent, and whether black text (else white) is readable on it.
+///
+/// One hue runs from pale to deep, logarithmic from 0.5 % to 50 %.
 pub fn heat(percent: f64) -> (String, bool) {
     const PALE: [f64; 3] = [253.0, 244.0, 232.0];
     const MIDDLE: [f64; 3] = [240.0, 140.0, 70.0];
@@ -139,7 +140,10 @@ pub fn heat(percent: f64) -> (String, bool) {
     (format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)), place < 0.72)
 }
 
-/// Fill of a map cell for a signed value, −1..1 of the scale's end: orange above zero, purple below, white at zero. Neither hue is that of a force, and colour-blind readers tell them apart.
+/// Returns the fill of a map cell for a signed value, −1..1 of the scale's end: orange above zero, purple below, white
+/// at zero.
+///
+/// Neither hue is used for a force, and color-blind readers can distinguish the two.
 pub fn signed(place: f64) -> String {
     const ZERO: [f64; 3] = [247.0, 247.0, 247.0];
     const ABOVE: [[f64; 3]; 2] = [[244.0, 165.0, 85.0], [166.0, 76.0, 4.0]];
@@ -155,7 +159,7 @@ pub fn signed(place: f64) -> String {
 mod tests {
     use super::*;
 
-    /// Linear-light RGB of a `#rrggbb` colour.
+    /// Converts a `#rrggbb` color to linear-light RGB.
     fn linear(colour: &str) -> [f64; 3] {
         [1, 3, 5].map(|at| {
             let value = f64::from(u8::from_str_radix(&colour[at..at + 2], 16).unwrap()) / 255.0;
@@ -163,7 +167,7 @@ mod tests {
         })
     }
 
-    /// CIE Lab of linear-light RGB, D65.
+    /// Converts linear-light RGB to CIE Lab, D65.
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let dot = |row: [f64; 3]| row.iter().zip(rgb).map(|(a, b)| a * b).sum::<f64>();
         let f = |t: f64| {
@@ -177,13 +181,13 @@ mod tests {
 
     #[test]
     fn the_forces_stay_apart_without_red_or_green_cones() {
-        // Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
+        // Matrices of Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
         let sights = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
             [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
         ];
-        // The curve alone and a model before its improvement are never in one figure.
+        // No figure contains both the curve alone and a model before its improvement.
         let figures = [[Role::Measured, Role::Model, Role::FvOnly], [Role::Measured, Role::Model, Role::Before]];
         for sight in sights {
             let seen = |colour: &str| {

@@ -1,5 +1,5 @@
-//! The diagram that a damper is known by: peak force over peak velocity, with the identified curve and, where there are any,
-//! the limits.
+//! The characteristic diagram of a damper: peak force over peak velocity, with the identified curve and optional
+//! limits.
 
 use super::axes::{Axis, Marks, Plane, Series};
 use super::palette::Role;
@@ -7,12 +7,12 @@ use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Quantity};
 use dashpot_identification::validation::Validation;
 
-/// Size, px: it is the first picture of the report and printed across the page.
+/// Size, px, of the first figure in the report, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
 
-/// The figure; `None` where no test has a peak velocity.
+/// Draws the figure. Returns `None` if no test has a peak velocity.
 ///
-/// `curve` holds velocity, m/s, and the model's force, N, at that velocity held constant.
+/// `curve` contains velocities, m/s, and the model's force, N, at each constant velocity.
 pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words) -> Option<String> {
     let peaks: Vec<_> = validation.tests.iter().flat_map(|t| &t.peaks).collect();
     let measured = peaks.iter().map(|p| [1e3 * p.velocity_m_s, p.force_n.measured]).collect();
@@ -20,7 +20,7 @@ pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words)
     draw(measured, model, curve, validation.limits.as_ref(), words)
 }
 
-/// The peaks of a certificate.
+/// Draws the peaks of a certificate.
 pub fn against_limits(certificate: &Certificate, curve: &[[f64; 2]], words: &Words) -> Option<String> {
     let peaks = &certificate.peaks;
     let measured = peaks.iter().map(|p| [1e3 * p.velocity_m_s, p.force_n]).collect();
@@ -51,7 +51,7 @@ fn draw(
             .filter(|l| l.quantity == Quantity::Force)
             .filter_map(|l| {
                 let v = 1e3 * l.velocity_m_s?;
-                // A window that is open to one side ends at the edge of the figure.
+                // A one-sided window ends at the edge of the figure.
                 Some([v, l.low.unwrap_or(y.low), l.high.unwrap_or(y.high)])
             })
             .collect();

@@ -1,26 +1,25 @@
-//! What a model leaves of the measured force, averaged over all tests: over velocity and over the time since the motion
-//! last turned round.
+//! Residuals of the force, averaged over all tests: over velocity and over the time since the last reversal of motion.
 
 use super::axes::{Axis, Marks, Plane, Scale, Series};
 use super::palette::Role;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Bins of velocity, both directions together.
+/// Number of velocity bins, over both directions.
 const VELOCITY_BINS: usize = 30;
-/// Bins of a decade of time.
+/// Bins per decade of time.
 const PER_DECADE: f64 = 5.0;
-/// Fewest samples whose mean is shown.
+/// Smallest number of samples for which a mean is shown.
 const FEWEST: usize = 8;
 
 /// One sample of a test.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
-    /// m.
+    /// Displacement, m.
     pub displacement: f64,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: f64,
-    /// Measured less computed force before, N.
+    /// Residual before the improvement: measured minus computed force, N.
     pub before: f64,
     /// Residual after the improvement, N.
     pub after: f64,
@@ -28,11 +27,11 @@ pub struct Sample {
     pub noise: f64,
     /// Whether the speed rises.
     pub speeding_up: bool,
-    /// Time since the velocity last changed its sign, s; not known of a test without cycles.
+    /// Time since the last change of the velocity's sign, s; `None` for a test without cycles.
     pub since_reversal: Option<f64>,
 }
 
-/// All samples that both models answered.
+/// Returns all samples at which both models give a finite force.
 pub fn samples(tests: &[TestOutcome]) -> Vec<Sample> {
     tests.iter().flat_map(of_test).filter(|s| s.before.is_finite() && s.after.is_finite()).collect()
 }
@@ -63,7 +62,7 @@ fn of_test(test: &TestOutcome) -> Vec<Sample> {
     let since = |i: usize| {
         let same = |k: usize| velocity[(i + n - k) % n] * velocity[i] > 0.0;
         let steps = (1..n).find(|k| !same(*k)).filter(|_| periodic)?;
-        // The sign changed between the samples `steps` and `steps − 1` before this one.
+        // The sign changed between the samples `steps` and `steps − 1` before sample `i`.
         let (old, new) = (velocity[(i + n - steps) % n].abs(), velocity[(i + n - steps + 1) % n].abs());
         Some(step * (steps as f64 - 1.0 + new / (old + new).max(f64::MIN_POSITIVE)))
     };
@@ -89,7 +88,8 @@ struct Bin {
     noise: f64,
 }
 
-/// Means of three quantities over bins of a fourth, evenly spread on a scale; bins with too few samples are left out.
+/// Averages three quantities over bins of a fourth, with equal widths on the axis's scale. Bins with too few samples
+/// are omitted.
 fn binned(
     samples: &[Sample],
     bins: usize,
@@ -119,7 +119,7 @@ fn binned(
         .collect()
 }
 
-/// An axis of velocity in mm/s that gives the slow part room.
+/// Makes an axis of velocity in mm/s with a magnified range of low velocities.
 pub fn velocity_axis(samples: &[Sample], words: &Words) -> Axis {
     let top = samples.iter().map(|s| 1e3 * s.velocity.abs()).fold(1e-3, f64::max);
     Axis { scale: Scale::Root, ..Axis::exactly(words.axis_velocity, -top, top) }
@@ -141,7 +141,7 @@ fn draw([title, y]: [&str; 2], x: Axis, means: &[(f64, [f64; 3])], noise: bool, 
     Plane { title: title.into(), x, y: Axis::around(y, values), series }.draw(words)
 }
 
-/// Root mean square of what is left, over velocity.
+/// Draws the root mean square residual over velocity.
 pub fn size_over_velocity(samples: &[Sample], words: &Words) -> String {
     let axis = velocity_axis(samples, words);
     let squares = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * v);
@@ -150,7 +150,7 @@ pub fn size_over_velocity(samples: &[Sample], words: &Words) -> String {
     draw([words.plot_left_size, words.axis_residual_rms], axis, &means, true, words)
 }
 
-/// Mean of what is left over velocity, while the speed rises or while it falls.
+/// Draws the mean residual over velocity, for rising or for falling speed.
 pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) -> String {
     let axis = velocity_axis(samples, words);
     let some: Vec<Sample> = samples.iter().filter(|s| s.speeding_up == speeding_up).copied().collect();
@@ -159,13 +159,13 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
     draw([title, words.axis_residual], axis, &means, false, words)
 }
 
-/// Mean residual over the time since the velocity last changed its sign; `None` without cycles.
+/// Draws the mean residual over the time since the last change of the velocity's sign. Returns `None` without cycles.
 ///
-/// It is positive where the damper resists more than computed.
+/// The residual is positive if the damper resists more than computed.
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    // Nearer to the reversal than the fastest tests sample, there is nothing to average.
+    // Closer to the reversal than 0.1 ms even the fastest tests have no samples.
     let low = low.max(0.1);
     if low * 1.001 >= high {
         return None;
@@ -187,7 +187,7 @@ mod tests {
     fn samples_know_when_the_motion_turned() {
         let all = samples(&[outcome("a", false)]);
         assert_eq!(all.len(), 100);
-        // One cycle takes 1 s; its velocity changes sign at a quarter and at three quarters.
+        // One cycle takes 1 s; the velocity changes sign at a quarter and at three quarters.
         for (i, sample) in all.iter().enumerate() {
             let time = (i as f64 + 0.5) / 100.0;
             let since = (time + 0.25).rem_euclid(0.5);

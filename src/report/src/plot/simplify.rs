@@ -1,12 +1,12 @@
-//! Thinning of a path without a visible change.
+//! Thins a path without a visible change.
 
 /// A point of the figure, px.
 pub type Point = [f64; 2];
 
-/// Furthest a thinned path may stray from the given one while it stays within the limit of points, px.
+/// Largest deviation of a thinned path that still fits into the limit of points, px.
 const INVISIBLE: f64 = 0.2;
 
-/// Distance from which on a thinned path is called rough, px.
+/// Deviation above which a thinned path is called rough, px.
 const ROUGH: f64 = 1.0;
 
 /// A thinned path.
@@ -14,19 +14,19 @@ const ROUGH: f64 = 1.0;
 pub struct Thinned {
     /// The points kept.
     pub points: Vec<Point>,
-    /// Whether the path is too noisy to be followed by so few points: its extent is right, its detail is not.
+    /// Whether the path is too noisy for its limit of points: its envelope is right, its detail is not.
     pub rough: bool,
 }
 
-/// Thins a path (Douglas & Peucker 1973) to what a reader can see.
+/// Thins a path (Douglas & Peucker 1973) without a visible change.
 ///
-/// Points closer together than a fraction of a pixel merge, and points within 0.2 px of the line between kept ones
-/// go. Where more than `limit` points remain, as in a noisy measurement, the distance grows until the path fits; the
-/// answer says so by `rough`.
+/// Points closer together than a fraction of a pixel merge. Points within 0.2 px of the line between kept points are
+/// dropped. If more than `limit` points remain, as in a noisy measurement, the tolerance increases until the path fits;
+/// the result then has `rough` set.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;
     let mut merged = merge(path, near);
-    // A path this dense is noise on the scale of pixels; merging first keeps the recursion below short.
+    // A path of this density is noise on the scale of pixels; merging first limits the work below.
     while merged.len() > 50 * limit.max(2) {
         near *= 1.5;
         merged = merge(path, near);
@@ -40,7 +40,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     Thinned { points: kept.collect(), rough: tolerance > ROUGH }
 }
 
-/// Drops points closer than `near` to the last kept one; the ends stay.
+/// Drops points closer than `near` to the last kept point; the ends stay.
 fn merge(path: &[Point], near: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
     for (i, point) in path.iter().enumerate() {
@@ -52,10 +52,10 @@ fn merge(path: &[Point], near: f64) -> Vec<Point> {
     kept
 }
 
-/// The tolerance up to which each point is kept, px.
+/// Returns for each point the largest tolerance, px, at which it is kept.
 ///
-/// The ends whatever it is, a point between kept ones while it is further than the tolerance from their connection.
-/// Which point is furthest does not depend on the tolerance, so one pass is right for all.
+/// The ends are always kept. A point in between is kept if its distance from the line between kept points exceeds the
+/// tolerance. The farthest point does not depend on the tolerance, so one pass serves all tolerances.
 fn strays(path: &[Point]) -> Vec<f64> {
     let mut strays = vec![0.0; path.len()];
     let mut open = Vec::new();
@@ -78,7 +78,7 @@ fn strays(path: &[Point]) -> Vec<f64> {
     strays
 }
 
-/// Square of a point's distance from the segment a–b, px².
+/// Returns the squared distance of a point from the segment a–b, px².
 fn square_of_distance(a: Point, b: Point) -> impl Fn(Point) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let square = dx * dx + dy * dy;

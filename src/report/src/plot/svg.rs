@@ -1,4 +1,4 @@
-//! The SVG writer: a few marks, each with a class for the page and a light-background colour for everyone else.
+//! The SVG writer: a few marks, each with a class for the page and a light-background color for all other viewers.
 
 use super::palette::{FAINT_INK, GRID, INK, PAPER, Role};
 use super::simplify::{Point, Thinned, simplify};
@@ -8,39 +8,39 @@ use std::fmt::Write as _;
 /// Width of a noisy line, px.
 const NOISY: f64 = 0.6;
 
-/// Where a text is anchored.
+/// Alignment of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
     /// The text starts at the point.
     Start,
-    /// The text is centred on the point.
+    /// The text is centered on the point.
     Middle,
     /// The text ends at the point.
     End,
 }
 
-/// How a text looks.
+/// Style of a text.
 #[derive(Debug, Clone, Copy)]
 pub struct TextStyle {
     /// Size, px.
     pub size: f64,
     /// Anchor.
     pub anchor: Anchor,
-    /// Turn about the point, degrees clockwise.
+    /// Rotation about the point, degrees clockwise.
     pub turn: f64,
-    /// Bold.
+    /// Whether the text is bold.
     pub bold: bool,
-    /// Secondary text.
+    /// Whether the text is secondary.
     pub faint: bool,
 }
 
 impl TextStyle {
-    /// Plain primary text.
+    /// Returns the style of primary text.
     pub fn plain(size: f64, anchor: Anchor) -> Self {
         Self { size, anchor, turn: 0.0, bold: false, faint: false }
     }
 
-    /// Secondary text: tick labels, remarks.
+    /// Returns the style of secondary text: tick labels, remarks.
     pub fn faint(size: f64, anchor: Anchor) -> Self {
         Self { faint: true, ..Self::plain(size, anchor) }
     }
@@ -58,12 +58,12 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// Starts a document of a size in px; `title` is what a screen reader says.
+    /// Starts a document of a size in px; a screen reader reads `title`.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
         Self { body: String::new(), about: String::new(), width, height, title: title.to_owned() }
     }
 
-    /// The finished document.
+    /// Returns the complete document.
     pub fn finish(self) -> String {
         let (width, height) = (px(self.width), px(self.height));
         format!(
@@ -77,17 +77,17 @@ impl Svg {
         )
     }
 
-    /// Width of the document, px.
+    /// Returns the width of the document, px.
     pub fn width(&self) -> f64 {
         self.width
     }
 
-    /// Says something of the whole document to the page's script.
+    /// Adds an attribute of the whole document for the page's script.
     pub fn data(&mut self, name: &str, value: &str) {
         let _ = write!(self.about, " data-{name}=\"{}\"", escape(value));
     }
 
-    /// Begins a part whose marks are cut off at its edges (left, top, right, bottom), and which the page can zoom into.
+    /// Begins an area that clips its marks at its edges (left, top, right, bottom) and in which the page can zoom.
     pub fn open_area(&mut self, edges: [f64; 4]) {
         let [left, top, right, bottom] = edges;
         let [x, y, width, height] = [left, top, right - left, bottom - top].map(px);
@@ -98,7 +98,7 @@ impl Svg {
         );
     }
 
-    /// Ends what [`Svg::open_area`] began.
+    /// Ends the area begun by [`Svg::open_area`].
     pub fn close_area(&mut self) {
         self.body.push_str("</svg>");
     }
@@ -108,12 +108,12 @@ impl Svg {
         let _ = write!(self.body, "<g class=\"{class}\">");
     }
 
-    /// Ends what [`Svg::open_group`] began.
+    /// Ends the group begun by [`Svg::open_group`].
     pub fn close_group(&mut self) {
         self.body.push_str("</g>");
     }
 
-    /// Round points of a role that keep their size where the page zooms: lines without length, with round ends.
+    /// Draws round points of a role that keep their size when the page zooms: zero-length lines with round ends.
     pub fn points(&mut self, role: Role, at: &[Point], radius: f64) {
         if at.is_empty() {
             return;
@@ -128,8 +128,8 @@ impl Svg {
         );
     }
 
-    /// A line of a role through points, thinned to at most `limit` of them. A noisy line is drawn fine, so that it does
-    /// not bury what runs through its middle.
+    /// Draws a line of a role through points, thinned to at most `limit` points. A noisy line is thin, so that lines in
+    /// its middle stay visible.
     pub fn path(&mut self, role: Role, points: &[Point], limit: usize) {
         let Thinned { points, rough } = simplify(points, limit);
         if points.len() < 2 {
@@ -148,10 +148,9 @@ impl Svg {
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
     }
 
-    /// All places that a line of a role passes, as small squares.
+    /// Draws the area that a line of a role covers, as small squares.
     ///
-    /// A line that crosses itself hundreds of times needs no more room than the area that it fills, and nothing of it
-    /// is thinned away.
+    /// A line with hundreds of self-intersections then needs only the space of its area, without thinning.
     pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
         let bars = bars(lines, square);
         if bars.is_empty() {
@@ -171,12 +170,12 @@ impl Svg {
         self.body.push_str("\"/>");
     }
 
-    /// Several straight lines of the grid.
+    /// Draws several straight lines of the grid.
     pub fn grid(&mut self, lines: &[[Point; 2]]) {
         self.lines("grid", GRID, 1.0, lines);
     }
 
-    /// Several straight lines of the frame or an axis.
+    /// Draws several straight lines of the frame or an axis.
     pub fn frame(&mut self, lines: &[[Point; 2]], width: f64) {
         self.lines("frame", FAINT_INK, width, lines);
     }
@@ -193,12 +192,12 @@ impl Svg {
         );
     }
 
-    /// A filled dot of a role.
+    /// Draws a filled dot of a role.
     pub fn dot(&mut self, role: Role, at: Point, radius: f64) {
         self.dot_saying(role, at, radius, "");
     }
 
-    /// A filled dot that tells its value where the cursor is on it.
+    /// Draws a filled dot that shows its value under the cursor.
     pub fn dot_saying(&mut self, role: Role, at: Point, radius: f64, value: &str) {
         let (class, colour) = (role.class(), role.light());
         let _ = write!(
@@ -215,7 +214,7 @@ impl Svg {
         }
     }
 
-    /// A filled rectangle of a role that says its value where the cursor is on it.
+    /// Draws a filled rectangle of a role that shows its value under the cursor.
     pub fn bar(&mut self, role: Role, corner: Point, size: Point, value: &str) {
         let (class, color) = (role.class(), role.light());
         let ([x, y], [width, height]) = (corner.map(px), size.map(px));
@@ -230,7 +229,7 @@ impl Svg {
         }
     }
 
-    /// A filled rectangle of a fixed colour, the same on a dark page (a heat-map cell).
+    /// Draws a filled rectangle of a fixed color, also on a dark page (a heat-map cell).
     pub fn cell(&mut self, corner: Point, size: Point, fill: &str) {
         let [x, y] = corner.map(px);
         let [width, height] = size.map(px);
@@ -240,27 +239,28 @@ impl Svg {
         );
     }
 
-    /// One of many cells without seams between them (a map), the same on a dark page.
+    /// Draws one of many seamless cells (a map) in a fixed color, also on a dark page.
     pub fn tile(&mut self, corner: Point, size: Point, fill: &str) {
         let [x, y] = corner.map(px);
-        // A little larger than the cell: rounding leaves no gap.
+        // The tile is slightly larger than the cell, so that rounding leaves no gap.
         let [width, height] = size.map(|s| px(s + 0.3));
         let _ = write!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>");
     }
 
-    /// A finished document inside this one.
+    /// Embeds a complete document.
     pub fn inside(&mut self, corner: Point, document: &str) {
         let place = format!("<svg x=\"{}\" y=\"{}\" ", px(corner[0]), px(corner[1]));
         self.body.push_str(&document.replacen("<svg ", &place, 1));
     }
 
-    /// A text.
+    /// Draws a text.
     pub fn text(&mut self, at: Point, text: &str, style: TextStyle) {
         let (class, colour) = if style.faint { ("faint", FAINT_INK) } else { ("ink", INK) };
         self.text_in(at, text, style, class, colour);
     }
 
-    /// Many secondary texts of one kind, in a group that the page's script finds by its class: what they share is said once.
+    /// Draws many secondary texts of one kind in a group with a class for the page's script. The group holds their
+    /// common attributes.
     pub fn labels<'t>(
         &mut self,
         class: &str,
@@ -285,7 +285,7 @@ impl Svg {
         self.body.push_str("</g>");
     }
 
-    /// A text on a [`Svg::cell`], dark or light as its fill demands, the same on a dark page.
+    /// Draws a text on a [`Svg::cell`], dark or light to match its fill, also on a dark page.
     pub fn cell_text(&mut self, at: Point, text: &str, style: TextStyle, dark: bool) {
         self.text_in(at, text, style, "fixed", if dark { "#000000" } else { "#ffffff" });
     }
@@ -312,7 +312,7 @@ impl Svg {
     }
 }
 
-/// The squares that lines pass, as bars: row, first column, column after the last.
+/// Returns the squares that lines cross, as bars: row, first column, column after the last.
 fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     let mut passed = BTreeSet::new();
     for line in lines {
@@ -320,7 +320,7 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
         for point in line {
             let [x, y] = point.map(|p| p / square);
             let [from_x, from_y] = last.unwrap_or([x, y]);
-            // Half a square at a time leaves no gap.
+            // Steps of half a square leave no gap.
             let parts = (2.0 * (x - from_x).abs().max((y - from_y).abs())).ceil().max(1.0);
             for k in 0..=parts as u32 {
                 let part = f64::from(k) / parts;
@@ -340,8 +340,8 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     bars
 }
 
-/// Path data through points to a tenth of a pixel, in relative steps, which are shorter to write. Each step is taken
-/// from the rounded place, so that rounding does not add up.
+/// Writes path data through points to a tenth of a pixel, in relative steps, which are shorter. Each step starts from
+/// the rounded position, so that rounding errors do not accumulate.
 fn path_data(points: &[Point]) -> String {
     let tenths = |value: f64| (value * 10.0).round() as i64;
     let mut data = String::with_capacity(8 * points.len());
@@ -368,7 +368,7 @@ fn path_data(points: &[Point]) -> String {
     data
 }
 
-/// Writes a number of tenths as a decimal, as short as it goes.
+/// Writes a number of tenths as the shortest decimal.
 fn push_tenths(into: &mut String, tenths: i64) {
     let sign = if tenths < 0 { "-" } else { "" };
     let (whole, part) = (tenths.abs() / 10, tenths.abs() % 10);
@@ -379,14 +379,14 @@ fn push_tenths(into: &mut String, tenths: i64) {
     };
 }
 
-/// A coordinate to a tenth of a pixel.
+/// Formats a coordinate to a tenth of a pixel.
 fn px(value: f64) -> String {
     let mut text = String::new();
     push_tenths(&mut text, (value * 10.0).round() as i64);
     text
 }
 
-/// Text made safe inside XML and HTML, attributes included. Control characters, which XML forbids, are dropped.
+/// Escapes text for XML and HTML, attributes included. Drops control characters, which XML forbids.
 pub fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {

@@ -1,16 +1,16 @@
-//! Where an axis is marked, and how numbers are written there.
+//! Ticks of an axis and their number format.
 
 use crate::words::Words;
 
-/// Marks of an axis and the text at each.
+/// Ticks of an axis with their labels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ticks {
-    /// Position in the axis's own unit, and label.
+    /// Position in the axis's unit, and label.
     pub at: Vec<(f64, String)>,
 }
 
 impl Ticks {
-    /// Marks at multiples of 1, 2, 2.5 or 5 times a power of ten inside `low..=high`, about `wanted` of them.
+    /// Returns about `wanted` ticks at multiples of 1, 2, 2.5 or 5 times a power of ten inside `low..=high`.
     pub fn linear(low: f64, high: f64, wanted: usize) -> Self {
         let span = high - low;
         if !(span.is_finite() && span > 0.0) {
@@ -28,7 +28,8 @@ impl Ticks {
         Self { at: (first..=last).map(|i| (i as f64 * step, number(i as f64 * step, decimals))).collect() }
     }
 
-    /// Marks of a logarithmic axis inside `low..=high`, both positive: decades, with 2 and 5 between where few.
+    /// Returns ticks of a logarithmic axis inside `low..=high`, both positive: decades, and for short ranges 2 and 5
+    /// between them.
     pub fn logarithmic(low: f64, high: f64) -> Self {
         let factors: &[f64] = if high / low > 2e3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let mut at = Vec::new();
@@ -43,9 +44,9 @@ impl Ticks {
         Self { at }
     }
 
-    /// Marks of an axis spread by the root of the magnitude, about `wanted` of them.
+    /// Returns about `wanted` ticks of an axis with a square-root scale.
     ///
-    /// Zero, and round values on both sides with room for their labels.
+    /// The ticks are zero and round values on both sides, with space for their labels.
     pub fn root(low: f64, high: f64, wanted: usize) -> Self {
         let place = |value: f64| value.signum() * value.abs().sqrt();
         let room = (place(high) - place(low)) / wanted.max(1) as f64;
@@ -57,7 +58,7 @@ impl Ticks {
             at.push((0.0, number(0.0, 0)));
         }
         for (sign, end) in [(1.0, high), (-1.0, -low)] {
-            // From the end inwards, so that the widest range is marked best.
+            // Proceed from the end inward, so that the widest range has the best ticks.
             let mut last = f64::INFINITY;
             let mut exponent = libm::log10(end.max(f64::MIN_POSITIVE)).floor() as i32;
             while place(10f64.powi(exponent + 1)) >= 0.8 * room {
@@ -76,13 +77,13 @@ impl Ticks {
         Self { at }
     }
 
-    /// The ticks with labels in the format of a language.
+    /// Returns the ticks with labels in the format of a language.
     pub fn localized(self, words: &Words) -> Self {
         Self { at: self.at.into_iter().map(|(value, label)| (value, words.number(&label))).collect() }
     }
 }
 
-/// A number with a typographic minus and no negative zero.
+/// Formats a number with a typographic minus and without negative zero.
 pub fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {

@@ -17,10 +17,10 @@ use crate::hidden_case::SEALED_FOLDER;
 pub const CAMPAIGN_FILE: &str = "campaign.toml";
 /// First entry of the description.
 const FORMAT: &str = "dashpot rig campaign 1";
-/// Records are completed here before they take their place.
+/// Folder in which records are completed before they move to their final folder.
 const UNFINISHED: &str = ".unfinished-campaign";
 
-/// The description, as it stands in [`CAMPAIGN_FILE`]. It says how the campaign was run and nothing of the damper.
+/// Contents of [`CAMPAIGN_FILE`]. It describes how the campaign was run, and excludes all data of the damper.
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
@@ -46,22 +46,21 @@ struct Test {
 }
 
 impl Campaign {
-    /// Writes the campaign into a folder, which is made if need be.
+    /// Writes the campaign into a folder, which is created if it is missing.
     ///
-    /// `<test>.csv` for every test (header `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N` when any
-    /// test has side force) and `campaign.toml`, which says how it was run. An earlier campaign in the folder is
-    /// replaced. Records are completed aside and only then take their place, so a failure leaves no half-written
-    /// record.
+    /// It writes `<test>.csv` for every test (header `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N`
+    /// if any test has side force). `campaign.toml` describes how the campaign was run. An earlier campaign in the
+    /// folder is replaced. Records are completed in a separate folder first, so a failure leaves no incomplete record.
     ///
     /// # Errors
-    /// [`RigError::Folder`] when the folder holds something else than an earlier campaign (nothing is changed then);
-    /// [`RigError::Io`] when a file cannot be written.
+    /// [`RigError::Folder`] if the folder contains anything but an earlier campaign (nothing changes then);
+    /// [`RigError::Io`] if a file is not writable.
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         let earlier = earlier_records(folder)?;
         fs::create_dir_all(folder).map_err(RigError::io("make the folder", folder))?;
         let aside = folder.join(UNFINISHED);
         remove_folder(&aside)?;
-        // The truth of an earlier campaign is none of this one.
+        // The truth of an earlier campaign does not apply to this one.
         remove_folder(&folder.join(SEALED_FOLDER))?;
         fs::create_dir(&aside).map_err(RigError::io("make the folder", &aside))?;
         let outcome = self.write_by_way_of(folder, &aside, &earlier);
@@ -79,7 +78,7 @@ impl Campaign {
             .collect();
         written.into_iter().collect::<Result<(), _>>()?;
 
-        // Whatever happens from here on, the folder holds only records that its description lists.
+        // From here on, the folder contains only records listed in its description, even after a failure.
         for file in earlier.iter().filter(|file| !files.contains(file)) {
             let path = folder.join(file);
             match fs::remove_file(&path) {
@@ -110,7 +109,7 @@ impl Campaign {
         if self.records.iter().any(|record| record.temperature_c.is_some()) {
             channels.push("temperature_C");
         }
-        // Six decimals are a nanometre; more would only show the binary representation.
+        // Six decimals are a nanometer; more would only show the binary representation.
         let tidy = |value: f64| (value * 1e6).round() / 1e6;
         Description {
             format: FORMAT.into(),
@@ -142,7 +141,7 @@ impl Record {
         format!("{}.csv", self.point.name)
     }
 
-    /// Decimals are a tenth or less of the sensors' noise.
+    /// Writes the record. The decimals resolve a tenth or less of the sensors' noise.
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
         let temperature = self.temperature_c.as_deref();
@@ -163,7 +162,7 @@ impl Record {
     }
 }
 
-/// The records of the earlier campaign in the folder; none when the folder is empty or absent.
+/// Lists the records of the earlier campaign in the folder; empty if the folder is empty or absent.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
@@ -196,7 +195,7 @@ fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
              choose a new or empty folder"
         ));
     };
-    // Any other CSV would be taken for a record of the campaign, or be overwritten by one.
+    // Any other CSV file could be mistaken for a record of the campaign, or be overwritten by a record.
     let foreign = present.iter().find(|name| name.to_lowercase().ends_with(".csv") && !listed.contains(*name));
     if let Some(name) = foreign {
         return refuse(format!(
@@ -285,7 +284,7 @@ mod tests {
     fn earlier_campaign_is_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         campaign(&matrix(vec![0.01, 0.02]), 2).write(folder.path()).unwrap();
-        // Remains of an interrupted run, and a user's notes.
+        // Make the remains of an interrupted run, and a user's notes.
         fs::create_dir(folder.path().join(UNFINISHED)).unwrap();
         fs::write(folder.path().join(UNFINISHED).join("x.csv"), "half").unwrap();
         fs::write(folder.path().join("notes.txt"), "kept").unwrap();

@@ -1,4 +1,4 @@
-//! A campaign: all tests of a matrix run on one damper, and the records measured.
+//! A campaign: the tests of a matrix on one damper, and the measured records.
 
 mod folder;
 mod run;
@@ -10,35 +10,37 @@ pub use run::{HIGHEST_DEFAULT_RATE_HZ, LOWEST_DEFAULT_RATE_HZ, SAMPLES_PER_CYCLE
 
 use crate::TestPoint;
 
-/// How a campaign is run.
+/// Options of a campaign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Chooses the damper ([`crate::Damper::seeded`]; 0 is the default damper) and the noise. Up to 2^63 - 1.
+    /// Seed of the damper ([`crate::Damper::seeded`]; 0 is the default damper) and of the noise. Up to 2^63 - 1.
     pub seed: u64,
-    /// Noise of the load cell: standard deviation in percent of the test's rms force (0.5 N of amplifier noise come on top).
-    /// The other channels have the noise of their sensors: displacement 2 µm, velocity 0.1 % of the test's peak velocity,
-    /// side force 0.5 N. At 0 all sensors are ideal.
+    /// Noise of the load cell: standard deviation in percent of the test's rms force, plus 0.5 N of amplifier noise.
+    ///
+    /// The other channels have the noise of their sensors: displacement 2 µm, velocity 0.1 % of the test's peak
+    /// velocity, side force 0.5 N. At 0 all sensors are ideal.
     pub noise_percent: f64,
     /// Samples per second of every test, Hz; `None` chooses by frequency ([`default_sample_rate_hz`]).
     pub sample_rate_hz: Option<f64>,
-    /// Colour of the load cell's noise: correlation from one sample to the next (first-order autoregressive), 0 is white.
+    /// Color of the load cell's noise: correlation between successive samples (first-order autoregressive), 0 is white.
     /// The standard deviation does not depend on it.
     pub noise_colour: f64,
     /// Amplitude of mains hum (50 Hz) on the force, N.
     pub hum_n: f64,
-    /// Bits of the force channel's converter, over the smallest usual range that holds the campaign's largest force;
-    /// `None` does not round.
+    /// Bits of the force channel's converter, over the smallest common range that includes the campaign's largest
+    /// force; `None` does not round.
     pub bits: Option<u32>,
-    /// Whether the side force is recorded where it is applied.
+    /// Whether the side force is recorded in tests with side force.
     pub side_force_channel: bool,
-    /// Whether the temperature of the damper's body is recorded. Only campaigns with hidden effects know it.
+    /// Whether the temperature of the damper's body is recorded. Only campaigns with injected effects support this
+    /// channel.
     pub temperature_channel: bool,
-    /// Temperature of the damper at the start, °C; `None` is that of the laboratory. Only campaigns with hidden effects
-    /// know it.
+    /// Initial temperature of the damper, °C; `None` is that of the laboratory. Only campaigns with injected effects
+    /// use this value.
     pub start_temperature_c: Option<f64>,
-    /// Shuffles a plan; `None` takes the seed.
+    /// Seed for shuffling a plan; `None` uses `seed`.
     pub order: Option<u64>,
-    /// Worker threads; `None` takes what the machine has. The result does not depend on it.
+    /// Number of worker threads; `None` uses all of the machine. The result does not depend on it.
     pub threads: Option<usize>,
 }
 
@@ -60,25 +62,25 @@ impl Default for Options {
     }
 }
 
-/// What was measured in all tests.
+/// Records of all tests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campaign {
-    /// How it was run.
+    /// Options of the run.
     pub options: Options,
     /// One record per test, in the order of the matrix.
     pub records: Vec<Record>,
-    /// Whether the description is to keep the seed to itself, because the truth is sealed.
+    /// Whether the description omits the seed, because the truth is sealed.
     pub sealed: bool,
 }
 
-/// What was measured in one test, from rest to rest. All channels have the same length.
+/// Measured channels of one test, from standstill to standstill. All channels have the same length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     /// The test.
     pub point: TestPoint,
     /// Samples per second, Hz.
     pub sample_rate_hz: f64,
-    /// Time, s: since the start of the record, or on the campaign's clock where effects are hidden.
+    /// Time, s: since the start of the record, or on the campaign's clock in an injected case.
     pub time_s: Vec<f64>,
     /// Extension from mid-stroke, m.
     pub displacement_m: Vec<f64>,
@@ -88,14 +90,14 @@ pub struct Record {
     pub force_n: Vec<f64>,
     /// Side force on the rod, N; absent when no test of the campaign has one.
     pub side_force_n: Option<Vec<f64>>,
-    /// Temperature of the damper's body, °C, where it is recorded.
+    /// Temperature of the damper's body, °C, if recorded.
     pub temperature_c: Option<Vec<f64>>,
-    /// The force without noise, hum and rounding, N; never in a record's file.
+    /// Force without noise, hum and rounding, N; never in a record's file.
     pub clean_force_n: Vec<f64>,
 }
 
 impl Record {
-    /// A record with room for its samples.
+    /// Makes an empty record with capacity for its samples.
     pub(crate) fn empty(point: &TestPoint, sample_rate_hz: f64, count: usize) -> Self {
         Self {
             point: point.clone(),

@@ -1,4 +1,4 @@
-//! Running the tests of a matrix.
+//! Runs the tests of a matrix.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -11,58 +11,58 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Matrix, RigError, TestPoint};
 
-/// Samples per cycle aimed at by default.
+/// Default target of samples per cycle.
 pub const SAMPLES_PER_CYCLE: f64 = 400.0;
 /// Highest sample rate chosen by default, Hz.
 pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;
 /// Lowest sample rate chosen by default, Hz.
 pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
 
-/// Rates whose sample times are whole microseconds, so that they are exact in a file with six decimals, Hz.
+/// Default sample rates, Hz. Their sample times are whole microseconds, and thus exact in a file with six decimals.
 const RATES_HZ: [f64; 13] = [20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0];
 /// Sample rates the data logger allows, Hz.
 const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
-/// Most samples of one record; a longer one is a mistake in the options.
+/// Largest number of samples of a record; a longer record indicates a mistake in the options.
 const LONGEST_RECORD: f64 = 5e6;
-/// Fewest samples per cycle that still show a sine.
+/// Smallest number of samples per cycle that represents a sine.
 const LEAST_PER_CYCLE: f64 = 8.0;
-/// Most noise that still leaves something to measure, percent.
+/// Largest noise, percent, at which the signal is still measurable.
 const NOISE_LIMIT_PERCENT: f64 = 100.0;
 
-/// Strongest colour of noise: correlation from sample to sample.
+/// Largest correlation between successive samples of colored noise.
 const COLOUR_LIMIT: f64 = 0.99;
-/// Strongest hum, N.
+/// Largest hum, N.
 const HUM_LIMIT_N: f64 = 1000.0;
 /// Resolutions of a force channel.
 const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 /// Temperatures at which a damper is tested, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
-/// The sample rate for a test when none is asked for.
+/// Returns the default sample rate for a test.
 ///
-/// 400 samples per cycle, rounded up to a usual rate, within 20 to 1000 Hz. A slow test is thus sampled finely enough
-/// for its break-away, and a fast one as a usual logger does.
+/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. A slow test thus resolves its
+/// break-away, and a fast test has the rate of a common logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
 }
 
 impl Campaign {
-    /// Runs all tests of the matrix on the damper of the seed. `progress` is called with the number of tests done and their
-    /// total after each test, from any thread and not always in rising order.
+    /// Runs all tests of the matrix on the damper of the seed.
     ///
-    /// The result is the same whatever the order of the tests and the number of threads.
+    /// After each test, `progress` is called with the numbers of completed tests and of all tests, from any thread and
+    /// in any order. The result does not depend on the order of the tests and the number of threads.
     ///
     /// # Errors
-    /// [`RigError::Option`] when an option is out of range, [`RigError::Motion`] when a test cannot be simulated.
+    /// [`RigError::Option`] if an option is out of range, [`RigError::Motion`] if a test cannot be simulated.
     pub fn run(matrix: &Matrix, options: &Options, progress: impl Fn(usize, usize) + Sync) -> Result<Self, RigError> {
         Self::run_on(&Damper::seeded(options.seed), matrix, options, progress)
     }
 
-    /// Like [`Campaign::run`], on a damper of one's own; the seed then chooses the noise only.
+    /// Runs all tests like [`Campaign::run`], on a given damper; the seed then selects only the noise.
     ///
     /// # Errors
-    /// As [`Campaign::run`].
+    /// The errors of [`Campaign::run`].
     pub fn run_on(
         damper: &Damper,
         matrix: &Matrix,
@@ -84,7 +84,7 @@ impl Campaign {
             matrix
                 .points()
                 .par_iter()
-                // Tests differ a hundredfold in length.
+                // Scheduling is per test, because their lengths differ by a factor of a hundred.
                 .with_max_len(1)
                 .map(|point| {
                     let record = measure(damper, point, options, with_side_force);
@@ -93,7 +93,7 @@ impl Campaign {
                 })
                 .collect()
         });
-        // Collected first, so that of several faults always the same one is reported.
+        // Collect all results first, so that the reported error does not depend on the order of execution.
         let mut records: Vec<Record> = records.into_iter().collect::<Result<_, _>>()?;
         let peak = records.iter().flat_map(|record| &record.clean_force_n).fold(0f64, |peak, n| peak.max(n.abs()));
         pool.install(|| {
@@ -114,7 +114,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
         return fail("noise", format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"));
     }
     if i64::try_from(options.seed).is_err() {
-        // The description is TOML, whose integers end there.
+        // The description is TOML, whose integers end at this value.
         return fail("seed", format!("{}; give 0 to {}", options.seed, i64::MAX));
     }
     if options.threads == Some(0) {
@@ -164,7 +164,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
     Ok(())
 }
 
-/// One test, from rest to rest.
+/// Measures one test, from standstill to standstill.
 fn measure(damper: &Damper, point: &TestPoint, options: &Options, with_side_force: bool) -> Result<Record, RigError> {
     let drive = Drive::new(point);
     let excitation = |time: f64| {

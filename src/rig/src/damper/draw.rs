@@ -1,4 +1,4 @@
-//! Dampers that differ from the default as one make differs from another.
+//! Random variation of the default damper, similar to the variation between products.
 
 use std::f64::consts::TAU;
 
@@ -8,12 +8,12 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{ATMOSPHERE_PA, Damper};
 
-/// Highest velocity of the thesis's matrix (50 mm at 5 Hz), m/s; what a draw must be good for.
+/// Highest velocity of the thesis's matrix (50 mm at 5 Hz), m/s, for which a drawn damper must be plausible.
 const TOP_VELOCITY_M_S: f64 = TAU * 0.05 * 5.0;
-/// Absolute pressure that must remain in the rebound chamber in compression: a damper that cavitates is a faulty one, Pa.
+/// Smallest plausible absolute pressure in the rebound chamber in compression, Pa: a healthy damper does not cavitate.
 const LEAST_PRESSURE_PA: f64 = 4.0e5;
 
-/// The damper of a seed; seed 0 is the default.
+/// Draws the damper of a seed; seed 0 is the default.
 pub(super) fn damper(seed: u64) -> Damper {
     if seed == 0 {
         return Damper::default();
@@ -28,13 +28,13 @@ pub(super) fn damper(seed: u64) -> Damper {
 }
 
 fn candidate(stream: &mut ChaCha8Rng) -> Damper {
-    // Factor about 1, equally likely up or down, never beyond two and a half spreads.
+    // The factor is log-normal about 1, clamped at two and a half standard deviations.
     let mut vary = |spread: f64| {
         let unit: f64 = StandardNormal.sample(stream);
         libm::exp(spread * unit.clamp(-2.5, 2.5))
     };
     let mut damper = Damper::default();
-    // The order of the draws is part of what a seed means: append, never insert.
+    // The order of the draws defines the damper of a seed: append new draws, never insert them.
     let tube = &mut damper.tube;
     tube.bore_m *= vary(0.04);
     tube.rod_m *= vary(0.08);
@@ -69,7 +69,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
     damper
 }
 
-/// What separates a car damper from a mere set of numbers.
+/// Returns whether the drawn parameters describe a realistic car damper.
 fn is_plausible(damper: &Damper) -> bool {
     let gas = (damper.gas.pressure_pa - ATMOSPHERE_PA) * damper.tube.rod_area_m2();
     let flow = damper.tube.annulus_m2() * TOP_VELOCITY_M_S;

@@ -3,9 +3,9 @@
 /// The gas chamber. The floating piston is light and free, so the gas has the pressure of the compression chamber.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GasChamber {
-    /// Absolute pressure at mid-stroke and rest, Pa.
+    /// Absolute pressure at mid-stroke in equilibrium, Pa.
     pub pressure_pa: f64,
-    /// Volume at mid-stroke and rest, m³.
+    /// Volume at mid-stroke in equilibrium, m³.
     pub volume_m3: f64,
     /// Polytropic exponent: 1 isothermal, 1.4 adiabatic.
     pub exponent: f64,
@@ -18,12 +18,12 @@ impl Default for GasChamber {
 }
 
 impl GasChamber {
-    /// Volume at an absolute pressure, m³.
+    /// Returns the volume at an absolute pressure, m³.
     pub fn volume_at(&self, pressure_pa: f64) -> f64 {
         self.volume_m3 * libm::pow(self.pressure_pa / pressure_pa.max(1.0), 1.0 / self.exponent)
     }
 
-    /// How much the volume falls per pressure, given the volume at that pressure, m³/Pa.
+    /// Returns the decrease of volume per pressure, m³/Pa, at a pressure and its volume.
     pub fn compliance(&self, pressure_pa: f64, volume_m3: f64) -> f64 {
         volume_m3 / (self.exponent * pressure_pa.max(1.0))
     }

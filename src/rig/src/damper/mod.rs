@@ -41,15 +41,15 @@ pub const ATMOSPHERE_PA: f64 = 101_325.0;
 pub struct Damper {
     /// Bore, rod and chambers.
     pub tube: Tube,
-    /// The oil, with the air it carries.
+    /// The oil with its entrained air.
     pub oil: Oil,
     /// The gas behind the floating piston.
     pub gas: GasChamber,
-    /// Flow through the piston.
+    /// Flow resistance of the piston.
     pub valves: PistonValves,
     /// Friction of the rod seal and guide.
     pub seal: Seal,
-    /// What lies between rod and load cell; `None` is rigid.
+    /// Elastic mount between rod and load cell; `None` is rigid.
     pub mount: Option<Mount>,
 }
 
@@ -67,16 +67,17 @@ impl Default for Damper {
 }
 
 impl Damper {
-    /// A damper that differs from the default as one make differs from another.
+    /// Draws a variant of the default damper, similar to the variation between products.
     ///
-    /// The same seed gives the same damper, and seed 0 the default itself.
+    /// The result depends only on the seed; seed 0 is the default itself.
     pub fn seeded(seed: u64) -> Self {
         draw::damper(seed)
     }
 
-    /// Force on the rod when the oil flows steadily at mid-stroke, without compressibility: gas, valves and sliding seal, N.
+    /// Returns the force on the rod in steady oil flow at mid-stroke, without compressibility: gas, valves and sliding
+    /// seal, N.
     ///
-    /// What the force-velocity points of a long, slow stroke tend to.
+    /// The force-velocity points of long, slow strokes approach this force.
     pub fn steady_force_n(&self, velocity_m_s: f64) -> f64 {
         let area = self.tube.annulus_m2();
         let drop = self.valves.pressure_drop_pa(area * velocity_m_s, self.oil.density_kg_m3);

@@ -1,11 +1,11 @@
-//! The equations of motion: balance of oil mass in each chamber, bristles, mount.
+//! The equations of motion: balance of oil mass in each chamber, seal bristles, and mount.
 
 use super::{ATMOSPHERE_PA, Damper};
 use crate::solver::Tolerance;
 
 /// Number of states.
 pub const STATES: usize = 5;
-/// The states, by the indices below.
+/// State vector; the constants below are the indices.
 pub type State = [f64; STATES];
 
 /// Absolute pressure in the rebound chamber, Pa.
@@ -19,7 +19,7 @@ const MOUNT: usize = 3;
 /// Rate of the mount's deflection, m/s.
 const MOUNT_RATE: usize = 4;
 
-/// What the rig imposes at one instant.
+/// Inputs from the rig at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Excitation {
     /// Extension from mid-stroke, m.
@@ -31,16 +31,17 @@ pub struct Excitation {
 }
 
 impl Damper {
-    /// Error allowed per step: 2e-7 of each state, and absolutely what makes a thousandth of a newton.
+    /// Returns the tolerance per step: 2e-7 of each state, plus an absolute tolerance equivalent to a thousandth of a
+    /// newton.
     pub(crate) fn tolerance() -> Tolerance<STATES> {
         Tolerance { absolute: [1.0, 1.0, 2e-9, 1e-10, 5e-7], relative: 2e-7 }
     }
 
-    /// Rates of all states.
+    /// Computes the derivatives of all states.
     pub(crate) fn rates(&self, state: &State, input: &Excitation) -> State {
         let Chambers { rebound, compression, velocity } = self.chambers(state, input);
         let flow = self.valves.flow_m3_s(state[REBOUND] - state[COMPRESSION], self.oil.density_kg_m3);
-        // The valve passes its volume at the density of the chamber it comes from; mass, not volume, is what arrives.
+        // The valve passes a volume at the density of its source chamber; the mass, not the volume, is conserved.
         let (out_of_rebound, into_compression) = if flow > 0.0 {
             (flow, flow * compression.specific_volume / rebound.specific_volume)
         } else {
@@ -59,7 +60,7 @@ impl Damper {
         rates
     }
 
-    /// Force on the load cell, N.
+    /// Computes the force on the load cell, N.
     pub(crate) fn force_n(&self, state: &State) -> f64 {
         match &self.mount {
             Some(mount) => mount.force_n(state[MOUNT], state[MOUNT_RATE]),
@@ -67,11 +68,11 @@ impl Damper {
         }
     }
 
-    /// The state after a long rest at a displacement: equal pressures, slack bristles.
+    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles.
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
-        // The oil held at one displacement rises with pressure: both oil and gas yield.
+        // Bisect: the oil mass at one displacement increases with pressure, because both oil and gas yield.
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
             if self.oil_volume(&self.level_state(middle), displacement_m) < filled {
@@ -83,7 +84,7 @@ impl Damper {
         self.level_state(0.5 * (low + high))
     }
 
-    /// Equal pressures, the mount in balance, all else zero.
+    /// Makes a state with equal pressures, the mount in equilibrium, and all else zero.
     fn level_state(&self, pressure_pa: f64) -> State {
         let mut state = [pressure_pa, pressure_pa, 0.0, 0.0, 0.0];
         if let Some(mount) = &self.mount {
@@ -92,14 +93,14 @@ impl Damper {
         state
     }
 
-    /// Force of pressures and seal on the rod, N.
+    /// Computes the force of pressures and seal on the rod, N.
     fn rod_force_n(&self, state: &State) -> f64 {
         state[REBOUND] * self.tube.annulus_m2() - state[COMPRESSION] * self.tube.piston_m2()
             + ATMOSPHERE_PA * self.tube.rod_area_m2()
             + self.seal.force_n(state[BRISTLE])
     }
 
-    /// Volume the oil of both chambers would have at atmospheric pressure, m³: constant, as its mass is.
+    /// Computes the volume of the oil of both chambers at atmospheric pressure, m³. It is constant, like the mass.
     fn oil_volume(&self, state: &State, displacement_m: f64) -> f64 {
         let chambers = self.chambers(state, &Excitation { displacement_m, velocity_m_s: 0.0, side_force_n: 0.0 });
         [chambers.rebound, chambers.compression].iter().map(|chamber| chamber.volume / chamber.specific_volume).sum()
@@ -134,19 +135,19 @@ impl Damper {
     }
 }
 
-/// One chamber at one instant.
+/// State of one chamber at one instant.
 struct Chamber {
     /// Volume of oil, m³.
     volume: f64,
     /// Specific volume of the oil relative to atmospheric pressure.
     specific_volume: f64,
-    /// Widening of the tube under pressure, relative.
+    /// Relative expansion of the tube under pressure.
     dilation: f64,
-    /// Volume taken up per pressure by oil, tube and gas, m³/Pa.
+    /// Decrease of volume per pressure by oil, tube and gas, m³/Pa.
     compliance: f64,
 }
 
-/// Both chambers at one instant.
+/// State of both chambers at one instant.
 struct Chambers {
     rebound: Chamber,
     compression: Chamber,
@@ -176,7 +177,7 @@ mod tests {
         }
     }
 
-    /// Time, input and state over the whole cycles, `per_cycle` samples each.
+    /// Returns time, input and state over the whole cycles, with `per_cycle` samples each.
     fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {
@@ -214,7 +215,7 @@ mod tests {
             assert!((damper.force_n(&state) + expected).abs() < 1e-6);
         }
         let force = |x| damper.force_n(&damper.at_rest(x));
-        // The gas pushes out, harder when compressed.
+        // The gas pushes the rod out, with a larger force in compression.
         assert!(force(-0.05) < force(0.0) && force(0.0) < force(0.05) && force(0.05) < -60.0);
     }
 
@@ -229,7 +230,8 @@ mod tests {
             let (up, down) = (damper.force_n(&up.2), damper.force_n(&down.2));
             (0.5 * (up + down), 0.5 * (up - down))
         };
-        // At mid-stroke: gas force of rest, and sliding friction plus what the bleed takes at 0.4 mm/s.
+        // At mid-stroke the mean is the static gas force. Half the difference is sliding friction plus the bleed's
+        // force at 0.4 mm/s.
         let (gas, friction) = mean_and_half(0.0);
         assert!((gas - damper.force_n(&damper.at_rest(0.0))).abs() < 1.0, "{gas}");
         let expected = damper.seal.sliding_force_n(4e-4, 0.0);
@@ -261,7 +263,7 @@ mod tests {
             for (sample, sign) in [(&samples[first], 1.0), (&samples[first + 200], -1.0)] {
                 let steady = damper.steady_force_n(sign * TAU * amplitude * frequency);
                 let force = damper.force_n(&sample.2);
-                // Heating of the gas and compressibility separate the two a little.
+                // Heating of the gas and compressibility cause a small difference.
                 assert!((force / steady - 1.0).abs() < 0.03, "{force} against {steady}");
             }
         }
@@ -274,7 +276,7 @@ mod tests {
         let compression = damper.steady_force_n(-TAU * 0.05 * 5.0);
         assert!((3200.0..3800.0).contains(&rebound), "{rebound}");
         assert!((-2000.0..-1600.0).contains(&compression), "{compression}");
-        // A knee: the slope above 0.2 m/s is a fraction of the slope below 0.06 m/s.
+        // The curve has a knee: the slope above 0.2 m/s is a fraction of the slope below 0.06 m/s.
         for sign in [1.0, -1.0] {
             let force = |v: f64| damper.steady_force_n(sign * v).abs();
             let below = (force(0.06) - force(0.02)) / 0.04;
@@ -292,7 +294,7 @@ mod tests {
         let series = 1.0 / (1.0 / oil + 1.0 / damper.mount.unwrap().stiffness_n_m);
         println!("oil column {oil:.3e} N/m, with the mount {series:.3e} N/m");
         assert!((2e6..6e6).contains(&series), "{series}");
-        // The gas keeps the compression chamber from building up pressure of its own.
+        // The gas prevents a pressure rise in the compression chamber.
         assert!(chambers.compression.compliance > 20.0 * chambers.rebound.compliance);
     }
 
@@ -304,12 +306,13 @@ mod tests {
         let filled = damper.oil_volume(&damper.at_rest(0.0), 0.0);
         for (time, _, state) in simulate(&damper, &point, 1.0, 50) {
             let now = damper.oil_volume(&state, drive.motion(time).0);
-            // The gas chamber would notice: 1e-4 of the oil is 0.5 % of its volume.
+            // The gas chamber is sensitive to lost oil: 1e-4 of the oil is 0.5 % of its volume.
             assert!((now / filled - 1.0).abs() < 2e-5, "{}", now / filled - 1.0);
         }
     }
 
-    /// Work done on the damper over the samples (one cycle), J; periodic data, so the trapezoid is exact enough.
+    /// Computes the work on the damper over one cycle of samples, J; the trapezoidal rule is accurate for periodic
+    /// data.
     fn work(damper: &Damper, cycle: &[(f64, Excitation, State)]) -> f64 {
         integral(cycle, |input, state| damper.force_n(state) * input.velocity_m_s)
     }

@@ -1,6 +1,6 @@
-//! What lies between rod and load cell: rod end, fixture and the rod itself.
+//! The elastic mount between rod and load cell: rod end, fixture and the rod itself.
 
-/// Elastic mount. The rod hangs on it and moves only by its deflection, because the rig drives the tube.
+/// Elastic mount. The rig moves the tube, so the rod moves only by the deflection of the mount.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mount {
     /// Stiffness, N/m.
@@ -18,7 +18,7 @@ impl Default for Mount {
 }
 
 impl Mount {
-    /// Force on the load cell, N.
+    /// Computes the force on the load cell, N.
     pub fn force_n(&self, deflection_m: f64, rate_m_s: f64) -> f64 {
         self.stiffness_n_m * deflection_m + self.damping_n_s_m * rate_m_s
     }

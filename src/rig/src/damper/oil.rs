@@ -1,7 +1,7 @@
 //! Compressible oil with entrained air.
 //!
-//! Mass of a given sample is conserved by construction: specific volume is a closed function of pressure, and the bulk
-//! modulus is its exact slope (the mixture law of Merritt, *Hydraulic Control Systems*, 1967).
+//! The model conserves mass by construction. The specific volume is an explicit function of pressure, and the bulk
+//! modulus is its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
 
 use super::ATMOSPHERE_PA;
 
@@ -24,7 +24,7 @@ impl Default for Oil {
     }
 }
 
-/// Volume of a sample relative to atmospheric pressure, and how it yields.
+/// Specific volume and stiffness of the mixture at a pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Compression {
     /// Specific volume, relative to atmospheric pressure.
@@ -34,10 +34,10 @@ pub struct Compression {
 }
 
 impl Oil {
-    /// State of the mixture at an absolute pressure. Grows soft without bound towards zero pressure, so that no chamber can
-    /// pull a vacuum.
+    /// Computes the state of the mixture at an absolute pressure. The stiffness vanishes toward zero pressure, so that
+    /// no chamber reaches a vacuum.
     pub fn compress(&self, pressure_pa: f64) -> Compression {
-        // An iteration of the solver may look below zero; rates there only have to lead back.
+        // Solver iterations may evaluate negative pressures; the rates there only need to lead back.
         let pressure = pressure_pa.max(1.0);
         let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
         let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);

@@ -1,18 +1,20 @@
-//! Friction of rod seal and guide: elastic bristles that slip (Canudas de Wit et al., IEEE Trans. Autom. Control 40, 1995,
-//! without the micro-damping, which would let the model give energy back at high speed).
+//! Friction of rod seal and guide: elastic bristles that slip (Canudas de Wit et al., IEEE Trans. Autom. Control 40,
+//! 1995).
+//!
+//! The micro-damping of the paper is omitted, because it would generate energy at high velocity.
 
-/// Seal and guide.
+/// Friction parameters of seal and guide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seal {
     /// Sliding (Coulomb) friction without side force, N.
     pub sliding_n: f64,
     /// Break-away friction without side force, N.
     pub break_away_n: f64,
-    /// Velocity over which break-away falls to sliding friction (Stribeck), m/s.
+    /// Velocity scale of the decrease from break-away to sliding friction (Stribeck), m/s.
     pub stribeck_m_s: f64,
     /// Stiffness of the bristles, N/m.
     pub bristle_n_m: f64,
-    /// Friction added per side force.
+    /// Additional friction per side force.
     pub side_force_ratio: f64,
 }
 
@@ -23,13 +25,13 @@ impl Default for Seal {
 }
 
 impl Seal {
-    /// Friction in steady sliding, N, without sign.
+    /// Computes the magnitude of friction in steady sliding, N.
     fn level_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
         let excess = (self.break_away_n - self.sliding_n) * libm::exp(-(velocity_m_s / self.stribeck_m_s).powi(2));
         self.sliding_n + excess + self.side_force_ratio * side_force_n.abs()
     }
 
-    /// Friction in steady sliding, N, with the sign of the velocity.
+    /// Computes the friction in steady sliding, N, with the sign of the velocity.
     pub fn sliding_force_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
         if velocity_m_s == 0.0 {
             return 0.0;
@@ -37,12 +39,12 @@ impl Seal {
         self.level_n(velocity_m_s, side_force_n).copysign(velocity_m_s)
     }
 
-    /// Friction from the bristles' deflection, N.
+    /// Computes the friction from the bristles' deflection, N.
     pub fn force_n(&self, deflection_m: f64) -> f64 {
         self.bristle_n_m * deflection_m
     }
 
-    /// How fast the bristles deflect, m/s.
+    /// Computes the rate of the bristles' deflection, m/s.
     pub fn deflection_rate(&self, deflection_m: f64, velocity_m_s: f64, side_force_n: f64) -> f64 {
         let slip = self.force_n(deflection_m) / self.level_n(velocity_m_s, side_force_n);
         velocity_m_s - velocity_m_s.abs() * slip
@@ -69,7 +71,7 @@ mod tests {
     #[test]
     fn never_gives_energy() {
         let seal = Seal::default();
-        // Power taken minus what the bristles store must not be negative anywhere within the friction cone.
+        // The dissipated power (input power minus stored power) must not be negative anywhere within the friction cone.
         for i in -50..=50 {
             let deflection = 1e-6 * f64::from(i);
             for velocity in [-1.0, -1e-3, 1e-3, 1.0] {

@@ -30,17 +30,17 @@ impl Default for Tube {
 }
 
 impl Tube {
-    /// Area of the piston on the compression side, m².
+    /// Returns the area of the piston on the compression side, m².
     pub fn piston_m2(&self) -> f64 {
         FRAC_PI_4 * self.bore_m * self.bore_m
     }
 
-    /// Area of the rod, m².
+    /// Returns the area of the rod, m².
     pub fn rod_area_m2(&self) -> f64 {
         FRAC_PI_4 * self.rod_m * self.rod_m
     }
 
-    /// Area of the piston on the rebound side, m².
+    /// Returns the area of the piston on the rebound side, m².
     pub fn annulus_m2(&self) -> f64 {
         self.piston_m2() - self.rod_area_m2()
     }

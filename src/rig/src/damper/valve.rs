@@ -6,11 +6,11 @@ const DISCHARGE: f64 = 0.7;
 /// All passages of the piston, in parallel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PistonValves {
-    /// Open in both directions.
+    /// Passage that is open in both directions.
     pub bleed: Bleed,
-    /// Opens in extension.
+    /// Valve that opens in extension.
     pub rebound: BlowOff,
-    /// Opens in compression.
+    /// Valve that opens in compression.
     pub compression: BlowOff,
 }
 
@@ -25,14 +25,14 @@ impl Default for PistonValves {
 }
 
 impl PistonValves {
-    /// Flow from the rebound into the compression chamber at a pressure drop in the same direction, m³/s.
+    /// Computes the flow from the rebound into the compression chamber at a pressure drop in this direction, m³/s.
     pub fn flow_m3_s(&self, drop_pa: f64, density_kg_m3: f64) -> f64 {
         let blow_off = if drop_pa > 0.0 { &self.rebound } else { &self.compression };
         let size = drop_pa.abs();
         (self.bleed.flow(size, density_kg_m3) + blow_off.flow(size, density_kg_m3)).copysign(drop_pa)
     }
 
-    /// The pressure drop that drives a given flow, Pa: the inverse of [`PistonValves::flow_m3_s`].
+    /// Computes the pressure drop of a given flow, Pa: the inverse of [`PistonValves::flow_m3_s`].
     pub fn pressure_drop_pa(&self, flow_m3_s: f64, density_kg_m3: f64) -> f64 {
         let flow = |size: f64| self.flow_m3_s(size.copysign(flow_m3_s), density_kg_m3).abs();
         let target = flow_m3_s.abs();
@@ -41,7 +41,7 @@ impl PistonValves {
             high *= 2.0;
         }
         let mut low = 0.0;
-        // Flow rises with pressure, so halving reaches the last digit.
+        // Flow rises with pressure, so bisection reaches the last digit.
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
             if flow(middle) < target {
@@ -54,7 +54,7 @@ impl PistonValves {
     }
 }
 
-/// Constant passage: laminar at small flow, orifice at large flow, in series.
+/// Constant passage: a laminar and an orifice resistance in series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bleed {
     /// Area of the orifice, m².
@@ -64,7 +64,7 @@ pub struct Bleed {
 }
 
 impl Bleed {
-    /// From `drop = R Q + rho Q² / (2 (Cd A)²)`.
+    /// Solves `drop = R Q + rho Q² / (2 (Cd A)²)` for the flow.
     fn flow(&self, drop_pa: f64, density: f64) -> f64 {
         let turbulent = density / (2.0 * (DISCHARGE * self.area_m2).powi(2));
         let laminar = self.laminar_pa_s_m3;
@@ -77,16 +77,16 @@ impl Bleed {
 pub struct BlowOff {
     /// Pressure drop at which the shim lifts (blow-off pressure), Pa.
     pub preload_pa: f64,
-    /// Area uncovered per pressure above the preload, m²/Pa.
+    /// Opening area per pressure above the preload, m²/Pa.
     pub opening_m2_pa: f64,
     /// Area of the port behind the shim, m².
     pub port_m2: f64,
-    /// Width of the knee: the shim does not lift all round at one pressure, Pa.
+    /// Pressure width of the knee, Pa: the shim does not lift along its whole edge at one pressure.
     pub knee_pa: f64,
 }
 
 impl BlowOff {
-    /// Area uncovered by the shim, m²: zero at no pressure, a straight line well above the preload.
+    /// Computes the opening area of the shim, m²: zero without pressure, linear well above the preload.
     fn shim_area(&self, drop_pa: f64) -> f64 {
         let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
         let lift = softplus((drop_pa - self.preload_pa) / self.knee_pa) - softplus(-self.preload_pa / self.knee_pa);
@@ -95,7 +95,7 @@ impl BlowOff {
 
     fn flow(&self, drop_pa: f64, density: f64) -> f64 {
         let shim = self.shim_area(drop_pa);
-        // Two orifices in series.
+        // The shim and the port are two orifices in series.
         let area = shim * self.port_m2 / libm::hypot(shim, self.port_m2);
         DISCHARGE * area * (2.0 * drop_pa / density).sqrt()
     }

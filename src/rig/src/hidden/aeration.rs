@@ -1,4 +1,4 @@
-//! Air in the oil: soft while the pressure is low, hardly felt when it is high.
+//! Air in the oil: large compliance at low pressure, small compliance at high pressure.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,18 +7,19 @@ const FORMS: &[&str] = &["entrained", "dissolving_foam"];
 
 struct Aeration {
     form: usize,
-    /// Compliance of the air at the pressure of rest, m/N.
+    /// Compliance of the air at the static pressure, m/N.
     soft_m_n: f64,
-    /// Force of the pressure of rest on the piston, N.
+    /// Force of the static pressure on the piston, N.
     rest_n: f64,
-    /// Exponent of the bubbles' compression.
+    /// Polytropic exponent of the bubbles.
     exponent: f64,
-    /// Length of both chambers at mid-stroke, m, and air in the compression chamber relative to that in the rebound chamber.
+    /// Length of both chambers at mid-stroke, m, and ratio of the air in the compression chamber to that in the rebound
+    /// chamber.
     chamber_m: f64,
     compression_share: f64,
     /// Force at which all air is dissolved, N.
     dissolved_n: f64,
-    /// Foam builds up over this travel (m) and settles in this time (s).
+    /// Travel over which foam builds up (m), and time constant of its decay (s).
     churning_m: f64,
     settling_s: f64,
 }
@@ -28,7 +29,7 @@ impl Hidden for Aeration {
         if self.form == 1 { &[1e-5] } else { &[] }
     }
 
-    /// Foam is not lost between tests.
+    /// Keeps the foam of the preceding test, which decays during the pause.
     fn begin(&self, _rest: &crate::neutral::Rest, _states: &mut [f64]) {}
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {
@@ -46,7 +47,7 @@ impl Hidden for Aeration {
 
     fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
         if self.form == 0 {
-            // Merritt's mixture in either chamber: the one under pressure takes up the flow.
+            // Use Merritt's mixture law in both chambers: the chamber under pressure takes up the flow.
             let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 0.2 * self.rest_n));
             let rebound = (1.0 - here.position_m / self.chamber_m).max(0.1);
             let compression = self.compression_share * (1.0 + here.position_m / self.chamber_m).max(0.1);

@@ -1,10 +1,10 @@
-//! A rubber mount in the place of the linear series spring: soft, stiffening with deflection, with losses of its own.
+//! A rubber mount instead of the linear series spring: soft, stiffening with deflection, with its own losses.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Mount};
 
 const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
-/// Velocity whose rebound force gives the working deflection, m/s.
+/// Velocity of the rebound force that defines the working deflection, m/s.
 const WORKING_M_S: f64 = 0.5;
 
 struct Bushing {
@@ -12,14 +12,14 @@ struct Bushing {
     strength: f64,
     /// Working deflection at the stiffness of the series spring, m.
     working_m: f64,
-    /// How much softer than the series spring at strength 1: stiffness is divided by `1 + strength * softer`.
+    /// Relative additional compliance at strength 1: the spring's stiffness is divided by `1 + strength * softer`.
     softer: f64,
-    /// Working deflections at which the quintic doubles the force, or at which the stop is touched.
+    /// Deflection at which the quintic doubles the force, or at which the stop makes contact, in working deflections.
     hardens: f64,
-    /// Friction in the filler (N) and deflection over which it builds up (m).
+    /// Friction in the filler (N) and deflection over which the friction builds up (m).
     friction_n: f64,
     friction_m: f64,
-    /// Relaxing stiffnesses relative to the static one, and their times, s.
+    /// Relaxing stiffnesses relative to the static stiffness, and their time constants, s.
     relaxing: [(f64, f64); 2],
     tolerances: Vec<f64>,
 }
@@ -38,7 +38,7 @@ impl Hidden for Bushing {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let rate = here.deflection_m_s;
         if self.form == 0 {
-            // Bouc & Wen: the filler's load from -1 to 1.
+            // Bouc & Wen model of the filler: its load ranges from -1 to 1.
             rates[0] = (rate - rate.abs() * states[0] * states[0].abs().sqrt()) / self.friction_m;
         } else {
             for (index, (_, time)) in self.relaxing.iter().enumerate() {
@@ -51,14 +51,14 @@ impl Hidden for Bushing {
         let stiffness = self.static_n_m(mount.stiffness_n_m);
         let limit = self.hardens * self.working_m;
         Some(if self.form == 0 {
-            // A quintic at first, levelling off where rubber would be squeezed out.
+            // The quintic saturates at large deflections, where rubber would be squeezed out.
             let quartic = (deflection_m / limit).powi(4);
             let hardening = 1.0 + 2.0 * self.strength * quartic / (1.0 + quartic);
             stiffness * deflection_m * hardening + self.strength * self.friction_n * states[0]
         } else {
             let past = (deflection_m.abs() - limit).max(0.0).copysign(deflection_m);
             let relaxing: f64 = self.relaxing.iter().zip(states).map(|((share, _), d)| share * d).sum();
-            // The stop gives back the stiffness that the rubber has lost.
+            // The stop restores the original stiffness.
             let stop = (mount.stiffness_n_m - stiffness) * past;
             stiffness * (deflection_m + self.strength * relaxing) + stop
         })
@@ -68,7 +68,8 @@ impl Hidden for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // A stiff series spring hides its own replacement; the mount is soft against a common scale.
+    // With a stiff series spring, a proportional change would be invisible; a common scale of stiffness ensures a soft
+    // mount.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

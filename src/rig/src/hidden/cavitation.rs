@@ -1,20 +1,20 @@
-//! The pressure cannot fall below that of vapour: a void opens, the force is capped, and the void must close again before
-//! force returns.
+//! The pressure cannot fall below vapor pressure: a void opens, the force is limited, and the force returns only after
+//! the void closes.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["monotube_compression", "foot_valve_rebound"];
-/// Compliance of vapour, m/N: ten newtons per millimetre.
+/// Compliance of vapor, m/N: ten newtons per millimeter.
 const VAPOUR_M_N: f64 = 1e-4;
-/// Length of a void that is open for good, m.
+/// Length of a fully developed void, m.
 const VOID_M: f64 = 0.2e-3;
 
 enum Cavitation {
-    /// In compression the rebound chamber falls to vapour pressure: the force is capped, and stays at the cap until the
-    /// void has closed.
+    /// In compression the rebound chamber falls to vapor pressure. The force is limited, and stays at the limit until
+    /// the void has closed.
     Monotube { cap_n: f64, knee_n: f64 },
-    /// In rebound the foot valve does not refill the compression chamber: compression begins with a dead stroke.
+    /// In rebound the foot valve does not refill the compression chamber, so compression begins with a dead stroke.
     FootValve { share: f64, free_m_s: f64, knee_m_s: f64, edge_m: f64 },
 }
 
@@ -22,7 +22,7 @@ impl Hidden for Cavitation {
     fn tolerances(&self) -> &[f64] {
         match self {
             Self::Monotube { .. } => &[],
-            // Length of the void, m.
+            // The state is the length of the void, m.
             Self::FootValve { .. } => &[1e-8],
         }
     }
@@ -37,7 +37,7 @@ impl Hidden for Cavitation {
             let v = here.velocity_m_s;
             let offset = softplus(-free_m_s / knee_m_s);
             let opens = if v > 0.0 { share * knee_m_s * (softplus((v - free_m_s) / knee_m_s) - offset) } else { 0.0 };
-            // What the piston displaces while the void is open; the last of it closes gradually.
+            // While the void is open, the piston closes it by its displacement; the end of closing is gradual.
             let closes = v.min(0.0) * states[0] / (states[0] + edge_m);
             rates[0] = opens + closes;
         }
@@ -52,7 +52,7 @@ impl Hidden for Cavitation {
             Self::FootValve { .. } => {
                 let void = states[0].max(0.0);
                 let open = (void / (void + VOID_M)).powi(2);
-                // Only pressure in the compression chamber feels the void.
+                // The void acts only while the compression chamber is under pressure.
                 let compression = 1.0 / (1.0 + libm::exp(here.oil_n / 10.0));
                 VAPOUR_M_N * open * compression
             }
@@ -66,7 +66,7 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        // The root: a cap above all forces leaves no trace at all, so the onset must not be far from strength 1.
+        // Use the root, because a limit above all forces has no effect: the onset must be near strength 1.
         let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
         Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {

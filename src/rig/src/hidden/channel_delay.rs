@@ -1,4 +1,4 @@
-//! The force channel is late against displacement and velocity.
+//! The force channel lags displacement and velocity.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,7 +12,7 @@ struct ChannelDelay {
 }
 
 impl ChannelDelay {
-    /// The filter is late by `2 zeta / omega` at low frequency.
+    /// Returns the natural frequency: the filter lags by `2 zeta / omega` at low frequency.
     fn omega(&self) -> f64 {
         2.0 * self.damping / self.delay_s
     }
@@ -20,7 +20,7 @@ impl ChannelDelay {
 
 impl Hidden for ChannelDelay {
     fn tolerances(&self) -> &[f64] {
-        // Filtered force, N, and its rate, N/s.
+        // The states are the filtered force, N, and its rate, N/s.
         if self.form == 1 { &[1e-2, 1e1] } else { &[] }
     }
 
@@ -44,7 +44,7 @@ impl Hidden for ChannelDelay {
     }
 
     fn cell_n(&self, force_n: f64, here: &Here, states: &[f64]) -> f64 {
-        // What other artefacts of the cell have added stays on top.
+        // Contributions of other artifacts of the cell remain.
         if self.form == 1 { force_n - here.rod_n + states[0] } else { force_n }
     }
 }

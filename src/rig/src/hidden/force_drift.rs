@@ -1,4 +1,4 @@
-//! The load cell's zero wanders over the campaign.
+//! The load cell's zero drifts over the campaign.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,10 +7,10 @@ const FORMS: &[&str] = &["linear", "warm_up"];
 
 struct Drift {
     form: usize,
-    /// Over the campaign, N.
+    /// Total drift over the campaign, N.
     drift_n: f64,
     campaign_s: f64,
-    /// Time constant of the warm-up, as a share of the campaign.
+    /// Time constant of the warm-up, as a fraction of the campaign.
     warm_up: f64,
 }
 

@@ -1,4 +1,5 @@
-//! The load cell's zero is wrong. A constant error cannot be told from gas preload; a change at a re-zeroing can.
+//! The load cell's zero is wrong. A constant error is indistinguishable from gas preload; a change at a re-zeroing is
+//! not.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

@@ -1,4 +1,4 @@
-//! Play in the series element: a stretch of motion that carries no force.
+//! Play in the series element: a range of motion without force.
 
 use super::{Hidden, Recipe};
 
@@ -8,9 +8,9 @@ struct FreePlay {
     form: usize,
     /// Half of the play, m.
     half_m: f64,
-    /// Depth over which the contact's damper engages, m.
+    /// Penetration over which the contact's damper engages, m.
     engaging_m: f64,
-    /// Hertz: depth over which the contact grows to its full stiffness, m.
+    /// Penetration over which the contact stiffness reaches its full value, m (Hertz).
     contact_m: f64,
 }
 

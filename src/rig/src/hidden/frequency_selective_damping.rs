@@ -1,4 +1,4 @@
-//! A bypass that closes while the stroke lasts: soft in fast reversals, firm in slow ones.
+//! A bypass that closes during the stroke: soft in fast reversals, firm in slow ones.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -7,22 +7,22 @@ const FORMS: &[&str] = &["filling_chamber", "cross_fade"];
 
 struct FrequencySelective {
     form: usize,
-    /// Flow of the open bypass at the scale force, m/s.
+    /// Flow of the open bypass at the reference force, m/s.
     flow_m_s: f64,
     scale_n: f64,
-    /// Time in which the chamber fills or the valve closes, s, and time in which it springs back.
+    /// Time constants of filling or closing, and of reopening, s.
     closing_s: f64,
     opening_s: f64,
-    /// Velocity below which the second form counts as a reversal, m/s.
+    /// Velocity below which the second form detects a reversal, m/s.
     reversal_m_s: f64,
 }
 
 impl Hidden for FrequencySelective {
     fn tolerances(&self) -> &[f64] {
         match self.form {
-            // Filling of the control chambers of rebound and compression.
+            // The states are the filling of the control chambers of rebound and compression.
             0 => &[1e-5, 1e-5],
-            // Closed share.
+            // The state is the closed fraction.
             _ => &[1e-5],
         }
     }
@@ -34,7 +34,7 @@ impl Hidden for FrequencySelective {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 0 {
             for (index, force) in [here.oil_n, -here.oil_n].into_iter().enumerate() {
-                // The chamber fills through a throttle driven by the pressure, and empties through a check valve.
+                // The pressure fills the chamber through a throttle; a check valve empties it.
                 let pressure = (force / self.scale_n).max(0.0);
                 let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
                 let idle = 1.0 / (1.0 + libm::exp(force / (0.02 * self.scale_n)));
@@ -52,7 +52,7 @@ impl Hidden for FrequencySelective {
             let closed = if force > 0.0 { states[0] } else { states[1] };
             self.flow_m_s * (1.0 - closed) * force / libm::pow(force * force + 4e-4, 0.25)
         } else {
-            // A second curve, straight and soft.
+            // The bypass is a second, linear and soft curve.
             self.flow_m_s * (1.0 - states[0]) * force
         }
     }

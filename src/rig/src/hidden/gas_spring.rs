@@ -1,4 +1,4 @@
-//! The gas chamber pushes harder the further the rod is in: its force depends on position, not only on preload.
+//! The gas chamber pushes harder the further the rod is in: its force depends on position in addition to the preload.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -9,20 +9,20 @@ const ADIABATIC: f64 = 1.4;
 
 struct GasSpring {
     form: usize,
-    /// Force at mid-stroke, N; the neutral damper has it as preload already.
+    /// Force at mid-stroke, N; the neutral damper already contains it as preload.
     force_n: f64,
     /// Length of the gas column at mid-stroke, m.
     column_m: f64,
-    /// Volume of the molecules themselves, as a share of the column.
+    /// Volume of the molecules (van der Waals), as a fraction of the column.
     covolume: f64,
-    /// Attraction, as a share of the pressure at mid-stroke.
+    /// Attraction (van der Waals), as a fraction of the pressure at mid-stroke.
     attraction: f64,
-    /// Time in which the gas takes on the temperature of the wall, s.
+    /// Time constant of heat exchange with the wall, s.
     settling_s: f64,
 }
 
 impl GasSpring {
-    /// Volume relative to mid-stroke; extension makes room.
+    /// Computes the volume relative to mid-stroke; extension increases it.
     fn volume(&self, displacement_m: f64) -> f64 {
         (1.0 + displacement_m / self.column_m).max(0.05)
     }
@@ -30,13 +30,13 @@ impl GasSpring {
 
 impl Hidden for GasSpring {
     fn tolerances(&self) -> &[f64] {
-        // Absolute temperature of the gas, relative to the wall.
+        // The state is the absolute temperature of the gas, relative to the wall.
         if self.form == 1 { &[1e-6] } else { &[] }
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 1 {
-            // First law for a perfect gas, with a conduction that knows one time constant.
+            // First law for an ideal gas, with a heat exchange of one time constant.
             let rate = here.line.velocity_m_s / self.column_m / self.volume(here.line.displacement_m);
             rates[0] = -(ADIABATIC - 1.0) * (1.0 + states[0]) * rate - states[0] / self.settling_s;
         }
@@ -51,7 +51,7 @@ impl Hidden for GasSpring {
         let pressure = if self.form == 1 {
             (1.0 + states[0]) / volume
         } else {
-            // (p + a/V²)(V - b) = (1 + a)(1 - b) at constant temperature.
+            // At constant temperature, (p + a/V²)(V - b) = (1 + a)(1 - b).
             (1.0 + self.attraction) * (1.0 - self.covolume) / (volume - self.covolume)
                 - self.attraction / volume.powi(2)
         };

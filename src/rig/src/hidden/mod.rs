@@ -1,8 +1,8 @@
-//! Physical effects that can be hidden in the neutral damper, one file each.
+//! Physical effects that can be injected into the neutral damper, one file each.
 //!
-//! Every effect has a strength: 0 is absent, 1 a typical strong case, and its trace in the force grows smoothly and steadily
-//! with the strength, so a strength that gives a wanted trace can be found by bisection. Shapes, and the physical form where
-//! there are two, are drawn from the seed and do not depend on the strength.
+//! Every effect has a strength: 0 is absent, 1 a typical strong case. Its effect on the force grows smoothly and
+//! monotonically with the strength, so that bisection finds the strength of a wanted effect. Shape parameters, and the
+//! physical form if there are two, are drawn from the seed and do not depend on the strength.
 
 mod aeration;
 mod bump_stop;
@@ -35,7 +35,7 @@ use crate::neutral::Neutral;
 
 /// Names of the effects that a diagnosis is expected to know.
 ///
-/// Viscous friction is not among them: beside a free force-velocity curve it leaves no trace of its own.
+/// Viscous friction is excluded, because a free force-velocity curve absorbs it completely.
 pub const EFFECTS: [&str; 19] = [
     "gas_spring",
     "stribeck_friction",
@@ -58,7 +58,7 @@ pub const EFFECTS: [&str; 19] = [
     "force_drift",
 ];
 
-/// Names of effects that are in no catalogue: a diagnosis should answer "none of these".
+/// Names of effects outside of all catalogs: the correct diagnosis is "none of these".
 pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_shear_softening",
     "unknown_rig_resonance",
@@ -73,20 +73,20 @@ pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_self_pumping",
 ];
 
-/// The word for the neutral damper.
+/// Name of the neutral damper.
 pub const NOTHING: &str = "nothing";
 
-/// A drawn effect and what the truth says of it.
+/// A drawn effect and its data for the truth.
 pub(crate) struct Drawn {
     pub name: &'static str,
     pub form: &'static str,
     pub strength: f64,
-    /// Names (with unit) and values of the shapes drawn.
+    /// Names (with unit) and values of the drawn shape parameters.
     pub shapes: Vec<(String, f64)>,
     pub effect: Box<dyn Hidden>,
 }
 
-/// What an effect is drawn from.
+/// Inputs for drawing an effect.
 pub(crate) struct Recipe<'a> {
     pub strength: f64,
     pub neutral: &'a Neutral,
@@ -95,15 +95,15 @@ pub(crate) struct Recipe<'a> {
     pub draw: Draw,
     wanted: Option<&'a str>,
     name: &'static str,
-    /// Form chosen, and the one asked for if there is none of that name.
+    /// The selected form; the first form if the requested one is unknown, and `refused` then lists the forms.
     form: &'static str,
     refused: Option<&'static [&'static str]>,
 }
 
 impl Recipe<'_> {
-    /// Chooses the physical form: by seed, unless one is asked for.
+    /// Selects the physical form: the requested one, else by seed.
     fn form(&mut self, forms: &'static [&'static str]) -> usize {
-        // Drawn in any case: asking for a form leaves the shapes as they are.
+        // Always draw, so that requesting a form does not change the shape parameters.
         let drawn = self.draw.choice(forms.len());
         let index = match self.wanted {
             None => drawn,
@@ -117,7 +117,7 @@ impl Recipe<'_> {
     }
 }
 
-/// Splits `name:form`; refuses names that are in neither list.
+/// Splits `name:form`. Rejects names that are in neither list.
 pub(crate) fn split_name(text: &str) -> Result<(&'static str, Option<&str>), RigError> {
     let (name, form) = text.split_once(':').map_or((text, None), |(name, form)| (name, Some(form)));
     match EFFECTS.iter().chain(&UNKNOWN_EFFECTS).find(|known| **known == name) {

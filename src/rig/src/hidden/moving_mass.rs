@@ -1,4 +1,4 @@
-//! Force in proportion to acceleration: mass between load cell and damper, or oil in a long passage.
+//! Force proportional to acceleration: mass between load cell and damper, or oil in a long passage.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -6,9 +6,9 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["rig_mass", "fluid_inertance"];
 
 enum MovingMass {
-    /// On the moving side of the load cell.
+    /// Mass on the moving side of the load cell.
     Rig { kg: f64 },
-    /// Oil column in a passage, behind the series element; its length changes with position.
+    /// Oil column in a passage, in series with the mount; its length depends on position.
     Fluid { kg: f64, length_m: f64 },
 }
 

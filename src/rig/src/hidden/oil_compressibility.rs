@@ -1,4 +1,4 @@
-//! Oil and tube yield under pressure, so part of the piston's displacement does not pass the valves.
+//! Oil and tube yield under pressure, so a part of the piston's displacement does not pass the valves.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,14 +7,14 @@ const FORMS: &[&str] = &["rebound_chamber", "two_chambers"];
 
 struct Compressibility {
     form: usize,
-    /// At mid-stroke and no pressure, m/N.
+    /// Compliance at mid-stroke without pressure, m/N.
     compliance_m_n: f64,
     /// Lengths of the chambers at mid-stroke, m.
     rebound_m: f64,
     compression_m: f64,
-    /// Relative rise of the bulk modulus per newton of pressure on the piston.
+    /// Relative increase of the bulk modulus per newton of pressure force on the piston.
     stiffening_n: f64,
-    /// Share of the wall, which does not stiffen.
+    /// Fraction of the wall, whose compliance is constant.
     wall: f64,
 }
 
@@ -25,7 +25,7 @@ impl Hidden for Compressibility {
             rebound
         } else {
             let compression = (1.0 + here.position_m / self.compression_m).max(0.1);
-            // Deviations from the pressure at rest share the flow: their compliances add with the chamber in use foremost.
+            // Both compliances are combined, weighted toward the chamber under pressure.
             let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 50.0));
             working * rebound + (1.0 - working) * compression
         };

@@ -7,7 +7,7 @@ const FORMS: &[&str] = &["groove", "one_sided_groove", "bell"];
 
 struct Groove {
     form: usize,
-    /// Flow past the piston at the scale force where the groove is deepest, m/s.
+    /// Flow past the piston at the reference force and the largest groove area, m/s.
     flow_m_s: f64,
     scale_n: f64,
     centre_m: f64,
@@ -16,7 +16,7 @@ struct Groove {
 }
 
 impl Groove {
-    /// Area relative to the deepest place.
+    /// Computes the area relative to its largest value.
     fn area(&self, position_m: f64) -> f64 {
         let from_centre = position_m - self.centre_m;
         match self.form {
@@ -24,7 +24,7 @@ impl Groove {
                 let share = ((self.half_m + self.taper_m - from_centre.abs()) / self.taper_m).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             }
-            // Opens from the centre outwards, on the compressed side.
+            // The groove opens from the center outward, on the compressed side.
             1 => {
                 let share = (-from_centre / (self.half_m + self.taper_m)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
@@ -37,7 +37,7 @@ impl Groove {
 impl Hidden for Groove {
     fn bypass_m_s(&self, here: &Here, _states: &[f64]) -> f64 {
         let force = here.oil_n / self.scale_n;
-        // Orifice, linear below a fiftieth of the scale.
+        // The flow follows an orifice, linearized below a fiftieth of the reference force.
         self.flow_m_s * self.area(here.position_m) * force / libm::pow(force * force + 4e-4, 0.25)
     }
 }

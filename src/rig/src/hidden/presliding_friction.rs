@@ -1,20 +1,22 @@
-//! Friction turns over a distance after each reversal: seal lips and guide bands bend before they slide.
+//! Friction reverses over a distance after each reversal of motion: seal lips and guide bands deflect before they
+//! slide.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Creep at standstill fades as bristles become soft: the smooth velocity of the neutral friction is divided by
+/// Reduction of creep at standstill with soft bristles. The smoothing velocity of the neutral friction is divided by
 /// `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
-    /// Length over which each element takes up its load (m), and its share of the load. One element in the first form.
+    /// Length over which each element builds up its load (m), and its fraction of the load. The first form has one
+    /// element.
     elements: Vec<(f64, f64)>,
-    /// Share of the load below which a bristle is purely elastic (Dupont's break-away share).
+    /// Fraction of the load below which a bristle is purely elastic (Dupont's break-away ratio).
     elastic: f64,
-    /// Velocity round which an element tells sliding from creeping, m/s.
+    /// Velocity scale of the transition from creeping to sliding, m/s.
     smooth_m_s: f64,
     tolerances: Vec<f64>,
 }
@@ -24,15 +26,17 @@ impl Hidden for Presliding {
         &self.tolerances
     }
 
-    /// Loads of the elements, each from -1 to 1. However soft, an element ends up at the smooth sign of the neutral friction
-    /// when the motion is long; at standstill it relaxes by way of the same smooth velocity.
+    /// Computes the rates of the elements' loads, each from -1 to 1.
+    ///
+    /// In long motion, even a soft element approaches the smooth sign of the neutral friction. At standstill its load
+    /// relaxes with the same smoothing velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let v = here.line.velocity_m_s;
         let speed = libm::hypot(v, self.smooth_m_s);
         let end = v / speed;
         for (index, (length, _)) in self.elements.iter().enumerate() {
             let load = states[index];
-            // Sliding sets in between the elastic share and the full load, and only in the direction of the load.
+            // Sliding begins between the elastic fraction and the full load, and only in the direction of the load.
             let reached = load * end / (end * end + 1e-12);
             let sliding = if reached < 0.0 && end.abs() > 1e-3 {
                 0.0
@@ -40,7 +44,7 @@ impl Hidden for Presliding {
                 let share = ((reached.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             };
-            // Against the load there is no sliding; what is left near standstill is creep.
+            // Against the load there is no sliding; near standstill only creep remains.
             let creep = (self.smooth_m_s / speed).powi(2);
             rates[index] = speed * (end - load * sliding.max(creep)) / length;
         }

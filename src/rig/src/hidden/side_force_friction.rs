@@ -1,4 +1,4 @@
-//! Side force presses the rod into its guides, beyond the proportional share that the neutral damper has.
+//! Side force increases the guide friction beyond the proportional term of the neutral damper.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -6,9 +6,9 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["saturating", "two_bushes"];
 
 enum SideFriction {
-    /// `mu (sqrt(Fs² + F0²) - F0)`, levelling off as the lubricant film collapses.
+    /// `mu (sqrt(Fs² + F0²) - F0)`, which saturates as the lubricant film collapses.
     Saturating { share: f64, onset_n: f64, level_n: f64 },
-    /// Reactions in rod guide and piston band; their distance shrinks as the rod comes out.
+    /// Reactions in rod guide and piston band; their distance decreases with extension.
     TwoBushes { share: f64, overhang_m: f64, overlap_m: f64 },
 }
 
@@ -18,7 +18,7 @@ impl Hidden for SideFriction {
         match self {
             Self::Saturating { share, onset_n, level_n } => {
                 let pressed = share * (libm::hypot(side, *onset_n) - onset_n);
-                // Levels off against the strength as well, so that it is the same shape at any strength.
+                // The saturation does not depend on the strength, so that the shape is equal at any strength.
                 pressed / (1.0 + side / level_n)
             }
             Self::TwoBushes { share, overhang_m, overlap_m } => {

@@ -1,10 +1,10 @@
-//! The marks by which the effects are told apart, looked for in the force itself.
+//! Tests that each effect has its characteristic signature in the force.
 
 use std::f64::consts::TAU;
 
 use crate::{InjectedCase, Matrix, Options, Record, TestPoint};
 
-/// Other states make the solver take other steps: less than this is no force, N.
+/// Smallest significant force difference, N: additional states change the solver's steps and thus the force slightly.
 const SOLVER_N: f64 = 0.02;
 
 fn sine(name: &str, amplitude_m: f64, frequency_hz: f64) -> TestPoint {
@@ -20,7 +20,7 @@ fn measured(points: &[TestPoint], effects: &[(&str, f64)]) -> Vec<Record> {
     case.run_matrix(&Matrix::new(points.to_vec()).unwrap(), |_, _| {}).unwrap().campaign.records
 }
 
-/// Force with the effect less force without, per test.
+/// Computes the force with the effect minus the force without the effect, per test.
 fn traces(points: &[TestPoint], effect: &str) -> Vec<(Record, Vec<f64>)> {
     let neutral = measured(points, &[]);
     let hidden = measured(points, &[(effect, 1.0)]);
@@ -71,7 +71,7 @@ fn presliding_turns_over_a_distance_at_any_frequency() {
     let distances: Vec<f64> = traces(&points, "presliding_friction:maxwell_slip")
         .iter()
         .map(|(record, trace)| {
-            // From the outer reversal inwards until half of the missing friction is there.
+            // Start at the outer reversal and continue until half of the missing friction has built up.
             let from = record.time_s.len() / 3;
             let x = &record.displacement_m;
             let turn = (from..x.len() - 1).find(|i| x[*i] >= x[i - 1] && x[*i] > x[i + 1]).unwrap();
@@ -94,7 +94,7 @@ fn moving_mass_is_one_mass_in_every_test() {
             largest(trace) / (record.point.amplitude_m * omega * omega)
         })
         .collect();
-    // Ramps accelerate a little more than the full cycles do.
+    // Ramps have slightly larger accelerations than full cycles.
     assert!(masses.iter().all(|mass| (1.9..6.5).contains(mass)), "{masses:?} kg");
     assert!((masses[0] / masses[1] - 1.0).abs() < 0.3, "{masses:?} kg");
 }
@@ -135,7 +135,7 @@ fn drift_follows_the_clock_and_gas_the_position() {
     assert!(slopes.iter().all(|slope| (slope / slopes[0] - 1.0).abs() < 1e-6), "{slopes:?} N/s");
     for (record, trace) in traces(&points, "gas_spring:van_der_waals") {
         for (x, trace) in record.displacement_m.iter().zip(&trace) {
-            // Harder in compression, softer in extension than the constant preload.
+            // The force is larger in compression and smaller in extension than the constant preload.
             assert!(x.abs() < 1e-4 || trace * x > 0.0, "{trace} N at {x} m");
         }
     }

@@ -1,4 +1,4 @@
-//! What bump stop and rebound stop have in common: rubber that is pressed, or a gap that closes on the oil.
+//! Common code of bump stop and rebound stop: compressed rubber, or an oil gap that closes.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -9,12 +9,12 @@ pub(super) struct Stop {
     form: usize,
     /// +1 at full extension, -1 at full compression.
     side: f64,
-    /// Displacement towards the stop at which it is touched, m.
+    /// Displacement toward the stop at contact, m.
     touched_m: f64,
     /// Rubber: `F1 (exp(d / d1) - 1)`.
     force_n: f64,
     growth_m: f64,
-    /// Share of a relaxing branch (Zener) and its time, s.
+    /// Fraction and time constant (s) of a relaxing branch (Zener).
     relaxing: f64,
     relaxation_s: f64,
     /// Hydraulic: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
@@ -34,7 +34,7 @@ impl Stop {
 
 impl Hidden for Stop {
     fn tolerances(&self) -> &[f64] {
-        // Relaxed part of the compression of the relaxing branch, m.
+        // The state is the relaxed part of the relaxing branch's compression, m.
         if self.form == 0 { &[1e-7] } else { &[] }
     }
 
@@ -56,12 +56,13 @@ impl Hidden for Stop {
             return 0.0;
         }
         let force = if self.form == 0 {
-            // The relaxing branch has the same curve; rubber pushes but does not pull.
+            // The relaxing branch has the same curve. Rubber pushes but does not pull.
             (self.rubber_n(depth) + self.relaxing * (self.rubber_n(depth) - self.rubber_n(states[0]))).max(0.0)
         } else {
             let speed = (self.side * here.line.velocity_m_s).max(0.0);
             let left = (1.0 - depth / self.closing_m).max(0.12);
-            // Laminar part with the cube of the gap, orifice part with its square; both with the length under cover.
+            // The laminar part depends on the cube of the gap, the orifice part on its square; both depend on the
+            // covered length.
             let covered = depth / (depth + 2e-3);
             self.resistance_n * covered * (0.3 * speed / left.powi(3) + 0.7 * speed * speed / left.powi(2))
         };

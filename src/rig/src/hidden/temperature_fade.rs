@@ -1,15 +1,15 @@
-//! The oil thins as it warms: the laminar share of the force follows viscosity, the rest density.
+//! Oil becomes thinner with temperature: the laminar part of the force follows viscosity, the other part density.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["vogel", "walther"];
-/// Temperature at which the force is that of the neutral damper, °C.
+/// Temperature at which the force equals that of the neutral damper, °C.
 const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
 /// Thermal expansion of oil, 1/K.
 const EXPANSION: f64 = 7e-4;
-/// Limits of the viscosity relative to the reference.
+/// Bounds of the viscosity relative to the reference.
 const LEAST_VISCOSITY: f64 = 0.02;
 const MOST_VISCOSITY: f64 = 50.0;
 
@@ -37,9 +37,9 @@ impl Fade {
 
 impl Hidden for Fade {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
-        // Strength works on the exponent: twice the strength is twice the warming on a logarithmic scale.
+        // The strength is an exponent: twice the strength doubles the logarithmic effect of the temperature.
         let viscosity = libm::pow(self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C), self.strength);
-        // Thinner than a fiftieth, what is called laminar here would no longer be.
+        // Below a fiftieth of the viscosity, the laminar part would become turbulent.
         let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);
         let density = libm::exp(-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C));
         let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);

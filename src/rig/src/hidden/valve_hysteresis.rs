@@ -1,22 +1,22 @@
-//! The blow-off valve opens late and closes late.
+//! The blow-off valve opens and closes with delay.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest, ValveLaw};
 
 const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
-/// The passage that is always open: its flow follows the law up to this velocity and straight on, m/s.
+/// Velocity up to which the open passage follows the law, m/s; beyond it the passage is an orifice.
 const BLEED_M_S: f64 = 0.05;
 
 struct ValveHysteresis {
     form: usize,
-    /// Spool: natural frequency (rad/s), damping ratio, and flow force at full flow as a share of the pressure's.
+    /// Spool: natural frequency (rad/s), damping ratio, and flow force at full flow relative to the pressure force.
     omega: f64,
     damping: f64,
     flow_force: f64,
-    /// Play between pressure and valve as a force, N, and the time in which the valve follows beyond it, s.
+    /// Play between pressure and valve as a force, N, and time constant of the valve beyond the play, s.
     play_n: f64,
     follows_s: f64,
-    /// Force at which the straight part of the always open passage ends, rebound and compression, N.
+    /// Force at the end of the open passage's law, rebound and compression, N.
     bleed_n: [f64; 2],
     tolerances: Vec<f64>,
 }
@@ -30,17 +30,17 @@ impl Hidden for ValveHysteresis {
         states.fill(0.0);
     }
 
-    /// The force at which the valve stands, N, and its rate in the first form.
+    /// Computes the rate of the valve's position, expressed as a force, N, and in the first form of its velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let lag = here.oil_n - states[0];
         if self.form == 0 {
             rates[0] = states[1];
-            // The flow force pulls the spool shut while it passes oil.
+            // The flow force pulls the spool toward closing while oil flows.
             let flow_force = 1.0 - self.flow_force * (here.oil_n / libm::hypot(here.oil_n, 500.0)).powi(2);
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {
-            // Play follows the relative level of force, so that opening and closing differ by a ratio.
+            // The play is relative to the force, so that opening and closing differ by a ratio.
             let play = self.play_n * here.oil_n.abs() / (here.oil_n.abs() + self.play_n);
             rates[0] = (lag.abs() - play).max(0.0).copysign(lag) / self.follows_s;
         }
@@ -56,7 +56,7 @@ impl Hidden for ValveHysteresis {
             }
         };
         let standing = states[0];
-        // A valve for the other direction is shut.
+        // A valve of the other direction is closed.
         let ratio = if standing * force_n > 0.0 { (force_n / standing).min(4.0) } else { 0.0 };
         let opened = valves.flow_m_s(standing) - bleed(standing);
         Some(bleed(force_n) + opened * ratio.sqrt())

@@ -1,4 +1,4 @@
-//! Cases for a diagnosis: a campaign on a neutral damper in which chosen effects are hidden, and the sealed truth.
+//! Cases for a diagnosis: a campaign on a neutral damper with injected effects, and the sealed truth.
 
 mod run;
 mod sealed;
@@ -10,42 +10,44 @@ use std::collections::BTreeMap;
 
 use crate::{Campaign, Options, Plan};
 
-/// What is hidden, where, and how it is measured.
+/// Injected effects, tests and options of a case.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct InjectedCase {
-    /// Names from [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`] and their strengths. `name:form` asks for one of the
-    /// effect's physical forms; otherwise the seed chooses. Strength 1 is a typical strong case; 0 leaves the neutral
-    /// damper exactly as it is; in between and beyond, the trace in the force grows steadily.
+    /// Names from [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`] and their strengths. `name:form` selects a physical
+    /// form; otherwise the seed does.
+    ///
+    /// Strength 0 gives exactly the neutral damper, 1 is a typical strong case. The effect on the force grows
+    /// monotonically with the strength.
     pub effects: Vec<(String, f64)>,
     /// The tests.
     pub plan: Plan,
-    /// Seed, noise and channels. The seed chooses the damper, the shapes of the effects, the order of the tests and the
-    /// noise, each by a stream of its own: the damper is the same whatever is hidden in it.
+    /// Seed, noise and channels. The seed determines the damper, the shapes of the effects, the order of the tests and
+    /// the noise, each by a separate stream. The damper does not depend on the injected effects.
     pub options: Options,
 }
 
 /// A measured case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InjectedCampaign {
-    /// Records on the campaign clock, in the order in which they were measured.
+    /// Records on the campaign clock, in the order of measurement.
     pub campaign: Campaign,
-    /// What a diagnosis should find.
+    /// The correct diagnosis.
     pub truth: Truth,
 }
 
-/// What is hidden in a campaign.
+/// The injected effects of a campaign.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Truth {
     /// The seed of the case.
     pub seed: u64,
-    /// What is hidden; empty for the neutral damper.
+    /// The injected effects; empty for the neutral damper.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<InjectedEffect>,
-    /// The neutral damper's own figures; names end with their unit.
+    /// Parameters of the neutral damper; names end with their unit.
     pub damper: BTreeMap<String, f64>,
 }
 
-/// One hidden effect.
+/// One injected effect.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InjectedEffect {
     /// Name, as in [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`].
@@ -54,6 +56,6 @@ pub struct InjectedEffect {
     pub form: String,
     /// Strength.
     pub strength: f64,
-    /// Shapes drawn from the seed, at strength 1; names end with their unit, shares have none.
+    /// Shape parameters drawn from the seed, at strength 1; names end with their unit, fractions have none.
     pub shapes: BTreeMap<String, f64>,
 }

@@ -1,4 +1,4 @@
-//! Runs a case: test after test on one clock, so that heat and whatever else lasts is carried over.
+//! Runs a case: all tests on one clock, so that temperatures and other lasting states continue from test to test.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -14,48 +14,48 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Samples per cycle aimed at, fewer than on a usual rig: enough for 25 Hz and short files.
+/// Target of samples per cycle, fewer than on a common rig: sufficient for 25 Hz, with short files.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
-/// Rates whose sample times are whole microseconds, Hz.
+/// Sample rates whose sample times are whole microseconds, Hz.
 const RATES_HZ: [f64; 22] = [
     1.0, 2.0, 4.0, 5.0, 8.0, 10.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0,
     1000.0, 1250.0, 2500.0,
 ];
 /// Rate for road-like motions, Hz.
 const ROAD_RATE_HZ: f64 = 500.0;
-/// Rests between tests, s.
+/// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Samples fall beside the reversals, where the velocity would be exactly zero: by this share of a sample.
+/// Offset of the samples from the reversals, in samples; at a reversal the velocity would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
-    /// A case without hidden effects: the neutral damper of a seed.
+    /// Makes a case without injected effects: the neutral damper of a seed.
     pub fn nothing(seed: u64) -> Self {
         Self { options: Options { seed, ..Options::default() }, ..Self::default() }
     }
 
-    /// Hides one more effect.
+    /// Adds an injected effect.
     #[must_use]
     pub fn hiding(mut self, name: &str, strength: f64) -> Self {
         self.effects.push((name.into(), strength));
         self
     }
 
-    /// Runs the case on its plan. One thread; run cases side by side to use more.
+    /// Runs the case on its plan in one thread; several cases can run in parallel.
     ///
     /// # Errors
-    /// [`RigError::Option`] for unknown effects, strengths below zero and options out of range; [`RigError::Motion`] when a
+    /// [`RigError::Option`] for unknown effects, negative strengths and options out of range; [`RigError::Motion`] if a
     /// test cannot be simulated.
     pub fn run(&self) -> Result<InjectedCampaign, RigError> {
         let order = self.options.order.unwrap_or(self.options.seed);
         self.run_matrix(&self.plan.matrix(order), |_, _| {})
     }
 
-    /// Runs the case on a matrix instead of its plan, in the matrix's order. `progress` is called with the number of tests
-    /// done and their total.
+    /// Runs the case on a matrix instead of its plan, in the matrix's order. `progress` is called with the numbers of
+    /// completed tests and of all tests.
     ///
     /// # Errors
-    /// As [`InjectedCase::run`].
+    /// The errors of [`InjectedCase::run`].
     pub fn run_matrix(&self, matrix: &Matrix, progress: impl Fn(usize, usize)) -> Result<InjectedCampaign, RigError> {
         let seed = self.options.seed;
         check(matrix, &self.options)?;
@@ -74,7 +74,7 @@ impl InjectedCase {
             drawn.push(effect);
         }
         let truth = truth(seed, &drawn, draw.values);
-        // At strength 0 nothing at all is left of an effect.
+        // An effect of strength 0 is omitted completely.
         let hidden: Vec<Box<dyn Hidden>> =
             drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|drawn| drawn.effect).collect();
 
@@ -102,7 +102,7 @@ fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
 }
 
 fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
-    // A name drawn several times, such as the share of each element, is numbered.
+    // A name drawn several times, such as the fraction of each element, gets a number.
     let named = |drawn: &[(String, f64)]| {
         let mut named = BTreeMap::new();
         for (name, value) in drawn {
@@ -131,14 +131,14 @@ fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
     }
 }
 
-/// One test on the clock.
+/// A test with its time on the clock.
 struct Scheduled<'a> {
     point: &'a TestPoint,
     drive: Drive,
     rate_hz: f64,
     /// Clock at the first sample, s.
     clock_s: f64,
-    /// Rest before the test, s.
+    /// Pause before the test, s.
     pause_s: f64,
 }
 
@@ -155,7 +155,7 @@ fn schedule<'a>(matrix: &'a Matrix, options: &Options) -> Vec<Scheduled<'a>> {
             let usual = RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(RATES_HZ[RATES_HZ.len() - 1]);
             let usual = if point.road_seed.is_some() { ROAD_RATE_HZ } else { usual };
             let pause_s = if index == 0 { 0.0 } else { PAUSE_S.0 + (PAUSE_S.1 - PAUSE_S.0) * draw.unit() };
-            // Whole milliseconds, so that times are exact in a file.
+            // Round to whole milliseconds, so that times are exact in a file.
             clock_s = f64::ceil((clock_s + pause_s) * 1e3) / 1e3;
             let test = Scheduled { point, rate_hz: options.sample_rate_hz.unwrap_or(usual), clock_s, pause_s, drive };
             clock_s += test.drive.duration_s();
@@ -164,7 +164,7 @@ fn schedule<'a>(matrix: &'a Matrix, options: &Options) -> Vec<Scheduled<'a>> {
         .collect()
 }
 
-/// The damper on the rig with whatever is hidden.
+/// The damper on the rig with its injected effects.
 struct Rig<'a> {
     neutral: &'a Neutral,
     heat: &'a Heat,
@@ -172,7 +172,7 @@ struct Rig<'a> {
     options: &'a Options,
 }
 
-/// What lasts from test to test.
+/// States that continue from test to test.
 struct Lasting {
     temperatures: Temperatures,
     states: Vec<Vec<f64>>,
@@ -197,7 +197,7 @@ impl Rig<'_> {
             for (hidden, states) in self.hidden.iter().zip(&mut lasting.states) {
                 hidden.pause(test.pause_s, states);
             }
-            // The solver knows the number of states when it is compiled; spare states stay at zero.
+            // The number of states is a compile-time constant; surplus states stay at zero.
             let record = match states {
                 0..=3 => self.measure::<3>(test, with_side_force, &mut lasting),
                 4 => self.measure::<4>(test, with_side_force, &mut lasting),
@@ -314,7 +314,7 @@ mod tests {
         ideal(seed, effects).run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
     }
 
-    /// Rms of the difference of two campaigns, N.
+    /// Computes the rms difference of two campaigns, N.
     fn distance(a: &[Record], b: &[Record]) -> f64 {
         let squares = |f: &dyn Fn(&Record, &Record, usize) -> f64| -> f64 {
             a.iter().zip(b).map(|(a, b)| (0..a.time_s.len()).map(|i| f(a, b, i)).sum::<f64>()).sum()
@@ -350,7 +350,7 @@ mod tests {
 
     #[test]
     fn a_passive_damper_takes_energy_in_every_cycle() {
-        // Artefacts of the rig are no damper; a mass gives back what it takes.
+        // Exclude artifacts of the rig. A mass returns the energy that it takes up.
         let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
         for name in physical {
             for record in measured(4, &[(name, 1.0)]) {
@@ -456,7 +456,7 @@ mod tests {
         let clean = folder.path().join(super::super::SEALED_FOLDER).join(super::super::CLEAN_FORCE_FILE);
         let samples: usize = outcome.campaign.records.iter().map(|record| record.time_s.len()).sum();
         assert_eq!(std::fs::read_to_string(clean).unwrap().lines().count(), samples + 1);
-        // A campaign without a secret leaves no old truth behind.
+        // A campaign without injected effects removes an old truth.
         let plain = Campaign::run(&matrix(), &Options { sample_rate_hz: Some(200.0), ..Options::default() }, |_, _| {});
         plain.unwrap().write(folder.path()).unwrap();
         assert!(!folder.path().join(super::super::SEALED_FOLDER).exists());

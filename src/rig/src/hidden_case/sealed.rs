@@ -1,4 +1,4 @@
-//! The truth of a case on disk, in a folder beside the records that no reader of records opens.
+//! The truth of a case on disk, in a subfolder of the records that no reader of records opens.
 
 use std::fs;
 use std::io;
@@ -8,21 +8,21 @@ use super::{InjectedCampaign, Truth};
 use crate::RigError;
 use crate::files::replace_file;
 
-/// Folder of the truth, in that of the records.
+/// Subfolder of the truth.
 pub const SEALED_FOLDER: &str = "sealed";
-/// What is hidden.
+/// File of the injected effects.
 pub const TRUTH_FILE: &str = "truth.toml";
-/// Forces without noise: one line per sample, records one after the other in the order of their names.
+/// File of the forces without noise: one line per sample, records in the order of their names.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
 impl InjectedCampaign {
     /// Writes the campaign and a sealed folder with the truth.
     ///
-    /// The records are those of [`crate::Campaign::write`]. The folder [`SEALED_FOLDER`] has `truth.toml` and
-    /// `clean_force.csv` (header `test,force_N`; the test's name stands in its first line only).
+    /// The records are those of [`crate::Campaign::write`]. The folder [`SEALED_FOLDER`] contains `truth.toml` and
+    /// `clean_force.csv` (header `test,force_N`; only the first line of a test contains its name).
     ///
     /// # Errors
-    /// As [`crate::Campaign::write`].
+    /// The errors of [`crate::Campaign::write`].
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         self.campaign.write(folder)?;
         let sealed = folder.join(SEALED_FOLDER);
@@ -45,10 +45,10 @@ impl InjectedCampaign {
 }
 
 impl Truth {
-    /// Reads the truth beside the records in a folder.
+    /// Reads the truth from the subfolder of a folder of records.
     ///
     /// # Errors
-    /// [`RigError::Io`] when there is none or it cannot be understood.
+    /// [`RigError::Io`] if the file is missing or invalid.
     pub fn read(folder: &Path) -> Result<Self, RigError> {
         let place = folder.join(SEALED_FOLDER).join(TRUTH_FILE);
         let text = fs::read_to_string(&place).map_err(RigError::io("read", &place))?;

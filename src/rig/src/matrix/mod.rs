@@ -1,4 +1,4 @@
-//! The test matrix: which tests a campaign consists of.
+//! The test matrix: the tests of a campaign.
 
 mod point;
 mod table;
@@ -11,18 +11,18 @@ use crate::RigError;
 pub use point::{DEFAULT_CYCLES_FAST, DEFAULT_CYCLES_SLOW, TestPoint, default_cycles};
 pub use thesis::{MatrixOptions, RIG_FREQUENCY_LIMIT_HZ};
 
-/// The tests of a campaign, in the order in which they are run.
+/// The tests of a campaign, in the order of execution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matrix {
     points: Vec<TestPoint>,
 }
 
 impl Matrix {
-    /// A matrix of the given tests.
+    /// Makes a matrix of the given tests.
     ///
     /// # Errors
-    /// [`RigError::TestPoint`] when a test is outside the rig's limits or two tests share a name
-    /// (upper and lower case count as equal, because the names become file names); [`RigError::Option`] when there is none.
+    /// [`RigError::TestPoint`] if a test is outside the rig's limits or two tests have equal names (ignoring case, as in
+    /// file names). [`RigError::Option`] if the list is empty.
     pub fn new(points: Vec<TestPoint>) -> Result<Self, RigError> {
         if points.is_empty() {
             return Err(RigError::Option {
@@ -46,12 +46,12 @@ impl Matrix {
         Ok(Self { points })
     }
 
-    /// The tests, in the order in which they are run.
+    /// Returns the tests, in the order of execution.
     pub fn points(&self) -> &[TestPoint] {
         &self.points
     }
 
-    /// Whether any test is run under side force, so that the records need a column for it.
+    /// Returns whether any test has side force, so that the records need a column for it.
     pub fn has_side_force(&self) -> bool {
         self.points.iter().any(|point| point.side_force_n != 0.0)
     }

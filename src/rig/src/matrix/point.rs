@@ -2,24 +2,24 @@
 
 use std::f64::consts::TAU;
 
-/// Whole cycles measured by default up to 2 Hz.
+/// Default number of whole measured cycles up to 2 Hz.
 pub const DEFAULT_CYCLES_SLOW: u32 = 3;
-/// Whole cycles measured by default above 2 Hz, where a cycle has fewer samples.
+/// Default number of whole measured cycles above 2 Hz, where a cycle has fewer samples.
 pub const DEFAULT_CYCLES_FAST: u32 = 5;
-/// Above this frequency a test counts as fast, Hz.
+/// Frequency above which a test counts as fast, Hz.
 const FAST_FREQUENCY_HZ: f64 = 2.0;
 
 /// Largest travel from mid-stroke that the rig allows, m.
 const TRAVEL_LIMIT_M: f64 = 0.075;
 /// Largest velocity of the rig's actuator, m/s.
 const VELOCITY_LIMIT_M_S: f64 = 3.0;
-/// Frequencies the rig's controller accepts, Hz.
+/// Range of frequencies of the rig's controller, Hz.
 const FREQUENCY_RANGE_HZ: (f64, f64) = (1e-3, 50.0);
 /// Largest side force of the loading device, N.
 const SIDE_FORCE_LIMIT_N: f64 = 3000.0;
-/// Most whole cycles of one test.
+/// Largest number of whole cycles of a test.
 const CYCLES_LIMIT: u32 = 1000;
-/// Relative difference allowed between the stated peak velocity and 2 pi A f: room for rounded figures in a matrix file.
+/// Largest relative difference between the stated peak velocity and 2 pi A f, for rounded values in a matrix file.
 const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 
 /// One test.
@@ -33,30 +33,30 @@ pub struct TestPoint {
     pub frequency_hz: f64,
     /// Largest velocity of the sine, `2 pi A f`, m/s.
     pub peak_velocity_m_s: f64,
-    /// Position about which the sine runs, from mid-stroke, extension positive, m.
+    /// Mean position of the sine from mid-stroke, extension positive, m.
     pub mean_displacement_m: f64,
     /// Constant side force on the rod, N.
     pub side_force_n: f64,
     /// Whole cycles at full amplitude.
     pub cycles: u32,
-    /// Chooses a road-like random motion in place of the sine.
+    /// Seed of a road-like random motion instead of the sine.
     ///
-    /// `amplitude_m` and `peak_velocity_m_s` are then limits of which one is reached, and the motion lasts as long as
-    /// the sine would.
+    /// `amplitude_m` and `peak_velocity_m_s` are then upper limits, of which the motion reaches one. The duration
+    /// equals that of the sine.
     pub road_seed: Option<u64>,
 }
 
-/// Why a test point is refused: the field and the reason.
+/// Reason for rejecting a test point: the field and the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
     /// The field, by its column name in a matrix file.
     pub column: &'static str,
-    /// What is wrong and what to do.
+    /// The problem and a remedy.
     pub problem: String,
 }
 
 impl TestPoint {
-    /// A centred test without side force at the given amplitude and peak velocity, with the default number of cycles.
+    /// Makes a centered test without side force at an amplitude and a peak velocity, with the default number of cycles.
     pub fn at_peak_velocity(name: String, amplitude_m: f64, peak_velocity_m_s: f64) -> Self {
         let frequency_hz = peak_velocity_m_s / (TAU * amplitude_m);
         Self {
@@ -71,7 +71,7 @@ impl TestPoint {
         }
     }
 
-    /// Whether the rig can run this test; the first fault otherwise.
+    /// Verifies that the rig can run this test; returns the first fault otherwise.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         let fault = |column, problem: String| Err(Fault { column, problem });
         if let Some(problem) = name_problem(&self.name) {
@@ -95,7 +95,7 @@ impl TestPoint {
             );
         }
         let travel = self.amplitude_m + self.mean_displacement_m.abs();
-        // The small term forgives rounding of a value on the limit.
+        // The small term allows for rounding of a value on the limit.
         if travel > TRAVEL_LIMIT_M * (1.0 + 1e-9) {
             let column = if self.amplitude_m > TRAVEL_LIMIT_M { "amplitude_mm" } else { "mean_displacement_mm" };
             return fault(
@@ -151,12 +151,13 @@ impl TestPoint {
     }
 }
 
-/// Whole cycles measured when a test does not say otherwise.
+/// Returns the default number of whole measured cycles.
 pub fn default_cycles(frequency_hz: f64) -> u32 {
     if frequency_hz > FAST_FREQUENCY_HZ { DEFAULT_CYCLES_FAST } else { DEFAULT_CYCLES_SLOW }
 }
 
-/// Names become file names on every system, so they are kept to what all of them accept.
+/// Returns the problem of a name, if any. Names become file names, so they are limited to the common rules of all
+/// systems.
 fn name_problem(name: &str) -> Option<String> {
     if name.is_empty() || name.len() > 100 {
         return Some("the name must have 1 to 100 characters".into());
@@ -170,12 +171,13 @@ fn name_problem(name: &str) -> Option<String> {
     ))
 }
 
-/// `a50mm_v0524mm_s`: sorts by amplitude, then by peak velocity. `decimals` tells close neighbours apart.
+/// Formats a name such as `a50mm_v0524mm_s`, which sorts by amplitude and then by peak velocity. `decimals`
+/// distinguishes close velocities.
 pub(crate) fn sine_name(amplitude_m: f64, peak_velocity_m_s: f64, decimals: usize) -> String {
     let width = |digits: usize| {
         if decimals == 0 { digits } else { digits + 1 + decimals }
     };
-    // Amplitudes such as 2.5 mm keep their decimals whatever the velocities need.
+    // Amplitudes such as 2.5 mm keep their decimals, independent of the velocities.
     let amplitude = format!("{:.3}", amplitude_m * 1e3);
     let amplitude = amplitude.trim_end_matches('0').trim_end_matches('.');
     let whole = amplitude.split('.').next().map_or(0, str::len);

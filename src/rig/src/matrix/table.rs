@@ -1,4 +1,4 @@
-//! The test matrix as a CSV file, in millimetres as test engineers write it. Units change here and nowhere else.
+//! The test matrix as a CSV file in millimeters, the unit of test engineers. Only this file converts units.
 
 use std::f64::consts::TAU;
 use std::fs;
@@ -9,7 +9,7 @@ use super::{Matrix, TestPoint};
 use crate::RigError;
 use crate::files::replace_file;
 
-/// The columns, in the order in which they are written.
+/// The columns, in the order of writing.
 const COLUMNS: [&str; 7] =
     ["name", "amplitude_mm", "frequency_hz", "peak_velocity_mm_s", "mean_displacement_mm", "side_force_n", "cycles"];
 const NAME: usize = 0;
@@ -24,13 +24,15 @@ impl Matrix {
     /// Reads a matrix from a CSV file.
     ///
     /// Columns (any order, upper or lower case): `name`, `amplitude_mm`, `frequency_hz`, `peak_velocity_mm_s`,
-    /// `mean_displacement_mm`, `side_force_n`, `cycles`. Needed are two of amplitude, frequency and peak velocity, the third
-    /// follows from `Vp = 2 pi A f`; the rest may be absent or empty. Comma, semicolon or tab separates the columns (but
-    /// for commas a decimal comma is understood); empty lines and lines that begin with `#` are skipped.
+    /// `mean_displacement_mm`, `side_force_n`, `cycles`.
+    ///
+    /// Two of amplitude, frequency and peak velocity are required; the third follows from `Vp = 2 pi A f`. The other
+    /// columns may be absent or empty. Comma, semicolon or tab separates the columns (a decimal comma requires one of
+    /// the latter two). Empty lines and lines that begin with `#` are skipped.
     ///
     /// # Errors
-    /// [`RigError::Io`] when the file cannot be read; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], naming line and
-    /// column, when its content cannot be used.
+    /// [`RigError::Io`] if the file is not readable; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], with line
+    /// and column, if its content is invalid.
     pub fn read(file: &Path) -> Result<Self, RigError> {
         let bytes = fs::read(file).map_err(RigError::io("read", file))?;
         let text = String::from_utf8(bytes).map_err(|error| {
@@ -44,15 +46,15 @@ impl Matrix {
         parse(file, text.trim_start_matches('\u{feff}'))
     }
 
-    /// Writes the matrix as a CSV file that [`Matrix::read`] reads back, replacing it in one step.
+    /// Writes the matrix as a CSV file for [`Matrix::read`], and replaces an existing file atomically.
     ///
     /// # Errors
-    /// [`RigError::Io`] when the file cannot be written.
+    /// [`RigError::Io`] if the file is not writable.
     pub fn write(&self, file: &Path) -> Result<(), RigError> {
         replace_file(file, |out| out.write_all(self.to_csv().as_bytes()))
     }
 
-    /// The matrix as CSV text.
+    /// Formats the matrix as CSV text.
     pub fn to_csv(&self) -> String {
         let mut text = COLUMNS.join(",");
         text.push('\n');
@@ -72,7 +74,7 @@ impl Matrix {
     }
 }
 
-/// Nine decimals, without trailing zeros: far below what a rig resolves, and still readable.
+/// Formats a value with nine decimals, far below a rig's resolution, and without trailing zeros.
 fn rounded(value: f64) -> String {
     let text = format!("{value:.9}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -133,7 +135,7 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
     Matrix::new(points)
 }
 
-/// Which of the known columns stands where.
+/// Positions of the known columns in the file.
 struct Header {
     places: [Option<usize>; COLUMNS.len()],
     width: usize,
@@ -198,7 +200,7 @@ impl Row<'_> {
         }
     }
 
-    /// Like [`Row::number`], for what must be above zero.
+    /// Reads a number like [`Row::number`]; it must be positive.
     fn positive(&self, column: usize) -> Result<Option<f64>, RigError> {
         match self.number(column)? {
             Some(value) if value <= 0.0 => {
@@ -256,7 +258,7 @@ impl Row<'_> {
             road_seed: None,
         };
         point.check().map_err(|fault| self.fault(fault.column, fault.problem))?;
-        // Amplitude and frequency rule; the stated peak velocity may be rounded.
+        // Amplitude and frequency have priority; the stated peak velocity may be rounded.
         Ok(TestPoint { peak_velocity_m_s: TAU * point.amplitude_m * point.frequency_hz, ..point })
     }
 }

@@ -1,6 +1,7 @@
 //! The test matrix of the thesis (Jonnalagadda & Vyas 2020, chapter 4).
 //!
-//! Sines at eight amplitudes with the same peak velocities in each, and slow cycles for friction and gas force.
+//! The matrix contains sines at eight amplitudes with the same peak velocities in each, and slow cycles for friction
+//! and gas force.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -9,29 +10,29 @@ use super::point::sine_name;
 use super::{Matrix, TestPoint};
 use crate::RigError;
 
-/// Above this frequency the thesis's rig cannot follow, Hz; such points are left out of its matrix.
+/// Frequency limit of the thesis's rig, Hz; the matrix omits points above it.
 pub const RIG_FREQUENCY_LIMIT_HZ: f64 = 25.03;
 
 /// Amplitudes of tests 1 to 8, m.
 const AMPLITUDES_M: [f64; 8] = [0.050, 0.040, 0.030, 0.025, 0.015, 0.005, 0.002, 0.001];
 
-/// Frequencies of the standard test (50 mm), Hz. They define the peak velocities of all rows.
+/// Frequencies of the standard test (50 mm), Hz, which define the peak velocities of all rows.
 const STANDARD_FREQUENCIES_HZ: [f64; 7] = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0];
 const STANDARD_AMPLITUDE_M: f64 = 0.050;
 
-/// Test 9: amplitude, first and last frequency, number of points (spaced by equal ratios).
+/// Amplitude of test 9, m. Its frequencies have equal ratios between the first and the last.
 const SLOW_AMPLITUDE_M: f64 = 0.010;
 const SLOW_FREQUENCIES_HZ: (f64, f64) = (0.041, 0.006369);
 const SLOW_POINTS: usize = 10;
 
-/// What to vary in the thesis's matrix. The default is the thesis's own.
+/// Parameters of the matrix. The default is the thesis's own matrix.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatrixOptions {
     /// Amplitudes, m; one row of the matrix each.
     pub amplitudes_m: Vec<f64>,
     /// Peak velocities, m/s; one column each.
     pub peak_velocities_m_s: Vec<f64>,
-    /// Points above this frequency are left out, Hz.
+    /// Frequency limit, Hz; points above it are omitted.
     pub frequency_limit_hz: f64,
     /// Whether to add the slow friction cycles (test 9).
     pub slow_tests: bool,
@@ -52,12 +53,12 @@ impl Default for MatrixOptions {
 }
 
 impl Matrix {
-    /// The thesis's matrix, varied by `options`: every amplitude at every peak velocity with `f = Vp / (2 pi A)`, then the
-    /// slow cycles.
+    /// Makes the thesis's matrix with `options`: every amplitude at every peak velocity with `f = Vp / (2 pi A)`, then
+    /// the slow cycles.
     ///
     /// # Errors
-    /// [`RigError::Option`] when a value is not a positive number, is listed twice, or no point remains below the frequency
-    /// limit; [`RigError::TestPoint`] when a point is outside the rig's limits.
+    /// [`RigError::Option`] if a value is not a positive number or is listed twice, or no point remains below the
+    /// frequency limit. [`RigError::TestPoint`] if a point is outside the rig's limits.
     pub fn thesis(options: &MatrixOptions) -> Result<Self, RigError> {
         check_values("amplitudes", "mm", &options.amplitudes_m)?;
         check_values("peak velocities", "mm/s", &options.peak_velocities_m_s)?;
@@ -95,7 +96,7 @@ impl Matrix {
 }
 
 impl Default for Matrix {
-    /// The thesis's matrix: 45 sines and 10 slow cycles.
+    /// Makes the thesis's matrix: 45 sines and 10 slow cycles.
     fn default() -> Self {
         Self::thesis(&MatrixOptions::default()).expect("the thesis's matrix is within the rig's limits")
     }
@@ -105,7 +106,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     let (first, last) = SLOW_FREQUENCIES_HZ;
     let ratio = last / first;
     (0..SLOW_POINTS).map(move |index| {
-        // The ends are exact; only what lies between is spaced.
+        // The first and last frequency are exact; only the others are computed.
         let frequency = match index {
             0 => first,
             i if i == SLOW_POINTS - 1 => last,
@@ -119,9 +120,9 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     })
 }
 
-/// Amplitudes, m, and peak velocities, m/s, that a rig may be asked for.
+/// Range of accepted amplitudes, m, and peak velocities, m/s.
 ///
-/// Below a micrometre is noise of its sensors, above 20 m/s no rig goes.
+/// Below a micrometer sensors measure only noise; above 20 m/s no rig operates.
 const VALUES: (f64, f64) = (1e-6, 20.0);
 
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {
@@ -144,7 +145,8 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
     Ok(())
 }
 
-/// Fewest decimals (in mm/s) with which no two velocities get the same name; six tell any values apart that differ on a rig.
+/// Returns the smallest number of decimals (in mm/s) that gives distinct names; six distinguish any values that differ
+/// on a rig.
 fn decimals_needed(velocities: &[f64]) -> usize {
     (0..6)
         .find(|&decimals| {

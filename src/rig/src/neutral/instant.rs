@@ -1,9 +1,9 @@
-//! What there is to see at one instant, and at rest before a test.
+//! Quantities at one instant, and in the equilibrium before a test.
 
-/// What the rig imposes at one instant.
+/// Inputs from the rig at one instant.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Line {
-    /// Extension of the driven end from mid-stroke (m), its rate and acceleration.
+    /// Extension of the moving end from mid-stroke (m), its velocity (m/s) and acceleration (m/s²).
     pub displacement_m: f64,
     pub velocity_m_s: f64,
     pub acceleration_m_s2: f64,
@@ -16,7 +16,7 @@ pub(crate) struct Line {
     pub oil_c: f64,
 }
 
-/// What a hidden effect can see at one instant.
+/// Quantities available to an injected effect at one instant.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Here {
     pub line: Line,
@@ -28,11 +28,11 @@ pub(crate) struct Here {
     pub deflection_m_s: f64,
     /// Force of the oil, N.
     pub oil_n: f64,
-    /// Force on the rod at the driven end, N; known to rates and sensors, zero before.
+    /// Force on the rod at the moving end, N; valid for rates and sensors, zero before.
     pub rod_n: f64,
 }
 
-/// The damper at rest before a test.
+/// The damper in equilibrium before a test.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rest {
     pub displacement_m: f64,

@@ -1,8 +1,8 @@
-//! The neutral damper: the thesis's topology with laws of its own, in which an effect can be hidden.
+//! The neutral damper: the thesis's topology with its own force laws, for the injection of effects.
 //!
-//! From the driven end inward: series spring and damper, a small mass, and behind it the valves and a weak linear spring;
-//! friction and a constant gas preload act beside all that. With nothing hidden, a model of the thesis's kind can follow it
-//! up to the form of its curves; whatever is hidden is what such a model lacks.
+//! From the moving end inward it has a series spring and damper, a small mass, and the valves in parallel with a weak
+//! linear spring. Friction and a constant gas preload act in parallel with all of these. Without an injected effect, a
+//! model of the thesis's kind reproduces the damper up to the form of its curves.
 
 mod hidden;
 mod instant;
@@ -20,14 +20,14 @@ use crate::draw::Draw;
 #[derive(Debug, Clone)]
 pub(crate) struct Neutral {
     pub valves: ValveLaw,
-    /// Series spring and damper at the driven end.
+    /// Series spring and damper at the moving end.
     pub mount: Mount,
     /// Mass between series spring and valves, kg.
     pub mass_kg: f64,
-    /// Spring beside the valves, N/m.
+    /// Spring in parallel with the valves, N/m.
     pub spring_n_m: f64,
     pub friction: Friction,
-    /// Push of the gas, constant, N.
+    /// Constant gas force, N.
     pub gas_n: f64,
 }
 
@@ -42,20 +42,21 @@ pub(crate) struct Mount {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Friction {
     pub sliding_n: f64,
-    /// Velocity round which the sign changes, m/s.
+    /// Velocity scale of the sign change, m/s.
     pub smooth_m_s: f64,
-    /// Friction added per side force.
+    /// Additional friction per side force.
     pub side_force_ratio: f64,
 }
 
 impl Neutral {
-    /// Force on the rod at rest at a displacement, N: the weak spring through the series spring, less the gas.
+    /// Computes the static force on the rod at a displacement, N: the weak spring in series with the mount, minus the
+    /// gas force.
     pub fn rest_n(&self, displacement_m: f64) -> f64 {
         let series = self.mount.stiffness_n_m;
         series * self.spring_n_m / (series + self.spring_n_m) * displacement_m - self.gas_n
     }
 
-    /// Draws a damper in engineering ranges.
+    /// Draws a damper within engineering ranges.
     pub fn draw(draw: &mut Draw) -> Self {
         let stiffness_n_m = draw.ratio("series_stiffness_n_m", 0.5e6, 5e6);
         let mass_kg = draw.ratio("mass_kg", 0.05, 0.5);

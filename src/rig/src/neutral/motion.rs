@@ -1,8 +1,8 @@
-//! Equations of the neutral damper with whatever is hidden in it.
+//! Equations of the neutral damper with its injected effects.
 //!
-//! States: deflection of the series spring, velocity of the mass, force of the oil on it. The oil column is given a
-//! stiffness a thousand times that of the series spring, so that the valves can be evaluated from force to flow; a model of
-//! the thesis's kind sees no more of it than a tenth of a percent of series stiffness.
+//! The states are deflection of the series spring, velocity of the mass, and force of the oil on the mass. The oil
+//! column is 400 to 4000 times as stiff as the series spring, so that the valve flow follows from the force. Its
+//! influence on a model of the thesis's kind is a fraction of a percent of the series stiffness.
 
 use std::cell::RefCell;
 
@@ -17,16 +17,16 @@ const COLUMN_N_M: f64 = 2e9;
 const DEFLECTION: usize = 0;
 const VELOCITY: usize = 1;
 const OIL_FORCE: usize = 2;
-/// Number of the neutral damper's own states.
+/// Number of states of the neutral damper without effects.
 pub(crate) const OWN: usize = 3;
 
-/// The damper and what is hidden in it, as a system of `N` states.
+/// The damper and its injected effects, as a system of `N` states.
 pub(crate) struct System<'a, const N: usize> {
     pub neutral: &'a Neutral,
     pub effects: &'a [Box<dyn Hidden>],
-    /// First state of each hidden effect.
+    /// Index of the first state of each injected effect.
     pub first: Vec<usize>,
-    /// Drift of slow quantities within one sample is not integrated: the caller renews them.
+    /// Oil temperature, °C. It is constant within a sample; the caller updates it.
     pub oil_c: &'a RefCell<f64>,
 }
 
@@ -40,7 +40,7 @@ impl<const N: usize> System<'_, N> {
         self.effects.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
     }
 
-    /// Error allowed per step.
+    /// Returns the error tolerance per step.
     pub fn tolerance(&self) -> Tolerance<N> {
         let mut absolute = [1.0; N];
         absolute[DEFLECTION] = 1e-9;
@@ -53,10 +53,10 @@ impl<const N: usize> System<'_, N> {
         Tolerance { absolute, relative: 3e-6 }
     }
 
-    /// The state after a rest; effects that carry their state from test to test get it back in `carried`.
+    /// Returns the equilibrium state before a test; `carried` contains the effects' states from the preceding test.
     pub fn at_rest(&self, rest: &Rest, carried: &[Vec<f64>]) -> [f64; N] {
         let mut state = [0.0; N];
-        // The weak spring is balanced by the series spring.
+        // The series spring balances the weak spring.
         state[DEFLECTION] = self.neutral.spring_n_m * rest.displacement_m
             / (self.neutral.mount.stiffness_n_m + self.neutral.spring_n_m);
         for (index, hidden) in self.effects.iter().enumerate() {
@@ -68,7 +68,7 @@ impl<const N: usize> System<'_, N> {
         state
     }
 
-    /// What is seen, with the force on the rod.
+    /// Returns the quantities at one instant, and the force of the series element.
     fn here(&self, line: &Line, state: &[f64; N]) -> (Here, f64) {
         let mut here = Here {
             line: Line { oil_c: *self.oil_c.borrow(), ..*line },
@@ -85,7 +85,7 @@ impl<const N: usize> System<'_, N> {
         (here, mount)
     }
 
-    /// Force of the series element.
+    /// Computes the force of the series element, N.
     fn mount_n(&self, here: &Here, state: &[f64; N]) -> f64 {
         let mount = &self.neutral.mount;
         let (mut deflection, mut damped) = (here.deflection_m, 1.0);
@@ -102,7 +102,7 @@ impl<const N: usize> System<'_, N> {
         elastic + damped * mount.damping_n_s_m * here.deflection_m_s
     }
 
-    /// Friction, and the other forces beside the damper.
+    /// Computes the friction, and the other forces in parallel with the damper.
     fn beside_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
         let friction = &self.neutral.friction;
         let v = here.line.velocity_m_s;
@@ -118,7 +118,7 @@ impl<const N: usize> System<'_, N> {
         (level * direction, beside)
     }
 
-    /// What flows past the piston, as a velocity, m/s.
+    /// Computes the flow past the piston, as a velocity, m/s.
     fn flow_m_s(&self, here: &Here, state: &[f64; N]) -> f64 {
         let (mut driving, mut bypass) = (here.oil_n, 0.0);
         for (hidden, own) in self.each(state) {
@@ -133,7 +133,7 @@ impl<const N: usize> System<'_, N> {
         through + bypass
     }
 
-    /// Rates of all states.
+    /// Computes the rates of all states.
     pub fn rates(&self, line: &Line, state: &[f64; N]) -> [f64; N] {
         let (here, mount) = self.here(line, state);
         let (mut compliance, mut mass) = (1.0 / COLUMN_N_M, self.neutral.mass_kg);
@@ -155,13 +155,13 @@ impl<const N: usize> System<'_, N> {
         rates
     }
 
-    /// What the load cell says, N.
+    /// Computes the reading of the load cell, N.
     pub fn cell_n(&self, line: &Line, state: &[f64; N]) -> f64 {
         let (here, _) = self.here(line, state);
         self.each(state).fold(here.rod_n, |force, (hidden, own)| hidden.cell_n(force, &here, own))
     }
 
-    /// Power that becomes heat in the damper, W.
+    /// Computes the power dissipated in the damper, W.
     pub fn heat_w(&self, line: &Line, state: &[f64; N]) -> f64 {
         let (here, _) = self.here(line, state);
         let (friction, _) = self.beside_n(&here, state);

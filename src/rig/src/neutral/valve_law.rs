@@ -1,31 +1,31 @@
-//! The force-velocity law of the neutral damper, as flow against force: what passes the piston, expressed as a velocity.
+//! The force-velocity law of the neutral damper, as flow (expressed as a velocity) over force.
 //!
-//! Written this way round because flows through parallel passages add, so that a hidden bypass is one more summand.
+//! In this form the flows of parallel passages add, so that an injected bypass is one more term.
 
 use crate::draw::Draw;
 
-/// Velocity up to which a law is drawn, m/s.
+/// Highest velocity of a drawn law, m/s.
 const TOP_M_S: f64 = 1.6;
 
-/// The law for both directions.
+/// The law of both directions.
 #[derive(Debug, Clone)]
 pub(crate) struct ValveLaw {
     pub rebound: OneWay,
     pub compression: OneWay,
 }
 
-/// One direction; force and flow are magnitudes.
+/// Law of one direction; force and flow are magnitudes.
 #[derive(Debug, Clone)]
 pub(crate) enum OneWay {
-    /// Bleed (laminar and orifice in series) beside a blow-off valve that lifts round a force.
+    /// A bleed (laminar and orifice in series) in parallel with a blow-off valve that opens near a force.
     Passages { laminar_n_s_m: f64, orifice_n_s2_m2: f64, opening_m_s_n: f64, lift_n: f64, knee_n: f64 },
     /// Straight lines between knots, with kinks.
     Lines(Knots),
-    /// A curve through knots that keeps their monotony (Fritsch & Carlson).
+    /// A monotone curve through knots (Fritsch & Carlson).
     Curve(Knots),
 }
 
-/// Knots of a rising curve from the origin.
+/// Knots of an increasing curve from the origin.
 #[derive(Debug, Clone)]
 pub(crate) struct Knots {
     force_n: Vec<f64>,
@@ -34,7 +34,7 @@ pub(crate) struct Knots {
     slope: Vec<f64>,
 }
 
-/// How a curve bends.
+/// Curvature of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Style {
     Digressive,
@@ -43,13 +43,13 @@ pub(crate) enum Style {
 }
 
 impl ValveLaw {
-    /// Flow at a force, m/s; both signed, rebound positive.
+    /// Computes the flow at a force, m/s; both signed, rebound positive.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         let way = if force_n > 0.0 { &self.rebound } else { &self.compression };
         way.flow_m_s(force_n.abs()).copysign(force_n)
     }
 
-    /// Force at a flow, N: the inverse of [`ValveLaw::flow_m_s`].
+    /// Computes the force at a flow, N: the inverse of [`ValveLaw::flow_m_s`].
     pub fn force_n(&self, flow_m_s: f64) -> f64 {
         let way = if flow_m_s > 0.0 { &self.rebound } else { &self.compression };
         let target = flow_m_s.abs();
@@ -68,12 +68,12 @@ impl ValveLaw {
         (0.5 * (low + high)).copysign(flow_m_s)
     }
 
-    /// Draws a law: force at 1 m/s, how it bends, and the form of the curve.
+    /// Draws a law: force at 1 m/s, style, and form of the curve.
     pub fn draw(draw: &mut Draw) -> Self {
         let rebound_n = draw.ratio("rebound_at_1_m_s_n", 1300.0, 3600.0);
         let compression_n = rebound_n * draw.between("compression_share", 0.35, 0.75);
         let style = |draw: &mut Draw, name: &str| {
-            // Digressive valving is the rule on cars.
+            // Most car dampers have digressive valves.
             let (style, code) = match draw.choice(5) {
                 0..=2 => (Style::Digressive, 0.0),
                 3 => (Style::Linear, 1.0),
@@ -101,7 +101,7 @@ impl ValveLaw {
 
 impl OneWay {
     fn passages(draw: &mut Draw, at_1_m_s_n: f64, style: Style) -> Self {
-        // Force at 0.1 m/s as a share of that at 1 m/s: one is a tenth for a straight line.
+        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s: 0.1 for a straight line.
         let (share, laminar_share, knee) = match style {
             Style::Digressive => (draw.between("share", 0.32, 0.55), draw.between("laminar", 0.25, 0.7), 0.12),
             Style::Linear => (draw.between("share", 0.13, 0.20), draw.between("laminar", 0.6, 0.9), 0.5),
@@ -110,7 +110,7 @@ impl OneWay {
         let low_n = share * at_1_m_s_n;
         let laminar_n_s_m = laminar_share * low_n / 0.1;
         let orifice = (1.0 - laminar_share) * low_n / 0.01;
-        // A progressive valve is its bleed and no more: together they make the force at 1 m/s.
+        // A progressive valve consists of its bleed alone: both resistances add up to the force at 1 m/s.
         let orifice_n_s2_m2 =
             if style == Style::Progressive { (at_1_m_s_n - laminar_n_s_m).max(0.1 * at_1_m_s_n) } else { orifice };
         let lift_n = low_n * draw.between("lift", 0.8, 1.1);
@@ -121,7 +121,7 @@ impl OneWay {
         Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n }
     }
 
-    /// Flow at a force, m/s.
+    /// Computes the flow at a force, m/s.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         match self {
             Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n } => {
@@ -135,7 +135,8 @@ impl OneWay {
     }
 }
 
-/// Lift of the blow-off valve times the root of the pressure, in newtons: zero at no force.
+/// Computes the lift of the blow-off valve times the square root of the relative pressure, in newtons: zero at zero
+/// force.
 fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
     let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
     let lift = knee_n * (softplus((force_n - lift_n) / knee_n) - softplus(-lift_n / knee_n));
@@ -143,7 +144,8 @@ fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
 }
 
 impl Knots {
-    /// Knots near a curve: velocities spread by ratio from 10 mm/s up, forces off the curve by some percent.
+    /// Draws knots near a curve: velocities with equal ratios from about 10 mm/s, forces with deviations of some
+    /// percent.
     fn on(draw: &mut Draw, curve: &OneWay, count: usize) -> Self {
         let law = ValveLaw { rebound: curve.clone(), compression: curve.clone() };
         let (mut force_n, mut flow_m_s) = (vec![0.0], vec![0.0]);
@@ -160,7 +162,7 @@ impl Knots {
             (1..n).map(|i| (flow_m_s[i] - flow_m_s[i - 1]) / (force_n[i] - force_n[i - 1])).collect();
         let mut slope = vec![secant[0]; n];
         for i in 1..n - 1 {
-            // Harmonic mean: never steeper than three times the flatter side, which keeps the curve rising.
+            // The harmonic mean is at most twice the smaller secant slope, which keeps the curve monotone.
             slope[i] = 2.0 / (1.0 / secant[i - 1] + 1.0 / secant[i]);
         }
         slope[n - 1] = secant[n - 2];

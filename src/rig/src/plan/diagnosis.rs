@@ -1,4 +1,4 @@
-//! The diagnosis plan: what is needed to tell the effects of a damper apart, and no more.
+//! The diagnosis plan: the smallest set of tests that distinguishes the effects of a damper.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use super::CHECK_PREFIX;
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Begins the names of the repeated test.
+/// Prefix of the names of the repeated test.
 pub(super) const REFERENCE: &str = "reference";
 const REFERENCES: usize = 3;
 
@@ -14,12 +14,12 @@ const REFERENCES: usize = 3;
 type Row = (f64, f64, f64, f64);
 
 const TRAINING: [Row; 31] = [
-    // Slow: friction, gas, stops.
+    // Slow tests show friction, gas and stops.
     (50.0, 0.05, 0.0, 0.0),
     (25.0, 0.07, 0.0, 0.0),
     (10.0, 0.05, 0.0, 0.0),
     (10.0, 0.2, 0.0, 0.0),
-    // Small: presliding, mount, play.
+    // Small amplitudes show presliding, mount and play.
     (0.3, 0.1, 0.0, 0.0),
     (0.3, 1.0, 0.0, 0.0),
     (1.0, 0.1, 0.0, 0.0),
@@ -34,7 +34,7 @@ const TRAINING: [Row; 31] = [
     (10.0, 2.0, 0.0, 0.0),
     (10.0, 8.0, 0.0, 0.0),
     (10.0, 25.0, 0.0, 0.0),
-    // Long: valves, stops, heat.
+    // Long strokes show valves, stops and heat.
     (25.0, 0.5, 0.0, 0.0),
     (25.0, 3.0, 0.0, 0.0),
     (25.0, 6.0, 0.0, 0.0),
@@ -42,7 +42,7 @@ const TRAINING: [Row; 31] = [
     (50.0, 0.4, 0.0, 0.0),
     (50.0, 1.5, 0.0, 0.0),
     (50.0, 5.0, 0.0, 0.0),
-    // Off the middle, and under side force.
+    // The mean position is off center, or side force acts.
     (10.0, 2.0, 25.0, 0.0),
     (10.0, 2.0, -25.0, 0.0),
     (25.0, 2.0, 25.0, 0.0),
@@ -51,7 +51,7 @@ const TRAINING: [Row; 31] = [
     (25.0, 0.5, 0.0, 1000.0),
 ];
 
-/// Between the others in stroke and speed, as far as those reach.
+/// Tests with strokes and velocities between those of the training tests.
 const CHECKS: [Row; 11] = [
     (0.6, 2.0, 0.0, 0.0),
     (1.5, 18.0, 0.0, 0.0),
@@ -68,10 +68,10 @@ const CHECKS: [Row; 11] = [
 
 /// Limits of displacement (mm) and velocity (m/s), mean displacement (mm), side force (N).
 const ROADS: [Row; 3] = [(18.0, 0.5, 0.0, 0.0), (30.0, 1.1, 8.0, 0.0), (14.0, 0.8, -12.0, 300.0)];
-/// How long a road lasts, s.
+/// Duration of a road, s.
 const ROAD_S: f64 = 4.0;
 
-/// References, training, checks: not yet in the order in which they are run.
+/// Returns references, training and check tests, before they are put in the order of execution.
 pub(super) fn tests() -> Vec<TestPoint> {
     let mut tests: Vec<TestPoint> = (1..=REFERENCES)
         .map(|number| TestPoint { name: format!("{REFERENCE}_{number}"), ..sine((25.0, 1.25, 0.0, 0.0)) })
@@ -94,7 +94,7 @@ pub(super) fn tests() -> Vec<TestPoint> {
     tests
 }
 
-/// Three cycles of a sine.
+/// Makes three cycles of a sine.
 pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> TestPoint {
     let amplitude_m = amplitude_mm * 1e-3;
     let mut name = format!("a{amplitude_mm}mm_f{frequency_hz}hz");
@@ -113,7 +113,7 @@ pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> 
     }
 }
 
-/// In random order, but with the references at start, middle and end.
+/// Shuffles the tests, with the references at start, middle and end.
 pub(super) fn shuffled(tests: Vec<TestPoint>, order: u64) -> Vec<TestPoint> {
     let (references, mut rest): (Vec<_>, Vec<_>) = tests.into_iter().partition(|test| test.name.starts_with(REFERENCE));
     let mut draw = Draw::new(order, "order of the tests");

@@ -1,4 +1,5 @@
-//! Test plans for the neutral damper: short campaigns that show hidden effects, and poor ones that cannot show all of them.
+//! Test plans for the neutral damper: short campaigns that reveal injected effects, and poor plans that reveal only
+//! some effects.
 
 mod diagnosis;
 mod poor;
@@ -9,16 +10,16 @@ use crate::{Matrix, RigError};
 pub const PLANS: [&str; 7] =
     ["diagnosis", "thesis", "one-amplitude", "one-frequency", "no-slow-tests", "centred", "no-side-force"];
 
-/// Begins the names of tests that a diagnosis should keep for checking.
+/// Prefix of the names of tests that a diagnosis should use only for verification.
 pub const CHECK_PREFIX: &str = "check_";
 
-/// Which tests a campaign consists of.
+/// Tests of a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Plan {
-    /// 34 tests over strokes, frequencies, mean positions and side force, three of them the same reference at start,
-    /// middle and end.
+    /// 34 tests over strokes, frequencies, mean positions and side force, and 14 more for verification, in shuffled
+    /// order.
     ///
-    /// 14 more to check on. In shuffled order.
+    /// Three of the 34 tests are the same reference at start, middle and end.
     #[default]
     Diagnosis,
     /// The thesis's matrix, in its own order.
@@ -27,7 +28,7 @@ pub enum Plan {
     OneAmplitude,
     /// Poor: sines at 2 Hz only.
     OneFrequency,
-    /// Poor: the diagnosis plan without anything slower than 50 mm/s.
+    /// Poor: the diagnosis plan without tests below 50 mm/s.
     NoSlowTests,
     /// Poor: the diagnosis plan about mid-stroke only.
     Centred,
@@ -36,10 +37,10 @@ pub enum Plan {
 }
 
 impl Plan {
-    /// The plan of a name in [`PLANS`].
+    /// Returns the plan of a name in [`PLANS`].
     ///
     /// # Errors
-    /// [`RigError::Option`] when there is none, with the list.
+    /// [`RigError::Option`] with the list of plans, if the name is unknown.
     pub fn named(name: &str) -> Result<Self, RigError> {
         Ok(match name {
             "diagnosis" => Self::Diagnosis,
@@ -58,8 +59,8 @@ impl Plan {
         })
     }
 
-    /// The tests, in the order in which they are run. `order` shuffles all plans but the thesis's; another number is
-    /// another thermal history.
+    /// Returns the tests, in the order of execution. `order` is the seed for shuffling all plans but the thesis's;
+    /// another order causes another thermal history.
     pub fn matrix(self, order: u64) -> Matrix {
         let tests = match self {
             Self::Thesis => return Matrix::default(),
@@ -115,7 +116,7 @@ mod tests {
         assert!(points.iter().any(|p| p.mean_displacement_m == 0.025));
         assert!(points.iter().any(|p| p.mean_displacement_m == -0.025));
         assert!(points.iter().filter(|p| p.peak_velocity_m_s < 0.02).count() >= 5);
-        // What is checked on is not trained on.
+        // Check tests differ from all training tests.
         for check in points.iter().filter(|p| p.name.starts_with(CHECK_PREFIX)) {
             assert!(points.iter().filter(|p| !p.name.starts_with(CHECK_PREFIX)).all(|p| {
                 (p.amplitude_m, p.mean_displacement_m, p.side_force_n)

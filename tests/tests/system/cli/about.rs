@@ -1,11 +1,11 @@
-//! What the command says of itself: version, completions, manual pages.
+//! Version, completions and manual pages of the command.
 
 use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use dashpot_test_support::skipped;
 use dashpot_tests::cli::{done, refused};
 use std::process::Command;
 
-/// The verbs as `--help` lists them.
+/// Returns the verbs listed by `--help`.
 fn verbs(help: &str) -> Vec<&str> {
     let list = help.split("Commands:").nth(1).expect("a list of verbs").split("Options:").next().unwrap();
     let names = list.lines().filter_map(|line| line.strip_prefix("  ")?.split_whitespace().next());
@@ -37,7 +37,7 @@ fn every_shell_gets_every_verb() {
     assert!(refused(folder.path(), &["completions", "tcsh"]).contains("bash"));
 }
 
-/// The shell itself completes a verb's beginning by what is printed for it.
+/// The shell completes the beginning of a verb with the printed script.
 #[test]
 fn bash_completes_a_verb() {
     let folder = tempfile::tempdir().unwrap();
@@ -62,7 +62,7 @@ fn every_verb_has_a_manual_page_with_its_example() {
         assert!(text.contains(&format!("(interface version {DASHPOT_ABI_VERSION})")), "{verb}: no version");
     }
     assert!(page("dashpot").contains("dashpot\\-fit(1)"));
-    // Written again they are the same, and take the place of the older ones.
+    // Repeated output is identical, and replaces the older files.
     let before = dashpot_tests::cli::contents(folder.path());
     done(folder.path(), &["man", "pages"]);
     assert!(dashpot_tests::cli::contents(folder.path()) == before);

@@ -1,16 +1,16 @@
-//! How close models come to the virtual rig, which shares nothing with the model: fitted on half of the tests,
-//! compared with all.
+//! Accuracy of models of the virtual rig, whose equations differ from the model's. The fit uses half of the tests, the
+//! comparison all of them.
 
 use dashpot_tests::cli::{done, json, number};
 use serde_json::Value;
 use std::path::Path;
 
-/// Error limits, percent of each test's largest force, for the mean over a row of the matrix.
+/// Error limits of the mean over a row of the matrix, percent of each test's largest force.
 const LARGE_STROKES: f64 = 1.5;
 const ONE_MILLIMETRE: f64 = 5.0;
 const SLOW: f64 = 10.0;
 
-/// Fits the records of a folder without every second test, and compares the model with all.
+/// Fits the records of a folder without every second test, and compares the model with all tests.
 fn half_fitted(dir: &Path) -> Value {
     let mut names: Vec<String> = std::fs::read_dir(dir.join("records"))
         .unwrap()
@@ -28,7 +28,7 @@ fn half_fitted(dir: &Path) -> Value {
     validation
 }
 
-/// Mean error of the tests that `choose` picks, percent.
+/// Averages the relative error of the tests that `choose` selects, percent.
 fn mean(validation: &Value, choose: impl Fn(&Value) -> bool) -> f64 {
     let chosen: Vec<f64> = validation["tests"]
         .as_array()

@@ -1,4 +1,4 @@
-//! The models of the literature on the command line: `fit --model`, `validate --against`, and how close they come on real
+//! Models of the literature on the command line (`fit --model`, `validate --against`), and their accuracy on real
 //! dampers.
 
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
@@ -6,7 +6,7 @@ use dashpot_tests::measured::records;
 use serde_json::Value;
 use std::path::Path;
 
-/// Rows of `against` by model.
+/// Returns the row of a model in `against`.
 fn row<'a>(validation: &'a Value, model: &str) -> &'a Value {
     let rows = validation["against"].as_array().unwrap();
     rows.iter().find(|r| r["model"] == model).unwrap_or_else(|| panic!("no {model} in {validation}"))
@@ -43,7 +43,7 @@ fn models_of_the_literature_stand_beside_the_validated_one() {
         assert_eq!(number(&row["left_out"], "tests"), 1.0);
         assert!(number(&row["used_in_fit"], "rmse_n") > 0.0);
     }
-    // The model validated is the plain curve, so its row is that of fv and that of the comparison in every report.
+    // The validated model is the FV curve alone, so its errors equal those of `fv` and of the FV curve in every report.
     let fv = number(&row(&validation, "fv")["left_out"], "rmse_n");
     assert!((fv / number(&row(&validation, "MODEL")["left_out"], "rmse_n") - 1.0).abs() < 1e-3);
     assert!((fv / number(&validation["left_out"]["fv_only"], "rmse_n") - 1.0).abs() < 1e-3);
@@ -61,20 +61,20 @@ fn a_comparison_model_lives_in_a_file_of_its_own_kind() {
     small_campaign(dir);
     let left_out = ["--hold-out", "a15mm_v0262mm_s"];
     let told = done(dir, &[&["fit", "records", "-o", "m.toml", "--model", "piecewise"][..], &left_out].concat());
-    // Its curve has slopes and knees; the table of the parameters is none of it.
+    // The fitted form of the curve is piecewise linear; the table's parameters do not appear.
     assert!(told.contains("fv_rebound_c1") && !told.contains("FV curve  mm/s"), "{told}");
     let out =
         done(dir, &[&["fit", "records", "-o", "d.toml", "--model", "dahl", "--json", "-"][..], &left_out].concat());
     assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["numbers"]["literature_model"], "dahl");
     let text = std::fs::read_to_string(dir.join("d.toml")).unwrap();
     assert!(text.contains("not a dashpot model file") && text.contains("friction_n"), "{text}");
-    // It takes the place of its own older version, with its figures, and never that of a model.
+    // The output replaces an older version of itself with its figures, but never a model file.
     for _ in 0..2 {
         done(dir, &["fit", "records", "-o", "e.toml", "--model", "dahl", "--json", "e.json"]);
     }
     assert!(refused(dir, &["fit", "records", "-o", "m.toml", "--model", "dahl"]).contains("holds a model file"));
     assert!(refused(dir, &["fit", "records", "-o", "d.toml"]).contains("holds a model of the literature"));
-    // Every other verb says what it is; validation reads it and gets what it would have identified itself.
+    // Every other verb names the kind of file. Validation reads it, with the result of its own identification.
     let told = refused(dir, &["simulate", "d.toml", "records/a50mm_v0262mm_s.csv", "-o", "x.csv"]);
     assert!(told.contains("--against"), "{told}");
     done(dir, &["validate", "m.toml", "records", "--against", "d.toml", "--json", "file.json"]);
@@ -96,7 +96,7 @@ fn mistakes_are_told_before_anything_is_fitted() {
     assert!(told.contains("--elements"), "{told}");
 }
 
-/// Root mean square error on tests left out, by model, in N.
+/// Returns the root mean square error on left-out tests by model, N.
 fn left_out(data: &Path, hold_out: &str, further: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let (dir, data) = (folder.path(), data.to_str().unwrap());
@@ -105,10 +105,10 @@ fn left_out(data: &Path, hold_out: &str, further: &[&str]) -> Value {
     json(&dir.join("v.json"))
 }
 
-/// A magnetorheological damper on an MTS rig, at two currents, motions `10mm2Hz` and `5mm4Hz` left out.
+/// A magnetorheological damper on an MTS rig, at two currents; motions `10mm2Hz` and `5mm4Hz` are left out.
 ///
-/// No model may be worse than a careful fit of it elsewhere (least squares from three starts, scored on up to four
-/// cycles), by more than the margin that other weights and other cycles make.
+/// The reference is another careful fit (least squares from three starts, scored on up to four cycles). No model may
+/// exceed its error by more than the margin for other weights and other cycles.
 #[test]
 fn on_a_real_damper_every_model_is_as_good_as_a_careful_fit_elsewhere() {
     let Some(folder) = records("mr_mts_utfsm") else { return };
@@ -119,7 +119,7 @@ fn on_a_real_damper_every_model_is_as_good_as_a_careful_fit_elsewhere() {
     for (current, figures) in elsewhere {
         let validation = left_out(&folder.join(current), "10mm2Hz*,5mm4Hz*", &[]);
         for (model, figure) in figures {
-            // Kwok's model at 0 A: 12 % above the figure from elsewhere, for a reason not found; measured 24.0 N.
+            // Kwok's model at 0 A is 12 % above the reference for an unknown reason; measured 24.0 N.
             let margin = if (current, model) == ("0A", "kwok") { 1.15 } else { 1.06 };
             let own = number(&row(&validation, model)["left_out"], "rmse_n");
             assert!(own <= margin * figure, "{current} {model}: {own} N, elsewhere {figure} N");

@@ -1,9 +1,9 @@
-//! `dashpot check` and what exports say of chatter: the words, the figures, the damper made ready.
+//! `dashpot check`, and the exports' remarks on chatter: messages, figures, and the damper adapted to a step.
 
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
-/// A damper with friction that turns over within a millimetre per second.
+/// A damper whose friction reverses within one millimeter per second.
 const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
 
@@ -22,17 +22,17 @@ fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
 fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let folder = steep();
     let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
-    // h/m times the slope of the friction and of the curve at standstill.
+    // The gain is h/m times the derivative of friction and curve at standstill.
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
-    // Half of a step that is quiet is quiet, twice of it is not.
+    // Half of a stable step is stable, twice the step is not.
     let quiet = number(&found, "quiet_step_s");
     for (times, chatters) in [(0.5, false), (2.0, true)] {
         let step = format!("{}", times * quiet);
         assert_eq!(checked(folder.path(), &["--host-step", &step])["chatters"], chatters, "{times}");
     }
-    // A heavier mass takes it.
+    // A heavier mass is stable with this friction.
     assert_eq!(checked(folder.path(), &["--wheel-mass", "1000"])["chatters"], false);
 }
 
@@ -51,7 +51,7 @@ fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it()
     assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
 }
 
-/// A script goes by the exit code, and by that of the damper that was made ready where one was asked for.
+/// The exit code reports chatter to scripts, for the adapted damper if one was requested.
 #[test]
 fn a_script_is_told_by_the_exit_code() {
     let folder = steep();
@@ -78,7 +78,8 @@ fn exports_say_it_too_and_take_the_same_option() {
     assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
     let readme = |folder: &str| std::fs::read_to_string(dir.join(folder).join("README.txt")).unwrap();
     assert!(readme("soft").starts_with("coulomb_friction was replaced"));
-    // Adams takes the force with its slopes in steps of its own: what a fixed step does stands below, with whom it concerns.
+    // Adams adapts its steps and uses the derivatives of the force. The remark on fixed steps follows later and states
+    // that it does not apply.
     let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
     assert!(text.contains("A damper for Adams"), "{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -102,7 +103,7 @@ fn impossible_hosts_are_refused() {
     assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
 }
 
-/// A damper over its setting is judged at each of them, as the damper that it is there.
+/// An adjustable damper is checked at each of its settings, as the damper at that setting.
 #[test]
 fn a_family_is_checked_at_every_setting() {
     let folder = steep();

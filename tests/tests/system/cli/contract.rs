@@ -1,4 +1,4 @@
-//! The command's names, flags, JSON keys and exit codes: what scripts rely on.
+//! The contract with scripts: names, flags, JSON keys and exit codes of the command.
 
 use dashpot_tests::cli::{done, json, number, refused, run, small_campaign};
 use serde_json::Value;
@@ -26,7 +26,7 @@ fn records_to_model_to_errors() {
     let model: toml::Table = std::fs::read_to_string(dir.join("m.toml")).unwrap().parse().unwrap();
     assert_eq!(model["format"].as_integer(), Some(1));
 
-    // Standard output is pure JSON, and the same as in a file.
+    // Standard output is pure JSON, equal to the file.
     let out = done(dir, &["validate", "m.toml", "records", "--json", "-", "--report", "r.html", "--svg", "figures"]);
     let validation: Value = serde_json::from_str(&out).unwrap();
     done(dir, &["validate", "m.toml", "records", "--json", "v.json"]);
@@ -94,7 +94,7 @@ fn every_verb_explains_itself_with_an_example() {
         let help = done(folder.path(), &[verb, "--help"]);
         assert!(help.contains("Example") && help.contains(&format!("dashpot {verb}")), "{verb}: {help}");
     }
-    // Without arguments, and with wrong ones, it says how it is used.
+    // Missing or wrong arguments produce the usage message.
     for args in [&[][..], &["fit"], &["fit", "x"], &["paint"], &["simulate", "a", "b"]] {
         let ran = run(folder.path(), args);
         assert!(ran.code == Some(2) && (ran.err + &ran.out).contains("Usage"), "{args:?}");

@@ -1,4 +1,4 @@
-//! `dashpot diagnose` as scripts and people meet it: the JSON contract, the improved model, the report, mistakes.
+//! `dashpot diagnose` for scripts and people: the JSON contract, the improved model, the report, mistakes.
 
 use super::excel;
 use dashpot_diagnosis::EFFECTS;
@@ -8,16 +8,16 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
-/// What is made once.
+/// Shared results, computed once.
 ///
-/// A campaign of the virtual rig's monotube in `records`; `plain.toml`, its model without any dry friction;
-/// everything that a diagnosis leaves (`better.toml`, `d.json`, `d.html`, `figures`) and what it said.
+/// `records` is a campaign of the virtual rig's monotube, and `plain.toml` its model without dry friction. The output
+/// of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
 struct Made {
     folder: TempDir,
     told: String,
 }
 
-/// The diagnosis that the tests look at.
+/// Arguments of the shared diagnosis.
 const DIAGNOSE: [&str; 9] =
     ["diagnose", "plain.toml", "records", "-o", "better.toml", "--json", "d.json", "--report", "d.html"];
 
@@ -33,7 +33,7 @@ fn made() -> &'static Made {
     })
 }
 
-/// A folder of its own with all that was made.
+/// Copies all shared results to a new folder.
 fn copy() -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let made = made().folder.path();
@@ -66,7 +66,8 @@ fn assert_span(value: &Value, key: &str) {
     assert!(ends.len() == 2 && ends[0] <= ends[1], "{key} in {value}");
 }
 
-/// Every effect of both models is there once, with the force that it carries; a replaced one is named by what stands in its place.
+/// Asserts that every effect of both models appears once, with its force, and that a replaced effect names its
+/// replacement.
 fn assert_inventory(found: &Value) {
     let items = list(found, "inventory");
     let mut effects = BTreeSet::new();
@@ -88,7 +89,7 @@ fn assert_inventory(found: &Value) {
     }
 }
 
-/// Every field of the contract has its type, unit and range.
+/// Asserts that every field of the contract has its type, unit and range.
 fn assert_contract(found: &Value) {
     let verdict = word(found, "verdict");
     assert!(["named", "nothing_missing", "changed", "cannot_tell", "unknown_effect"].contains(&verdict), "{verdict}");
@@ -135,7 +136,7 @@ fn assert_contract(found: &Value) {
         for error in ["rmse_n", "error_percent", "left_out_rmse_n", "noise_n"] {
             assert!(number(figures, error) >= 0.0, "{key}.{error}");
         }
-        // 1 N or so of noise in dampers of a few kN: a unit gone wrong would be off by a thousand.
+        // The noise is about 1 N in dampers of a few kN; a wrong unit would cause a factor of a thousand.
         assert!(
             (0.05..500.0).contains(&number(figures, "rmse_n")) && number(figures, "error_percent") < 50.0,
             "{figures}"
@@ -150,7 +151,7 @@ fn assert_contract(found: &Value) {
     }
     assert!(!list(found, "could_not_test").is_empty(), "no rig shows every effect");
     for effect in list(found, "could_not_test") {
-        // The one effect that is told apart by no rig, and so is none that can be named.
+        // `cylinder_expansion` is the only effect that no rig can identify, so it is never a finding.
         assert!(EFFECTS.contains(&word(effect, "effect")) || effect["effect"] == "cylinder_expansion", "{effect}");
         assert!(word(effect, "why").len() > 10);
     }
@@ -162,13 +163,13 @@ fn the_json_is_what_scripts_were_promised() {
     let dir = folder.path();
     let found = json(&dir.join("d.json"));
     assert_contract(&found);
-    // Friction was left out of the model; it is its lack that is found first.
+    // The model lacks friction, which is therefore the first finding.
     assert_eq!(word(&found, "verdict"), "named", "{}", found["summary"]);
     let first = word(&list(&found, "findings")[0], "effect");
     assert!(first.ends_with("_friction"), "{first}");
     assert!(number(&found["after"], "rmse_n") < number(&found["before"], "rmse_n"));
 
-    // Standard output is pure JSON. Left-out tests are told, and are the ones asked for.
+    // Standard output is pure JSON. It lists the left-out tests, which are the requested ones.
     let out = done(dir, &["diagnose", "plain.toml", "records", "--json", "-", "--hold-out", "a15*,a01mm_v0052*"]);
     let found: Value = serde_json::from_str(&out).unwrap();
     assert_contract(&found);
@@ -176,7 +177,7 @@ fn the_json_is_what_scripts_were_promised() {
         let name = word(test, "test");
         assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
-    // The gap is what its definition says of these very figures.
+    // The closed gap follows from its definition and these figures.
     let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
@@ -198,10 +199,10 @@ fn threads_and_repetition_change_no_byte() {
     for file in ["better.toml", "d.json", "d.html"] {
         std::fs::remove_file(dir.join(file)).unwrap();
     }
-    // Before, there were as many threads as cores.
+    // The first run used as many threads as cores.
     let ran = run_with(dir, &DIAGNOSE, &[("RAYON_NUM_THREADS", "1")]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    // Progress is for terminals.
+    // Progress appears only on terminals.
     assert!(ran.err.is_empty(), "{}", ran.err);
     assert!(made().told.starts_with(&ran.out), "{}", ran.out);
     assert!(contents(dir) == first, "one thread");
@@ -228,10 +229,10 @@ fn the_improved_model_is_an_ordinary_model_file() {
     let held_out: BTreeSet<&str> =
         list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).map(|t| word(t, "test")).collect();
     for test in list(&after, "tests") {
-        // The file says which tests the refits saw.
+        // The file lists the tests of the refits.
         assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
     }
-    // It can be diagnosed in its turn, which finds the same thing no second time. What standard output gets is a file.
+    // A diagnosis of the improved model does not find the effect again. Standard output receives a valid file.
     let out = done(dir, &["diagnose", "better.toml", "records", "-o", "-", "--json", "again.json"]);
     assert!(out.parse::<toml::Table>().unwrap().contains_key("elements"));
     let first = word(&list(&found, "findings")[0], "effect");
@@ -263,14 +264,14 @@ fn the_report_tells_everything_and_asks_nobody() {
         assert!(report.contains(word(effect, "effect")));
     }
     for test in list(&found, "next_tests") {
-        // The report writes effects in words: what stands there as it is are the parts without a name.
+        // The report translates the names of effects, so only the other parts of the text are compared.
         let names: Vec<&str> = list(test, "separates").iter().filter_map(|name| name.as_str()).collect();
         let parts = word(test, "text").split(": ").filter(|part| !names.iter().any(|name| part.contains(name)));
-        // It has one minus sign, that of the figures.
+        // The report uses the typographic minus.
         let parts: Vec<String> = parts.map(|part| part.replace(" -", " \u{2212}")).collect();
         assert!(!parts.is_empty() && parts.iter().all(|part| report.contains(part)), "{test}");
     }
-    // What is printed in short comes first.
+    // The sections of the brief print come first.
     let brief = ["answer", "inventory", "findings", "loops", "limits"];
     let whole = ["where", "matrix", "tried", "parameters"].map(|part| (part, " class=\"beyond\""));
     let heads = brief.map(|part| (part, "")).into_iter().chain(whole);
@@ -345,24 +346,24 @@ fn little_data_and_little_leave_give_honest_answers() {
         let out = done(dir, &[&["diagnose", "plain.toml"], more, &["--json", "-", "--report", "d.html"]].concat());
         serde_json::from_str(&out).unwrap()
     };
-    // One test: nothing can be left out, and the figures say so by their absence.
+    // With one test, no test can be left out, and the related figures are absent.
     let one = ask(&["records/a50mm_v0262mm_s.csv"]);
     assert!(one["before"]["left_out_rmse_n"].is_null());
     assert!(list(&one, "could_not_test").len() > 1, "{}", one["could_not_test"]);
     let report = std::fs::read_to_string(dir.join("d.html")).unwrap();
     assert!(report.contains("No test was left out") || list(&one, "findings").is_empty());
-    // No effect may be added: none is, and the model stays as it was.
+    // If no effect may be added, none is added and the model stays unchanged.
     let none = ask(&["records", "--max-effects", "0"]);
     assert!(list(&none, "findings").is_empty() && word(&none, "verdict") != "named");
     assert!(!word(&none, "summary").is_empty() && !list(&none, "where").is_empty());
     assert_eq!(none["before"], none["after"]);
-    // Only what is asked for is named.
+    // Findings are limited to the requested candidates.
     let asked: [&str; 2] = ["channel_delay", "moving_mass"];
     let some = ask(&["records", "--candidates", &asked.join(",")]);
     for finding in list(&some, "findings") {
         assert!(asked.contains(&word(finding, "effect")), "{finding}");
     }
-    // Two wrong names that each take the other's place came round for ever once; a name that explains nothing is none.
+    // Two wrong effects once replaced each other without end; an effect that explains nothing is not a finding.
     let shares = list(&some, "findings").iter().map(|f| f["fraction"].as_f64().unwrap()).collect::<Vec<_>>();
     assert!(shares.iter().all(|share| *share > 0.02), "{shares:?}");
 }
@@ -375,7 +376,7 @@ fn what_people_read_is_short_and_in_their_units() {
     }
     assert!(told.contains("\nmodel: better.toml\nreport: d.html\n"));
     assert!(told.lines().count() < 60, "{told}");
-    // No number has more digits than anybody measures.
+    // No number has more digits than a measurement.
     let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
     let long = |w: &&str| w.contains('.') && digits(w) > 7 && !w.contains("mm_s") && !w.contains("hz");
     assert_eq!(told.split_whitespace().find(long), None);
@@ -390,7 +391,7 @@ fn groups_are_compared_with_one_reference() {
         std::fs::create_dir_all(&to).unwrap();
         for entry in std::fs::read_dir(dir.join("records")).unwrap() {
             let path = entry.unwrap().path();
-            // A third more force at every speed: nothing is missing, but numbers are others.
+            // The force is 30 % larger at every velocity: no effect is missing, but parameters differ.
             let text = std::fs::read_to_string(&path).unwrap();
             let heading = text.lines().find(|l| l.contains("force")).unwrap();
             let place = heading.split(',').position(|h| h.contains("force")).unwrap();
@@ -423,13 +424,13 @@ fn groups_are_compared_with_one_reference() {
     let changes = list(&groups[1]["diagnosis"], "changes");
     assert!(!changes.is_empty(), "{}", groups[1]["diagnosis"]["summary"]);
     for change in changes {
-        // Every force is a third larger; lengths and velocities are not.
+        // Every force is 30 % larger; lengths and velocities are unchanged.
         let ratio = number(change, "value") / number(change, "reference");
         assert!(change["unit"] != "N" || (ratio - 1.3).abs() < 0.03, "{change}");
     }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
-    // The picture first, then the answers, which wrap; what is long is folded.
+    // The figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
     let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
     assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
     assert!(place("<details><summary>") > place("<td class=\"w\">"));
@@ -439,7 +440,7 @@ fn groups_are_compared_with_one_reference() {
         .map(ToString::to_string)
         .collect();
     assert_eq!(names, ["b", "c"]);
-    // In a chain what a step changed is said at that step alone.
+    // In a chain of references, a change is reported only at its step.
     std::fs::create_dir(dir.join("fleet/d")).unwrap();
     for entry in std::fs::read_dir(dir.join("fleet/c")).unwrap() {
         let path = entry.unwrap().path();
@@ -471,13 +472,13 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(changed, [false, true, false]);
     let page = std::fs::read_to_string(dir.join("h.html")).unwrap();
     assert!(page.contains("d, against c"));
-    // The value before a change is that of the group before it.
+    // The value before a change is that of the previous group.
     let book = excel::sheets(&dir.join("h.xlsx"));
     let before = excel::column(excel::sheet(&book, "Numbers that changed"), "group");
     assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");
     std::fs::remove_dir_all(dir.join("fleet/d")).unwrap();
     let group = ["diagnose", "plain.toml", "fleet", "--group", "folders", "--candidates", "channel_delay"];
-    // Every result takes the place of its own older version.
+    // Every result replaces its own older version.
     done(dir, &[&group[..], &outputs, &["--language", "zh", "--json", "g.json"]].concat());
     let report = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(report.contains("<h2>各组的变化</h2>") && !report.contains("What changed"));
@@ -503,7 +504,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
             std::fs::copy(path, to.join(path.file_name().unwrap())).unwrap();
         }
     }
-    // One of them has no batch.
+    // One of the campaigns has no batch.
     let few = ["--candidates", "channel_delay", "--max-effects", "0"];
     std::fs::write(dir.join("fleet.csv"), "campaign;serial;batch\nfleet/a;17;spring\nfleet/b;18;\nfleet/c;19;autumn\n")
         .unwrap();
@@ -511,7 +512,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
     let told = done(dir, &[&by_list[..], &few].concat());
     assert!(told.contains("Compared with autumn:") && told.contains("  spring: "), "{told}");
     assert!(told.contains("1 test in no group: fleet/b"), "{told}");
-    // Nor is a damper dropped without a word that the list does not name at all.
+    // A damper that is missing in the list is reported too.
     std::fs::write(dir.join("fleet.csv"), "campaign,serial\nfleet/a,17\nfleet/b,18\n").unwrap();
     let told = done(dir, &[&["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:serial"][..], &few].concat());
     assert!(told.contains("in no group: fleet/c"), "{told}");

@@ -1,35 +1,35 @@
-//! `--excel`: the tables of a report as a workbook, read back as Excel would read it.
+//! `--excel`: the tables of a report as a workbook, reread as by Excel.
 
 use calamine::{Data, Range, Reader as _, Xlsx, open_workbook};
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
 use std::path::Path;
 
-/// The sheets of a workbook by name.
+/// Reads the sheets of a workbook by name.
 pub fn sheets(path: &Path) -> Vec<(String, Range<Data>)> {
     let mut book: Xlsx<_> = open_workbook(path).expect("a workbook");
     book.worksheets()
 }
 
-/// The cells of the column of a sheet below a heading.
+/// Returns the cells below a heading of a sheet.
 pub fn column(sheet: &Range<Data>, heading: &str) -> Vec<Data> {
     let headings: Vec<String> = sheet.rows().next().expect("a row").iter().map(ToString::to_string).collect();
     let place = headings.iter().position(|h| h == heading).unwrap_or_else(|| panic!("no {heading} in {headings:?}"));
     sheet.rows().skip(1).map(|row| row[place].clone()).collect()
 }
 
-/// One sheet.
+/// Returns one sheet.
 pub fn sheet<'a>(all: &'a [(String, Range<Data>)], name: &str) -> &'a Range<Data> {
     let found = all.iter().find(|(n, _)| n == name);
     &found.unwrap_or_else(|| panic!("no sheet {name} in {:?}", all.iter().map(|s| &s.0).collect::<Vec<_>>())).1
 }
 
-/// Everything that the first sheet says, in one text.
+/// Returns all text of the first sheet.
 fn first(all: &[(String, Range<Data>)]) -> String {
     all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
 }
 
-/// The sheet of the inventory has the effects of the JSON with their forces, in full.
+/// Asserts that the sheet of the inventory contains the effects of the JSON with their full forces.
 fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
     let items = found["inventory"].as_array().expect("an inventory");
     assert!(!items.is_empty());
@@ -65,7 +65,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     for text in [version, "m.toml", "records/a50mm_v0262mm_s.csv", "dashpot validate m.toml records\n"] {
         assert!(first(&validated).contains(text), "{text}");
     }
-    // Every sheet is listed and begins with its headings; numbers are those of the JSON, with all digits.
+    // Every sheet is listed and begins with its headings; numbers equal those of the JSON, with all digits.
     for (name, range) in &validated[1..] {
         assert!(first(&validated).contains(name.as_str()) && range.height() > 1, "{name}");
         assert!(range.rows().next().expect("a row").iter().all(|cell| matches!(cell, Data::String(_))), "{name}");
@@ -87,7 +87,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let diagnosed = sheets(&dir.join("d.xlsx"));
     let found = json(&dir.join("d.json"));
     let rows = |list: &serde_json::Value| list.as_array().expect("a list").len();
-    // What was named stands first.
+    // The findings come first.
     let tried = rows(&found["findings"]) + rows(&found["iterations"][0]);
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
     assert_inventory(&diagnosed, &json(&dir.join("d.json")));

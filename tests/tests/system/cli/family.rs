@@ -1,4 +1,4 @@
-//! `dashpot fit --setting` and `dashpot validate` of a damper over a setting, on campaigns of a known one.
+//! `dashpot fit --setting` and `dashpot validate` of an adjustable damper, on campaigns of a known damper.
 
 use dashpot_core::Params;
 use dashpot_core::family::axis::ENTRIES;
@@ -11,7 +11,7 @@ use std::path::Path;
 
 const CURRENTS: [f64; 3] = [0.0, 0.6, 1.2];
 
-/// A damper whose FV curve grows with the current.
+/// Makes a damper whose FV curve grows with the current.
 fn damper() -> Definition {
     let mut params: Params = kernel_campaign::base();
     let mut axis = Axis::NONE;
@@ -25,7 +25,7 @@ fn damper() -> Definition {
     Definition { params, axis }
 }
 
-/// Writes the records of a current, called by a name behind which `suffix` stands.
+/// Writes the records at a current; their names end with `suffix`.
 fn write(folder: &Path, current: f64, suffix: &str) {
     write_of(&damper().params_at(current), folder, suffix, 7);
 }
@@ -75,7 +75,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     };
     assert_eq!((of("fv_force"), of("gas_force")), (true.into(), false.into()));
 
-    // At the settings of the records.
+    // Validate at the settings of the records.
     done(dir, &["validate", "family.toml", "rig", "--json", "rig.json", "--report", "rig.html"]);
     let validation = json(&dir.join("rig.json"));
     let settings = validation["settings"].as_array().unwrap();
@@ -85,7 +85,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     }
     let report = std::fs::read_to_string(dir.join("rig.html")).unwrap();
     assert!(report.contains("Force at constant velocity, by setting") && report.contains("1.2 A"));
-    // Curves, errors and loops come first, and the rest is folded.
+    // Curves, errors and loops come first; the other sections are collapsed.
     for name in ["rig.html", "fit.html"] {
         let page = std::fs::read_to_string(dir.join(name)).unwrap();
         let body = page.split("<main>").nth(1).unwrap();
@@ -100,7 +100,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
     assert!(message.contains("--setting"), "{message}");
 
-    // Records that say no setting, between those of the model.
+    // The records contain no setting; theirs lies between those of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
     assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
     done(dir, &["validate", "family.toml", "between", "--setting", "0.9", "--json", "b.json"]);
@@ -110,13 +110,14 @@ fn a_family_is_fitted_validated_and_simulated() {
     done(dir, &["validate", "family.toml", "between", "--setting", "0", "--json", "wrong.json"]);
     assert!(number(&json(&dir.join("wrong.json"))["settings"][0], "error_percent") > 10.0);
 
-    // Without a setting the force is that at the start, with a note.
+    // Without a setting the simulation uses the start setting, with a note.
     let motion = std::fs::read_dir(dir.join("between")).unwrap().next().unwrap().unwrap().path();
     let simulate = ["simulate", "family.toml", motion.to_str().unwrap(), "-o", "force.csv"];
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
     assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
 
-    // It is a model that the other verbs take, with its intervals and the plain curve that a property file gets.
+    // The model at a setting is valid for the other verbs, with its intervals and the FV curve alone for a property
+    // file.
     done(dir, &["setting", "family.toml", "0.9A", "-o", "at.toml"]);
     let at = dashpot_identification::model_file::read(&dir.join("at.toml")).unwrap();
     assert!(at.identification.intervals.contains_key("gas_force") && at.identification.fv_only.is_some());
@@ -146,14 +147,14 @@ fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
     assert_eq!(ran.code, Some(0), "{ran:?}");
     let file = std::fs::read_to_string(dir.join("family.toml")).unwrap();
     assert!(file.contains("setting = [0.0, 1.2]") && file.contains("setting_name = \"current\""), "{file}");
-    // Fitted as one damper without being asked, it warns.
+    // A fit as one damper without `--setting` warns.
     let ran = run(dir, &["fit", "rig", "-o", "one.toml"]);
     assert!(ran.code == Some(0) && ran.err.contains("2 settings of current"), "{ran:?}");
     let message = refused(dir, &["fit", "rig", "--setting", "clicks", "-o", "other.toml"]);
     assert!(message.contains("a setting called current"), "{message}");
 }
 
-/// The family of [`damper`] as a model file.
+/// Writes the family of [`damper`] as a model file.
 fn write_model(path: &Path) {
     std::fs::write(path, dashpot_identification::model_file::flat_family(&damper(), |_| String::new())).unwrap();
 }
@@ -162,7 +163,7 @@ fn write_model(path: &Path) {
 fn a_family_is_diagnosed_at_each_of_its_settings() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();
-    // One damper of the virtual rig at settings that change nothing, and a family without any dry friction.
+    // The records come from one damper of the virtual rig whose settings have no effect. The model lacks dry friction.
     done(dir, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
     for (seed, current) in ["3", "4", "5"].iter().zip(CURRENTS) {
         done(dir, &["rig", "-o", &format!("rig/{current}A"), "--matrix", "small.csv", "--seed", seed]);
@@ -172,7 +173,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     let options = ["--subfolders", "--candidates", "coulomb_friction,presliding_friction"];
     let verb = ["diagnose", "poor.toml", "rig", "--json", "d.json", "--report", "d.html", "--excel", "d.xlsx"];
     let said = done(dir, &[&verb[..], &options].concat());
-    // What all settings show is said once.
+    // A finding common to all settings is reported once.
     assert_eq!(said.matches("at every setting this damper shows presliding_friction").count(), 1, "{said}");
     let found = json(&dir.join("d.json"));
     let settings = found["settings"].as_array().unwrap();
@@ -188,7 +189,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     let page = std::fs::read_to_string(dir.join("d.html")).unwrap();
     assert!(page.contains("id=\"settings\"") && page.contains("id=\"setting-3\"") && page.contains("<details"));
 
-    // At one setting it says what it says of the damper there.
+    // The diagnosis at one setting equals that of the damper at this setting.
     done(dir, &["setting", "poor.toml", "0.6", "-o", "one.toml"]);
     done(dir, &["diagnose", "one.toml", "rig/0.6A", "--candidates", options[2], "--json", "one.json"]);
     let one = json(&dir.join("one.json"));
@@ -198,14 +199,14 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
         };
         assert_eq!(effects(&one), effects(&settings[1]), "{key}");
     }
-    // Against the same records nothing changed.
+    // Compared with the same records, nothing has changed.
     let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
     let said = done(dir, &same);
     assert!(said.contains("at any setting") && said.contains("value for value, are in the reference"), "{said}");
     let missing = refused(dir, &[&["diagnose", "poor.toml", "rig", "--reference", "rig/0A"][..], &options].concat());
     assert!(missing.contains("--reference") || missing.contains("does not say its current"), "{missing}");
 
-    // Without a model the family of the records is diagnosed.
+    // Without a model the diagnosis fits a family to the records.
     let alone = ["diagnose", "rig", "--setting", "current", "--json", "a.json"];
     done(dir, &[&alone[..], &options].concat());
     assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 3);
@@ -303,7 +304,7 @@ fn limits_hold_at_the_setting_that_they_name() {
         std::fs::write(dir.join(name), format!("quantity,velocity_m_s,setting,low,high\n{rows}")).unwrap();
     };
     write("kept.csv", &(row(0.0, 0.9, 1.1) + &row(1.2, 0.9, 1.1)));
-    // The window of the soft setting at the hard one.
+    // The window of the soft setting is applied at the hard setting.
     write("missed.csv", &(row(0.0, 0.9, 1.1) + &row(0.0, 0.9, 1.1).replace(",0,", ",1.2,")));
     write("without.csv", &row(0.0, 0.9, 1.1).replace(",0,", ",,"));
     let judge = |limits: &str, model: &str| {
@@ -325,7 +326,7 @@ fn limits_hold_at_the_setting_that_they_name() {
     assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");
 }
 
-/// A family with a valve, and a motion of it at 1 kHz with other columns behind time and displacement.
+/// Writes a family with valve dynamics, and a motion at 1 kHz with additional columns after time and displacement.
 fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> String) {
     let mut damper = damper();
     damper.axis.set_name("current").unwrap();
@@ -345,7 +346,7 @@ fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> S
     std::fs::write(dir.join("motion.csv"), text).unwrap();
 }
 
-/// Forces that `dashpot simulate` writes with these options, and what it prints.
+/// Returns the forces and the printed text of `dashpot simulate` with these options.
 fn simulated(dir: &Path, options: &[&str]) -> (Vec<f64>, String) {
     let printed = done(dir, &[&["simulate", "valve.toml", "motion.csv", "-o", "force.csv"], options].concat());
     (table(&dir.join("force.csv")).1.iter().map(|row| row[3]).collect(), printed)
@@ -384,7 +385,7 @@ fn a_constant_column_of_the_motion_is_the_option() {
     std::fs::copy(dir.join("force.csv"), dir.join("motion.csv")).unwrap();
     let again = simulated(dir, &["--ignore", "force"]).0;
     assert!(again.iter().zip(&forces).all(|(a, b)| (a - b).abs() < 1e-6));
-    // Another quantity is not the setting.
+    // A value of another quantity is not the setting.
     write_valve_and_motion(dir, "", |_| String::new());
     std::fs::rename(dir.join("motion.csv"), dir.join("motion_3bar.csv")).unwrap();
     let printed = done(dir, &["simulate", "valve.toml", "motion_3bar.csv", "-o", "force.csv"]);
@@ -410,7 +411,7 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     write_valve_and_motion(dir, ",current [A]", |t| format!(",{}", current(t)));
     let (forces, printed) = simulated(dir, &[]);
     assert!(printed.contains("current from the column 'current [A]' of motion.csv: 0.2 to 1.2 A"), "{printed}");
-    // The same motion as a record, with a measured force of its own.
+    // Write the motion as a record, with the simulated force as its measured force.
     let text = std::fs::read_to_string(dir.join("motion.csv")).unwrap();
     let mut record = String::new();
     for (k, line) in text.lines().enumerate() {
@@ -423,9 +424,9 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     let change = "'steps': the current of the damper's valve steps between 0.20 and 1.20 A within the test (steps: 2)";
     assert!(ran.code == Some(0) && ran.err.contains(change) && !ran.err.contains("--exclude"), "{}", ran.err);
     let of = json(&dir.join("v.json"))["changing"].clone();
-    // The record is smoothed, the motion is not.
+    // The error is nonzero because a record is smoothed and a motion is not.
     assert!(number(&of, "error_percent") < 0.1, "{of}");
-    // The command that an option steps at the same time is at most half a sample away.
+    // A command by option at the same time differs by at most half a sample.
     write_valve_and_motion(dir, "", |_| String::new());
     let (given, _) = simulated(dir, &["--setting", "0:0.2,0.7:1.2,1.4:0.2"]);
     let furthest = forces.iter().zip(&given).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));

@@ -1,15 +1,15 @@
-//! `--limits`: a damper that passes, one that fails, and limits that nobody could test, through the command.
+//! `--limits` through the command: a damper that passes, one that fails, and untestable limits.
 
 use dashpot_tests::cli::{campaign_folder, done, json, refused, run};
 use std::fs;
 use std::path::Path;
 
-/// A model of the records, quickly made.
+/// Fits a fast model to the records.
 fn model(dir: &Path) {
     done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
 }
 
-/// What the rig measured at a speed, from the figures.
+/// Returns the measured peak force nearest to a velocity, from the figures.
 fn peak(dir: &Path, velocity: f64) -> [f64; 2] {
     let figures = json(&dir.join("v.json"));
     let peaks = figures["tests"].as_array().unwrap().iter().flat_map(|t| t["peaks"].as_array().unwrap().clone());
@@ -42,7 +42,7 @@ fn a_damper_passes_or_fails_by_its_windows() {
     );
     assert_eq!(run(dir, &args).code, Some(0));
     assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");
-    // The rebound window beside the damper: fail, with 1, and the limit is named.
+    // The rebound window misses the damper: the exit code is 1, and the message names the limit.
     fs::write(dir.join("l.csv"), windows(10.0).replace(&format!("{fr},10 %"), &format!("{},10 %", 1.3 * fr))).unwrap();
     let german = [&args[..], &["--report", "r.html", "--language", "de", "--date", "2024-05-17"]].concat();
     let failed = run(dir, &german);
@@ -53,7 +53,7 @@ fn a_damper_passes_or_fails_by_its_windows() {
         report.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 5 Grenzwerten nicht ein.")
             && report.contains("2024-05-17")
     );
-    // A speed that no test has is no pass, and no failure either.
+    // A limit at a velocity without a test neither passes nor fails.
     fs::write(dir.join("l.csv"), "quantity,velocity_m_s,low,high\nforce,9,0,1e6\n").unwrap();
     let untested = run(dir, &args);
     assert!(untested.code == Some(1) && untested.out.contains("NOT TESTED"), "{untested:?}");
@@ -96,7 +96,8 @@ fn a_table_of_peaks_starts_a_model() {
     fs::write(dir.join("motion.csv"), motion()).unwrap();
     done(dir, &["simulate", "m.toml", "motion.csv", "-o", "f.csv"]);
     let (_, rows) = dashpot_tests::cli::table(&dir.join("f.csv"));
-    // At a steady 0.5 m/s the table's own force comes back: friction and gas force taken out and put in again.
+    // At a constant 0.5 m/s the model returns the force of the table: friction and gas force are subtracted and added
+    // again.
     let last = rows.last().and_then(|row| row.last()).unwrap();
     assert!((last - 1100.0).abs() < 2.0, "{last}");
     fs::write(dir.join("pvp.csv"), "velocity_m_s,force_N\n0.1,300\n0.5,250\n-0.1,-300\n").unwrap();
@@ -124,7 +125,7 @@ fn a_table_of_a_dyno_is_told_as_understood() {
     assert!(told.contains("rebound_force"), "{told}");
 }
 
-/// Half a second at 0.5 m/s.
+/// Makes half a second of motion at 0.5 m/s.
 fn motion() -> String {
     let row = |i: i32| format!("{},{},0.5\n", 1e-3 * f64::from(i), 0.5e-3 * f64::from(i));
     "time_s,displacement_m,velocity_m_s\n".to_owned() + &(0..500).map(row).collect::<String>()

@@ -1,4 +1,4 @@
-//! `dashpot manoeuvre`: the vehicle on the command line.
+//! `dashpot manoeuvre`: the vehicle simulation on the command line.
 
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
@@ -15,7 +15,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
         assert!(told.contains("rig tests") && told.contains("heave acceleration"), "{told}");
         let figures = json(&at.join("m.json"));
         for corner in figures["corners"].as_array().expect("corners") {
-            // The model's friction and compressibility change the force, but not beyond recognition.
+            // The model's friction and compressibility change the force by less than a factor of 2.
             let (model, curve) = (number(corner, "largest_force_n"), number(corner, "largest_force_fv_n"));
             assert!((0.5..2.0).contains(&(model / curve)), "{name}: {corner}");
             assert!(
@@ -31,7 +31,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
         done(at, &args);
         assert!(std::fs::read_to_string(at.join("m.html")).expect("the report") == first, "the same bytes");
     }
-    // A heavier vehicle of one's own, in another language.
+    // A heavier, user-defined vehicle, and a report in another language.
     std::fs::write(at.join("car.toml"), "sprung_mass = 2200\n").expect("a vehicle");
     let own =
         ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml", "--json", "own.json", "--report", "own.html"];
@@ -44,7 +44,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
     std::fs::write(at.join("car.toml"), "wheels = 3\n").expect("a vehicle");
     let told = refused(at, &["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"]);
     assert!(told.contains("car.toml") && told.contains("line 1") && told.contains("\"wheels\""), "{told}");
-    // A vehicle that no damper makes unstable: its own numbers are named, with the step that does.
+    // This vehicle is unstable with any damper: the message names its parameters and a stable step.
     std::fs::write(at.join("car.toml"), "tyre = 1e9\n").expect("a vehicle");
     let stiff = ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"];
     let told = refused(at, &stiff);

@@ -1,4 +1,4 @@
-//! Mistakes of a hurried engineer: each ends in a message that names the cause, or in a model that says what it lacks.
+//! Common mistakes of engineers: each ends in a message with the cause, or in a model that lists its limitations.
 
 use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::path::Path;
@@ -61,7 +61,7 @@ fn a_load_cell_that_is_turned_or_dead_is_refused() {
     std::fs::remove_file(dir.join("m.toml")).unwrap();
     rewrite(&records, &data, HEADER, |[t, x, v, _]| row([t, x, v, -152.0]));
     assert!(fit_refused(dir).contains("frozen"));
-    // Dead but for noise of a few newtons that has nothing to do with the motion.
+    // The force channel contains only noise of a few newtons, independent of the motion.
     rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, (1e6 * f + 1e7 * t).sin()]));
     let message = fit_refused(dir);
     assert!(message.contains("tests show no force"), "{message}");
@@ -90,7 +90,7 @@ fn gaps_stubs_and_strays_are_named() {
     rewrite(&records, &data, HEADER, |r| of(r, true));
     let message = fit_refused(dir);
     assert!(message.contains("line 2: force is missing") && !message.contains("--ignore force"), "{message}");
-    // Cut in the middle of a line, and one file twice: both can be used, and both are told.
+    // A truncated line and a duplicate file are usable, and both are reported.
     copy();
     let cut = data.join("a15mm_v0262mm_s.csv");
     let text = std::fs::read_to_string(&cut).unwrap();
@@ -99,12 +99,12 @@ fn gaps_stubs_and_strays_are_named() {
     let told = run(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
     assert!(told.code == Some(0) && told.out.contains("a15mm_v0262mm_s: 1 of"), "{told:?}");
     assert!(told.err.contains("holds the same samples as"), "{told:?}");
-    // Whatever the verb.
+    // Every verb reports the duplicate.
     let told = run(dir, &["validate", "m.toml", "data", "--json", "v.json"]);
     assert!(told.code == Some(0) && told.err.contains("holds the same samples as"), "{told:?}");
 }
 
-/// Faults that one test can have, made of its sound rows.
+/// Faults of a single test, produced from its valid rows.
 type Fault = (&'static str, fn(usize, [f64; 4]) -> Option<String>, &'static str);
 
 const FAULTS: [Fault; 7] = [
@@ -147,7 +147,7 @@ fn one_spoilt_test_is_named_and_left_out() {
         let report = std::fs::read_to_string(dir.join("v.html")).unwrap();
         assert!(report.contains(&format!("left out: data/{victim}")), "{name}");
     }
-    // The other verbs read by the same door; what the reference lacks is told as well.
+    // All verbs use the same reader. Unusable tests of the reference are reported too.
     let told = run(dir, &["fit", "data", "-o", "n.toml", "--model", "fv", "--json", "f.json"]);
     assert!(told.err.contains("left out: data/a15"), "{}", told.err);
     assert_eq!(json(&dir.join("f.json"))["unusable"][0]["is_test"], true);
@@ -165,7 +165,7 @@ fn one_spoilt_test_is_named_and_left_out() {
         "d.html",
     ];
     assert!(run(dir, &args).err.contains("left out: data/a15"));
-    // Both campaigns have files of these names, so an error says that it is of the reference.
+    // Both campaigns have files of these names, so the error mentions the reference.
     std::fs::create_dir(dir.join("none")).unwrap();
     assert!(refused(dir, &["diagnose", "m.toml", "records", "--reference", "none"]).contains("--reference none: "));
     assert!(json(&dir.join("d.json"))["unusable"][0]["why"].as_str().unwrap().contains("data/a15"));
@@ -176,7 +176,7 @@ fn one_spoilt_test_is_named_and_left_out() {
 fn what_most_tests_have_or_leaves_nothing_is_refused() {
     let folder = campaign_folder();
     let dir = folder.path();
-    // Millimetres read as metres stay a question, however many tests show it.
+    // Millimeters read as meters remain an error, however many tests show it.
     rewrite(&dir.join("records"), &dir.join("data"), HEADER, |[t, x, v, f]| row([t, 1e3 * x, 1e3 * v, f]));
     std::fs::copy(dir.join("records/a50mm_v0052mm_s.csv"), dir.join("data/a50mm_v0052mm_s.csv")).unwrap();
     let message = fit_refused(dir);
@@ -248,7 +248,7 @@ fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
     let dir = folder.path();
     done(dir, &["fit", "records", "-o", "m.toml"]);
     let text = std::fs::read_to_string(dir.join("m.toml")).unwrap();
-    // What standard output gets is the file.
+    // Standard output receives the file.
     assert_eq!(done(dir, &["fit", "records", "-o", "-"]), text);
     let gas = text.lines().find(|l| l.starts_with("gas_force")).unwrap();
     for (from, to, wanted) in [
@@ -272,7 +272,7 @@ fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
         std::fs::write(dir.join("bad.toml"), bytes).unwrap();
         assert!(refused(dir, &["validate", "bad.toml", "records"]).contains(wanted));
     }
-    // All elements off: a damper without force, which is still a damper.
+    // A model file without elements is a valid damper without force.
     std::fs::write(dir.join("off.toml"), "format = 1\nelements = []\n").unwrap();
     done(dir, &["validate", "off.toml", "records", "--json", "v.json"]);
     let overall = &json(&dir.join("v.json"))["overall"];

@@ -1,4 +1,4 @@
-//! The command, as its users run it.
+//! The command from its users' view.
 
 mod about;
 mod accuracy;

@@ -1,4 +1,4 @@
-//! Nothing of the user's is lost: outputs take the place of older outputs of their kind, and of nothing else.
+//! No user's file is lost: outputs replace only older outputs of their kind.
 
 use dashpot_tests::cli::{done, program, refused, run, small_campaign};
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 
-/// A folder with `records/`, a model `m.toml` and figures `f.json`, made once and copied.
+/// Makes a folder with `records/`, a model `m.toml` and figures `f.json`, which are computed once and copied.
 fn folder() -> tempfile::TempDir {
     static MADE: OnceLock<tempfile::TempDir> = OnceLock::new();
     let made = MADE.get_or_init(|| {
@@ -109,7 +109,7 @@ fn links_rights_and_devices_survive() {
     assert!(fs::symlink_metadata(dir.join("link.toml")).unwrap().is_symlink());
     let mode = fs::metadata(dir.join("store/kept.toml")).unwrap().permissions().mode();
     assert_eq!(mode & 0o777, 0o640);
-    // A link onto a record is that record.
+    // A link to a record is protected like the record.
     symlink(RECORD, dir.join("innocent.toml")).unwrap();
     assert!(fit("innocent.toml").err.contains("read by this run"));
     fs::set_permissions(dir.join("m.toml"), fs::Permissions::from_mode(0o444)).unwrap();
@@ -143,7 +143,7 @@ fn two_runs_into_one_folder_exclude_each_other() {
     let won = runs.iter().filter(|run| run.status.success()).count();
     let told = runs.iter().filter(|run| String::from_utf8_lossy(&run.stderr).contains("another run")).count();
     assert!(won >= 1 && won + told == 3, "{runs:?}");
-    // Whoever won, the folder is one campaign: the same as that seed alone gives.
+    // Whichever process won, the folder contains one campaign, equal to that of its seed alone.
     let text = fs::read_to_string(dir.join("c/campaign.toml")).unwrap();
     let seed = text.lines().find_map(|l| l.strip_prefix("seed = ")).unwrap().to_owned();
     done(dir, &["rig", "-o", "alone", "--seed", &seed]);
@@ -179,7 +179,7 @@ fn closed_or_full_standard_output_is_an_error() {
         let (code, said) = shell(&line);
         assert!(code == Some(2) && !said.contains("panicked"), "{line}: {code:?} {said}");
     }
-    // A reader that has read enough, and one that wants nothing, are no errors.
+    // A reader that stops early and a closed output are not errors.
     for line in ["dashpot matrix | head -1", "dashpot matrix >/dev/null", "dashpot matrix </dev/null >/dev/null 2>&-"] {
         assert_eq!(shell(line).0, Some(0), "{line}");
     }

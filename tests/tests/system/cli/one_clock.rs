@@ -1,22 +1,21 @@
-//! Files that bear date and time are one campaign on one clock: what drifts through it is found.
+//! Files with date and time form one campaign on one clock: the fit finds drift through the campaign.
 
 use dashpot_records::clock::{seconds, written};
 use dashpot_tests::cli::{campaign_folder, done, run, table};
 use std::path::Path;
 
-/// How the zero of the force channel moves, N/s.
+/// Drift of the zero of the force channel, N/s.
 const DRIFT: f64 = 0.006;
 
-/// The records as a German rig writes them, each with a time of its own from zero on, twelve minutes after the one
-/// before.
+/// Writes the records as a German rig does, twelve minutes apart, each with its own time from zero on.
 ///
-/// With date and time of its beginning above the table, or without.
+/// If `dated`, the table follows a header with the date and time of its beginning.
 fn measured(from: &Path, to: &Path, dated: bool) {
     std::fs::create_dir_all(to).unwrap();
     let mut files: Vec<_> = std::fs::read_dir(from).unwrap().map(|e| e.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|e| e == "csv"));
     files.sort();
-    // The rig ran them in another order than their names have.
+    // The rig measured them in another order than that of their names.
     let count = files.len();
     for (k, path) in files.iter().enumerate() {
         let start = 720.0 * ((5 * k + 3) % count) as f64;
@@ -47,7 +46,7 @@ fn a_drift_over_files_with_date_and_time_is_found_and_taken_out_of_a_part_of_the
     assert!(of_the_fit["clock_from"].as_str().unwrap().starts_with("2026-11-25 23:55:"));
     let drift = of_the_fit["measurement"]["drift"][0].as_float().unwrap();
     assert!((drift / DRIFT - 1.0).abs() < 0.1, "{drift}");
-    // A part of the campaign without its first file.
+    // Copy the campaign without its first file.
     std::fs::create_dir(dir.join("part")).unwrap();
     for entry in std::fs::read_dir(dir.join("dated")).unwrap().map(|e| e.unwrap()) {
         let text = std::fs::read_to_string(entry.path()).unwrap();
@@ -61,7 +60,7 @@ fn a_drift_over_files_with_date_and_time_is_found_and_taken_out_of_a_part_of_the
     };
     let (whole, part) = (error("dated"), error("part"));
     assert!(part < 1.5 * whole, "{part} of {whole}");
-    // By clocks of their own there is nothing to find it by, and that is said.
+    // Without a common clock the drift is not identifiable, and a remark says so.
     let fitted = run(dir, &["fit", "plain", "-o", "p.toml"]);
     assert!(!std::fs::read_to_string(dir.join("p.toml")).unwrap().contains("\ndrift ="));
     assert!((fitted.out + &fitted.err).contains("another constant force of each test"));

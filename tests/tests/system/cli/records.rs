@@ -1,4 +1,4 @@
-//! Records as rigs write them, through the command: profiles, late channels, gaps, one file by two paths.
+//! Records from rigs through the command: profiles, delayed channels, gaps, one file by two paths.
 
 use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::fs;
@@ -20,7 +20,7 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
     });
     fs::write(dir.join("data/warmup.csv"), fs::read(dir.join("data/a50mm_v0262mm_s.csv")).unwrap()).unwrap();
     fs::write(dir.join("data/Notizen.txt"), "Montag\n").unwrap();
-    // Without the mapping: what is missing is said, with the flag.
+    // Without the mapping, the message names the missing unit and its flag.
     assert!(refused(dir, &["fit", "data", "-o", "m.toml"]).contains("--unit displacement=mm"));
     let said = [
         "import-profile",
@@ -47,12 +47,12 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
     let fit = run(dir, &["fit", "data", "-o", "a.toml", "--model", "fv"]);
     assert!(fit.err.contains("Notizen.txt") && fit.err.contains("read as data/campaign.toml says"), "{}", fit.err);
     done(dir, &["validate", "a.toml", "data", "--json", "v.json"]);
-    // The same motion, through the profile and without it.
+    // The motion is equal with and without the profile.
     done(dir, &["simulate", "a.toml", "data/a50mm_v0262mm_s.csv", "-o", "f1.csv"]);
     done(dir, &["simulate", "a.toml", "records/a50mm_v0262mm_s.csv", "-o", "f2.csv", "--ignore", "velocity"]);
     let (one, two) = (table(&dir.join("f1.csv")).1, table(&dir.join("f2.csv")).1);
     assert!(one.len() == two.len() && one.iter().zip(&two).all(|(a, b)| (a[1] - b[1]).abs() < 1e-8));
-    // A wrong line is named.
+    // A message names a wrong line.
     fs::write(dir.join("data/campaign.toml"), text.replace("units", "unist")).unwrap();
     assert!(refused(dir, &["fit", "data", "-o", "m.toml"]).contains("unist"));
 }
@@ -76,7 +76,7 @@ fn a_late_force_is_told_and_corrected() {
         let path = entry.unwrap().path();
         let rows = table(&path).1;
         let mut text = format!("{HEADER}\n");
-        // The force of the time `late` seconds before, by straight lines.
+        // Interpolate the force linearly at `late` seconds earlier.
         let mut k = 0;
         for r in &rows {
             while k + 2 < rows.len() && rows[k + 1][0] <= r[0] - late {

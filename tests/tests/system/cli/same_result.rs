@@ -1,4 +1,4 @@
-//! One campaign, one result: whatever the number of threads, and however the file counts and writes its numbers.
+//! One campaign has one result, independent of the number of threads and of the number format in the files.
 
 use dashpot_tests::cli::{contents, done, json, rewrite, run_with, small_campaign};
 use serde_json::Value;
@@ -23,7 +23,7 @@ fn the_number_of_threads_changes_no_byte() {
     }
 }
 
-/// The fit's estimates: name, index, value, and the width of the interval.
+/// Returns the fit's estimates: name, index, value, and the width of the interval.
 fn estimates(path: &Path) -> Vec<(String, f64, f64)> {
     let parameters = json(path)["parameters"].as_array().unwrap().clone();
     let of = |p: &Value| {

@@ -1,4 +1,4 @@
-//! `dashpot simulate`: the force for any motion is the kernel's.
+//! `dashpot simulate`: the force for any motion equals the kernel's.
 
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
@@ -12,7 +12,7 @@ const MODEL: &str = "format = 1\n\
     elements = [\"fv_curve\", \"series_compliance\", \"coulomb_friction\", \"gas_preload\", \"parallel_spring\"]\n\
     gas_force = 180\nspring_linear = 400\nspring_quadratic = 0\nseries_stiffness = 4e6\n";
 
-/// A folder with the model file.
+/// Makes a folder with the model file.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("m.toml"), MODEL).unwrap();
@@ -25,13 +25,13 @@ fn model() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// Displacement and velocity of two strokes, m and m/s.
+/// Returns displacement and velocity of a sum of two sines, m and m/s.
 fn motion(t: f64) -> (f64, f64) {
     let (a, b) = (2.0 * TAU, 13.0 * TAU);
     (0.02 * (a * t).sin() + 0.001 * (b * t).sin(), 0.02 * a * (a * t).cos() + 0.001 * b * (b * t).cos())
 }
 
-/// A motion file with those columns at these times.
+/// Writes a motion file with those columns at these times.
 fn write(path: &Path, columns: &[&str], times: impl Iterator<Item = f64>) {
     let mut text = columns.join(",") + "\n";
     for t in times {
@@ -91,7 +91,7 @@ fn numbers_of_an_element_that_is_off_are_told_by_every_verb() {
 fn the_force_is_the_kernels_to_the_bit() {
     let folder = folder();
     let dir = folder.path();
-    // Uneven times.
+    // The time steps are uneven.
     let times: Vec<f64> = (0..600).map(|i| 1e-3 * f64::from(i) + 2e-4 * f64::from(i % 3)).collect();
     write(&dir.join("both.csv"), &["time_s", "displacement_m", "velocity_m_s"], times.iter().copied());
     let answered = forces(dir, &["both.csv"]);
@@ -105,7 +105,7 @@ fn the_force_is_the_kernels_to_the_bit() {
         expected.push(output.force);
     }
     assert_eq!(answered, expected);
-    // The same on standard output, and nothing else there.
+    // Standard output contains only the same table.
     let out = done(dir, &["simulate", "m.toml", "both.csv", "-o", "-"]);
     assert_eq!(out, std::fs::read_to_string(dir.join("out.csv")).unwrap());
 }
@@ -136,7 +136,7 @@ fn at_rest_there_are_gas_and_spring_alone() {
     std::fs::write(&file, "time_s,velocity_m_s\n0,0\n0.5,0\n5,0\n").unwrap();
     for (position, force) in [("0", -180.0), ("0.02", -172.0), ("-0.05", -200.0)] {
         for answer in forces(dir, &["rest.csv", "--initial-position", position]) {
-            // The spring sits behind the series compliance, which gives way by a ten-thousandth.
+            // The spring acts in series with the compliance, which deflects by a ten-thousandth.
             assert!((answer - force).abs() < 0.01, "{position}: {answer}");
         }
     }

@@ -1,4 +1,4 @@
-//! C and C++ hosts run a rig test from the built library and agree with the Rust kernel bit for bit.
+//! C and C++ hosts run a rig test with the built library and agree with the Rust kernel bit for bit.
 
 use dashpot_core::number;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use dashpot_tests::library::{Language, Linkage, host, succeed};
 
 const SANITIZERS: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"];
 
-/// A model with everything that the default leaves out: private states, side force, piecewise curve.
+/// A model with the features that the default lacks: private states, side force, piecewise curve.
 const MODEL: &str = r#"
 format = 1
 elements = ["fv_curve", "series_compliance", "stribeck_friction", "side_force_friction", "gas_preload", "lagged_polynomial"]
@@ -30,7 +30,7 @@ struct Sample {
     dt: f64,
 }
 
-/// Sine start from rest at `amplitude`, `frequency`, with what `input` makes of displacement and velocity.
+/// Makes a sine that starts from rest; `input` converts displacement and velocity.
 fn sine(amplitude: f64, frequency: f64, dt: f64, input: impl Fn(f64, f64) -> Input) -> Vec<Sample> {
     let w = std::f64::consts::TAU * frequency;
     let motion = |t: f64| input(amplitude * (w * t).sin(), amplitude * w * (w * t).cos());
@@ -43,7 +43,7 @@ fn hex(text: &mut String, numbers: &[f64]) {
     }
 }
 
-/// The motion as the hosts read it.
+/// Formats the motion for the hosts.
 fn lines(samples: &[Sample]) -> String {
     let mut text = String::new();
     for Sample { input, dt } in samples {
@@ -58,7 +58,7 @@ fn lines(samples: &[Sample]) -> String {
     text
 }
 
-/// What the kernel answers, as the hosts print it.
+/// Formats the kernel's output in the format of the hosts.
 fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
     let mut text = String::new();
     let mut state = model.steady_state(&Input::motion(0.0, 0.0));
@@ -115,11 +115,11 @@ fn agrees(source: &str, language: Language, linkage: Linkage, flags: &[&str]) {
         };
         let runs = [
             ("step", sine(0.02, 1.5, 1e-3, Input::motion)),
-            // Leaves the FV curve.
+            // The motion leaves the velocity range of the FV curve.
             ("step", sine(0.025, 20.0, 5e-4, everything)),
             ("step", sine(0.02, 8.0, 1e-3, velocity_alone)),
             ("force", sine(0.02, 8.0, 1e-3, velocity_alone)),
-            // Steps that are too long.
+            // The steps are too long.
             ("force", sine(0.05, 1.0, 0.0125, velocity_alone)),
         ];
         for (mode, samples) in runs {
@@ -174,7 +174,7 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
-/// The header promises 16 KB; the program measures each function on a stack of its own.
+/// The header promises 16 KB; the program measures each function on its own stack.
 #[test]
 fn no_function_takes_more_than_16_kilobytes_of_stack() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -184,7 +184,7 @@ fn no_function_takes_more_than_16_kilobytes_of_stack() {
     println!("{depths}");
 }
 
-/// The example at the top of the header, as it stands there.
+/// The example at the top of the header compiles and runs unchanged.
 #[test]
 fn the_headers_example_runs() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).expect("include/dashpot.h");

@@ -1,4 +1,4 @@
-//! What the built library needs from outside, and what it shows.
+//! Imports and exports of the built library.
 
 use std::process::Command;
 
@@ -9,7 +9,7 @@ fn symbols(flag: &str) -> Vec<String> {
     listing.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
 }
 
-/// No allocator, no panic handler, no thread, no file: nothing but the functions that compilers themselves call.
+/// The library needs no allocator, panic handler, thread or file, only the functions that compilers call.
 #[test]
 fn imports_nothing() {
     for symbol in symbols("--undefined-only") {
@@ -52,16 +52,18 @@ fn exports_what_the_header_declares_and_nothing_else() {
     assert_eq!(exported, declared);
 }
 
-/// An element or a kind of number that becomes a type of the step compiles the step once more, which this shows. It has 964 KB with Rust 1.95: 450
-/// for the ordinary damper, as much again for one over a setting, whose tables are borrowed and whose step is therefore compiled a second time
-/// (837 KB where only the general stage is, but then a step with an oil column takes 10,500 instructions instead of 6,500).
+/// The size reveals an accidental second compilation of the step, for example for an element or number type.
+///
+/// It is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs as much again:
+/// its tables are borrowed, so its step is compiled separately. With only the general stage, the size is 837 KB, but a
+/// step with an oil column takes 10,500 instructions instead of 6,500.
 #[test]
 fn is_no_larger_than_it_was() {
     let size = std::fs::metadata(shared()).expect("the library").len();
     assert!(size < 1_060_000, "{size} bytes");
 }
 
-/// Nothing that a second thread could see.
+/// The library has no writable data that threads could share.
 #[test]
 fn has_no_writable_data() {
     let sections = succeed(Command::new("readelf").args(["--sections", "--wide"]).arg(shared()));

@@ -1,4 +1,4 @@
-//! The damper inside a solver: the shipped library, loaded by a stand-in for Adams, against the kernel's own runs.
+//! The damper inside a solver: the shipped library, loaded by a stand-in for Adams, compared with the kernel.
 
 use dashpot_core::{Input, Model, Params, State, evaluate::evaluate, model_file};
 use dashpot_tests::adams::{
@@ -8,7 +8,7 @@ use dashpot_tests::adams::{
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// The thesis's matrix: amplitudes in mm at peak velocities in mm/s, up to 25 Hz.
+/// Returns the thesis's matrix: amplitudes in mm at peak velocities in mm/s, up to 25 Hz.
 fn matrix() -> Vec<(f64, f64)> {
     let amplitudes = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
     let peaks = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0].map(|f| TAU * 50.0 * f);
@@ -60,7 +60,8 @@ fn private_states_and_side_force_agree_too() {
     }
 }
 
-/// A mass on spring and damper, integrated with the kernel's rates by a fourth-order method with short steps.
+/// Simulates a mass on spring and damper with the kernel's state derivatives, by a fourth-order method with short
+/// steps.
 fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
     const MASS: f64 = 40.0;
     const SPRING: f64 = 30e3;
@@ -78,7 +79,7 @@ fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
         z.2.mass_velocity += h * k.2.mass_velocity;
         z
     };
-    // Static equilibrium with the actuator at +amplitude, by bisection: the force rises with displacement.
+    // Find the static equilibrium with the actuator at +amplitude by bisection: the force rises with displacement.
     let (mut low, mut high) = (-0.05, 0.05);
     for _ in 0..200 {
         let z = 0.5 * (low + high);
@@ -114,7 +115,7 @@ fn a_mass_on_the_damper_moves_as_with_the_kernel_whatever_the_steps() {
     let model = model_of(PLAIN);
     for routine in ROUTINES {
         for hmax in ["5e-3", "5e-4"] {
-            // late=1: the solver accepts an instant that it never asked about.
+            // With late=1 the solver accepts a time point without a preceding evaluation.
             for bad in ["bad=0", "bad=1", "late=1"] {
                 let limit = format!("hmax={hmax}");
                 let settings = with(&path, &["mass=1", "frequency=3", "end=0.7", bad, &limit]);
@@ -195,7 +196,8 @@ fn dynamics_begin_where_statics_end() {
             assert!((sforce - want).abs() < 1e-3, "{routine}: {sforce} and {want}");
             let first = run.accepted();
             assert!((first[0].sforce - sforce).abs() < 1e-6, "{routine}");
-            // No jump: the first steps are microseconds long, and friction alone answers the first micrometres a second.
+            // The force must not jump: the first steps take microseconds, and only friction reacts to velocities of
+            // micrometers per second.
             assert!((first[1].sforce - sforce).abs() < 0.5, "{routine}: {:?} after {sforce}", first[1]);
         }
     }
@@ -216,7 +218,7 @@ fn rebound_gives_a_negative_sforce() {
     }
 }
 
-/// States of a GSE of this model file, as the library tells them where the GSE has none.
+/// Returns the number of a GSE's states for this model file, from the library's message for a GSE without states.
 fn states_wanted(solver: &Path, path: &Path) -> String {
     let refused = run(solver, "gse", &with(path, &["ns=0"]));
     let (_, after) = refused.text.split_once("needs NS=").unwrap_or_else(|| panic!("{}", refused.text));
@@ -246,7 +248,7 @@ fn every_element_of_the_model_agrees() {
                 let got = started(&solver, routine, &with(&path, &more)).accepted();
                 let share = deviation(&got, &kernel(&model, &got, 25.0, 3.0, Surroundings::NONE));
                 assert!(share < 1e-3, "{element} after {base}, {routine}: {:.4} %", 100.0 * share);
-                // A mass on it finds its rest.
+                // A mass on the damper finds its equilibrium.
                 let run = started(&solver, routine, &with(&path, &["mass=1", "end=0.002", &states]));
                 let (x, sforce) = run.statics();
                 let want = -model.static_output(&Input::motion(1e-3 * x, 0.0)).force;
@@ -257,10 +259,10 @@ fn every_element_of_the_model_agrees() {
     }
 }
 
-/// LINEAR (mode 7) sees the damper without dry friction.
+/// LINEAR (mode 7) linearizes the damper without dry friction.
 ///
-/// The eigenvalues are those of the kernel's own slopes, and not those of a damper that its stuck friction locks,
-/// which the same matrix has in dynamics.
+/// The eigenvalues follow from the kernel's derivatives without dry friction. In dynamics, the same matrix contains the
+/// stiffness of stuck friction, which would lock the damper.
 #[test]
 fn a_linearisation_is_not_locked_by_stuck_friction() {
     const MASS: f64 = 40.0;
@@ -304,14 +306,15 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
         let damping = (force(x, 1e-6) - force(x, -1e-6)) / 2e-6;
         for matrix in matrices(7) {
             let values: Vec<_> = matrix.complex_eigenvalues().iter().copied().collect();
-            // What a mass on this spring and damper does.
+            // These are the eigenvalues of a mass on this spring and damper.
             let (half, rest) = (-0.5 * damping / MASS, stiffness / MASS - (0.5 * damping / MASS).powi(2));
             let wanted: Vec<(f64, f64)> = if rest > 0.0 {
                 vec![(half, rest.sqrt()), (half, -rest.sqrt())]
             } else {
                 vec![(half + (-rest).sqrt(), 0.0), (half - (-rest).sqrt(), 0.0)]
             };
-            // A GSE has the series spring too, which moves the fast one; the slow one is the body on its damper.
+            // A GSE also contains the series spring, which changes the fast mode; the slow mode is the body on its
+            // damper.
             for (re, im) in if routine == "gse" { &wanted[..1] } else { &wanted[..] } {
                 let nearest = values.iter().map(|v| (v.re - re).hypot(v.im - im)).fold(f64::MAX, f64::min);
                 assert!(nearest < 0.02 * re.hypot(*im), "{routine}: {values:?} for {wanted:?}");
@@ -319,7 +322,7 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
             assert!(values.iter().all(|v| v.re < 1e-6), "{routine}: {values:?}");
             pairs.push(values);
         }
-        // In dynamics the same matrix has the friction's slopes in it.
+        // In dynamics the same matrix contains the derivatives of the friction.
         let [dynamic, _] = matrices(4);
         if routine != "gse" {
             assert!(
@@ -331,7 +334,7 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
     println!("{pairs:?}");
 }
 
-/// A damper over a setting: the fifth input of a GSE, a VARIABLE by its id for an SFORCE or GFORCE.
+/// The setting is the fifth input of a GSE, or for an SFORCE or GFORCE a VARIABLE by its id.
 #[test]
 fn a_variable_of_the_solver_is_the_setting() {
     let folder = tempfile::tempdir().unwrap();
@@ -344,7 +347,7 @@ fn a_variable_of_the_solver_is_the_setting() {
     let last = |got: &[Accepted]| got.last().unwrap().sforce;
     let mut ends: Vec<[f64; 3]> = Vec::new();
     for routine in ROUTINES {
-        // How many states a GSE has to have it says itself.
+        // The library reports the required number of states of a GSE.
         let asked = run(&solver, routine, &with(&path, &["ns=1", "ni=5"])).text;
         let states = asked
             .split("needs NS=")
@@ -364,7 +367,7 @@ fn a_variable_of_the_solver_is_the_setting() {
             assert!(share < 2e-3, "{routine} at {setting}: {:.4} %", 100.0 * share);
             constant.push(last(&got));
         }
-        // Switched in the run: the actuator follows within the half that is left.
+        // The setting switches in mid-run, and the actuator settles within the second half.
         let switched = started(&solver, routine, &settings("setting=0.2", &["later=1.4"])).accepted();
         let [soft, hard] = constant[..] else { panic!() };
         assert!(

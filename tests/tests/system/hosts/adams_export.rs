@@ -1,4 +1,4 @@
-//! What the command writes for Adams reads back and holds what its page says; what it reads from Adams comes back.
+//! Exports for Adams are valid and match their page; imports from Adams restore the model.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
@@ -11,7 +11,7 @@ use std::path::Path;
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\", \
                      \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\ngas_force = 141.5\n";
 
-/// Statements of a dataset by `NAME/id`, continuation lines joined; comments left out.
+/// Returns the statements of a dataset by `NAME/id`, with continuation lines joined and comments omitted.
 fn statements(text: &str) -> BTreeMap<String, String> {
     let mut all: Vec<(String, String)> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('!')) {
@@ -29,7 +29,7 @@ fn statements(text: &str) -> BTreeMap<String, String> {
     map
 }
 
-/// Every command of the file, with options that the command reference has for it and no others.
+/// Asserts that every command of the file has only options of the command reference.
 fn only_documented_options(cmd: &str) {
     let known: &[(&str, &str)] = &[
         ("data_element create string", "string_name string"),
@@ -70,7 +70,7 @@ fn only_documented_options(cmd: &str) {
     assert!(known.iter().all(|k| seen.contains(&k.0)), "{seen:?}");
 }
 
-/// Options of the Adams View command that begins with `command`.
+/// Returns the options of the Adams View command that begins with `command`.
 fn options(text: &str, command: &str) -> BTreeMap<String, String> {
     let joined = text.replace("&\n", " ");
     let line = joined.lines().find(|l| l.starts_with(command)).unwrap_or_else(|| panic!("no {command}"));
@@ -109,7 +109,7 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
     {
         assert!(rig.contains_key(element), "{element}");
     }
-    // Markers that elements name exist.
+    // The markers of all elements exist.
     for element in ["SFORCE/1", "BUSHING/1", "BUSHING/2", "JOINT/1", "JOINT/2"] {
         for part in rig[element].split(',').filter_map(|p| p.split_once('=')) {
             if matches!(part.0.trim(), "I" | "J") {
@@ -122,7 +122,7 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
     assert_eq!(acf.matches("SIMULATE/DYNAMICS").count(), matrix.points().len());
     assert!(acf.starts_with("rig\nrig\n") && acf.trim_end().ends_with("STOP"));
 
-    // The GSE of the command file is the one that the library wants.
+    // The GSE of the command file matches the library.
     let cmd = read("damper.cmd");
     let gse = options(&cmd, "part create equation general_state_equation");
     assert_eq!(gse["output_equation_count"], "9", "all that the library gives");
@@ -165,7 +165,7 @@ fn a_property_file_comes_back_as_it_was() {
     for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
         assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
     }
-    // Rebound is the greater force, tension positive, in mm/s.
+    // The force is larger in rebound, tension is positive, and velocities are in mm/s.
     let last = a.last().unwrap();
     assert!(last[0] > 100.0 && last[1] > 0.0 && a[0][0] < -100.0 && a[0][1] < 0.0);
 
@@ -174,9 +174,10 @@ fn a_property_file_comes_back_as_it_was() {
     assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
 }
 
-/// Adams joins points by Akima's method, which had 60 % more force than a model's curve beside a knee.
+/// Adams interpolates with Akima's method, which once exceeded a model's curve next to a knee by 60 %.
 ///
-/// There are points enough, the file says what is left, and one that others wrote becomes the curve that Adams has.
+/// The export has enough points and states the residual. An import of another program's file gives the curve as Adams
+/// interpolates it.
 #[test]
 fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_round() {
     let folder = tempfile::tempdir().unwrap();
@@ -207,7 +208,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     for text in [&said, &at("car.toml")] {
         assert!(text.contains("Akima") && text.contains("were added to those of the file"), "{text}");
     }
-    // More rows than a model's curve has points.
+    // The table has more rows than a model's curve has points.
     let force = |v: f64| if v < 0.0 { 0.5 } else { 1.0 } * 1000.0 * (v / 90.0).tanh() + 0.6 * v;
     let rows: String = (-100..=100).map(|i| 12.5 * f64::from(i)).map(|v| format!("{v} {:.3}\n", force(v))).collect();
     let car = car.split("-1270").next().unwrap().to_owned() + &rows;
@@ -224,7 +225,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     }
 }
 
-/// Our own XML comes back with curve and gas force, and both forms say what they leave out and of which model.
+/// An import of our own XML restores curve and gas force. Both forms state the omitted effects and the model.
 #[test]
 fn what_a_property_file_leaves_out_is_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -242,7 +243,7 @@ fn what_a_property_file_leaves_out_is_said() {
         let back = at("back.toml");
         assert_eq!(back.contains("gas_force = 141.5"), held, "{back}");
         assert!(back.contains(&format!("# Read from {name}.")), "{back}");
-        // And out again: the same numbers.
+        // A second export gives the same numbers.
         let again = format!("again-{name}");
         done(folder.path(), &["export", "dpr", "back.toml", "-o", &again]);
         let numbers = |text: String| -> Vec<f64> {
@@ -257,13 +258,14 @@ fn what_a_property_file_leaves_out_is_said() {
     assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
 }
 
-/// What a fit leaves beside a model.
+/// Tables of a fit in a model file.
 ///
-/// The plain curve of the same tests, which has the friction in it that stands beside the model's own curve.
+/// The FV curve alone, from the same tests, includes the friction, which in the model is a separate element.
 const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
                    gas_force = 150.0\n";
 
-/// A host that gets nothing but a curve gets the best one, is told whose it is, and may have the model's own.
+/// A host that supports only a curve gets the best one, with a note on its origin; an option selects the model's own
+/// curve.
 #[test]
 fn a_property_file_holds_the_plain_curve_of_the_fit() {
     let folder = tempfile::tempdir().unwrap();
@@ -285,18 +287,18 @@ fn a_property_file_holds_the_plain_curve_of_the_fit() {
     done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.xml"]);
     assert!(at("a.xml").contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"150.0\""), "{}", at("a.xml"));
 
-    // A file that was tuned by hand keeps the tables of its fit, and its plain curve is that of another damper.
+    // A manually tuned file keeps the tables of its fit, whose FV curve alone does not fit the tuned damper.
     let intervals = "\n[identification.intervals]\ngas_force = [100.0, 120.0]\n";
     std::fs::write(folder.path().join("tuned.toml"), format!("{MODEL}{intervals}{FIT}")).unwrap();
     let said = done(folder.path(), &["export", "dpr", "tuned.toml", "-o", "b.dpr"]);
     assert!(said.contains("were changed after its fit") && !at("b.dpr").contains("50.4"), "{said}");
 
-    // What runs the rest of the model beside the curve keeps the model's own.
+    // A host that also runs the other elements keeps the model's own curve.
     done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--library", library().to_str().unwrap()]);
     assert_eq!(at("run/damper.toml"), format!("{MODEL}{FIT}"));
 }
 
-/// A damper that was identified anew goes into the same property file; the vendor's own file, which begins alike, stays.
+/// A newly identified damper replaces its own property file. A vendor's file with the same beginning stays.
 #[test]
 fn a_property_file_replaces_its_own_older_version_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -314,7 +316,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     );
     assert_eq!(std::fs::read_to_string(at("vendor.xml")).unwrap(), vendor);
 
-    // Models of one title are not versions of each other.
+    // Two models with the same title are not versions of one model.
     let car = |tail: &str| {
         format!(
             "Adams View model name: MODEL_1\nSFORCE/1\n, TRANSLATIONAL\n, I = 11\n, J = 12\n, FUNCTION = \
@@ -331,7 +333,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     assert_eq!(std::fs::read_to_string(at("other.adm")).unwrap(), car("PART/2\n"));
 }
 
-/// A result that nobody can receive is no success; one that is thrown away on purpose is.
+/// A closed standard output is an error, a discarded one is not.
 #[test]
 fn a_closed_standard_output_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
@@ -348,10 +350,10 @@ fn a_closed_standard_output_is_an_error() {
     }
 }
 
-/// Real files of Adams Car, where a folder of them is named (such as dampers.tbl of the public
+/// Real files of Adams Car, from a user-defined folder (such as dampers.tbl of the public
 /// wokomm/PropertyView-mechanics).
 ///
-/// All are read, and what is left out is said.
+/// All are read, with a report of the omitted parts.
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
@@ -377,7 +379,7 @@ fn real_property_files_are_read() {
     assert!(read > 0);
 }
 
-/// The library comes out of the command, without a compiler; where it holds none, the folder says so.
+/// The command writes the library without a compiler; if it does not contain the library, the folder says so.
 #[test]
 fn a_run_folder_holds_its_library() {
     dashpot_tests::fmu::runtimes();
@@ -414,25 +416,25 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     let new = statements(&std::fs::read_to_string(folder.path().join("new.adm")).unwrap());
     assert!(new["SFORCE/1"].contains("USER(1, 400") && new["STRING/1"].contains("front.toml"), "{new:?}");
     assert!(new["SFORCE/2"].contains("USER(2, 388") && new["STRING/2"].contains("damper.toml"), "{new:?}");
-    // The solver looks for the model files where it runs; what is not there is said.
+    // The solver searches the model files in its working folder; a message names missing files.
     assert!(said.contains("no model file front.toml") && said.contains("no model file damper.toml"), "{said}");
     std::fs::write(folder.path().join("front.toml"), MODEL).unwrap();
     std::fs::write(folder.path().join("damper.toml"), "gas_force = 3\n").unwrap();
     let said = done(folder.path(), &with(&both));
     assert!(!said.contains("front.toml") && said.contains("will refuse the model file: damper.toml"), "{said}");
-    // A decimal comma would be a length of 412 and a model file called 5.
+    // With a decimal comma, the length would be 412 and the model file would be 5.
     for comma in ["SFORCE/1=412,5,front.toml", "SFORCE/1=412,5"] {
         let words = refused(folder.path(), &with(&["--damper", comma]));
         assert!(words.contains("decimal comma; write 412.5"), "{words}");
     }
-    // 28,000 brackets are no reason to fall over.
+    // 28,000 nested brackets give an error and no crash.
     let deep = format!("Car\n{}{spline}", sforce(1, &format!("*{}1{}", "(".repeat(28_000), ")".repeat(28_000))));
     std::fs::write(folder.path().join("car.adm"), deep).unwrap();
     let words = refused(folder.path(), &with(&["--damper", "SFORCE/1=400"]));
     assert!(words.contains("nested"), "{words}");
 }
 
-/// Adams counts in mm: a length in m is not taken for one, and either unit may be said.
+/// Adams uses mm: a length in m is rejected unless its unit is given; both units are accepted.
 #[test]
 fn a_length_says_its_unit_or_is_one_that_a_damper_has() {
     let folder = tempfile::tempdir().unwrap();
@@ -473,7 +475,7 @@ fn a_compiled_model_is_patched() {
     assert!(words.contains("no.force"), "{words}");
 }
 
-/// The value of a straight line between the points of a spline.
+/// Interpolates linearly between the points of a spline.
 fn between(points: &[(f64, f64)], at: f64) -> f64 {
     let i = points.partition_point(|p| p.0 <= at).clamp(1, points.len() - 1);
     let (a, b) = (points[i - 1], points[i]);
@@ -487,10 +489,10 @@ fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
     points
 }
 
-/// A spline holds few elements.
+/// The native elements of Adams represent only some elements of the model.
 ///
-/// Of each other one it is said, beside the files, that it is the reason why there is no native.adm, and one of an
-/// earlier export is not taken for this model's.
+/// A message names every other element as the reason for the missing native.adm. A native.adm of an earlier export is
+/// reported as outdated.
 #[test]
 fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     const HELD: [&str; 8] = [
@@ -519,7 +521,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
         assert!(said.contains(&why), "{said}");
         assert!(said.contains("is of an earlier export"), "{said}");
         assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
-        // Ahead of all else but what must be known of this damper.
+        // The reason comes first, after notes on this damper.
         let (why, list) =
             (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
         assert!(why < list, "{read_me}");
@@ -528,7 +530,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     assert!(said.contains("act on the internal mass"), "{said}");
 }
 
-/// The functions of the file are evaluated as they stand there, between two markers that an actuator moves.
+/// The functions of the file are evaluated unchanged, between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {
     native_agrees(
@@ -537,7 +539,7 @@ fn the_native_elements_agree_with_the_model() {
     );
 }
 
-/// The elements of a plain fit of the virtual rig, and contacts of the other forms.
+/// The elements of a default fit of the virtual rig, and other forms of contact friction.
 #[test]
 fn the_native_elements_hold_the_default_fit() {
     let fit = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\", \"presliding_friction\"]\n\
@@ -567,7 +569,7 @@ fn native_agrees(text: &str) {
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
         let mut state = model.steady_state(&input(0.0));
-        // Where the model rests, as Adams' statics find it.
+        // Start in the equilibrium of the model, as Adams' statics find it.
         let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0, 0.0];
         let dt = 1e-5;
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -583,11 +585,11 @@ fn native_agrees(text: &str) {
                     _ => panic!("{name}({of:?})"),
                 })
             };
-            // Half-implicit: the step is a hundredth of the mass's own period.
+            // The method is semi-implicit, with a step of a hundredth of the mass's natural period.
             dif[1] += dt * at(&speed, dif);
             dif[0] += dt * at(&place, dif);
             if let Some(contact) = &contact {
-                // By substeps: at speed it follows within a hundredth of a millisecond.
+                // Substeps are needed: at high velocity the contact reacts within a hundredth of a millisecond.
                 for _ in 0..20 {
                     dif[2] += 0.05 * dt * at(contact, dif);
                 }

@@ -1,4 +1,4 @@
-//! What the library for Adams asks of the solver and gives to it: utilities, units, partials, iflags, frames, threads.
+//! The interface between the library for Adams and the solver: utilities, units, partials, iflags, frames, threads.
 
 use dashpot_core::Input;
 use dashpot_test_support::skipped;
@@ -108,7 +108,7 @@ fn the_sources_are_cpp_too() {
     }
 }
 
-/// Functions without which an entry cannot work; it does without all others.
+/// Lists the utilities without which an entry cannot work; all others are optional.
 fn needed(routine: &str) -> &'static [&'static str] {
     match routine {
         "gse" => {
@@ -128,7 +128,7 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     for utility in &all {
         let lacking = solver_without(utility);
         for routine in ROUTINES {
-            // Without c_errmes nothing can stop the run: one call, whose message goes to standard error.
+            // Without c_errmes nothing can stop the run: there is one call, whose message goes to standard error.
             let (silent, save) = (utility == "c_errmes", utility.contains("serialize") && routine != "gse");
             let what = if silent {
                 "iflag=0"
@@ -149,7 +149,7 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     }
 }
 
-/// A program that loads the library without any solver, and calls all entries.
+/// A program that loads the library without a solver and calls all entries.
 const OUTSIDE: &str = r#"
 #define _GNU_SOURCE
 #include "../adams-usersub/src/entry.h"
@@ -206,9 +206,9 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     }
 }
 
-/// A solver that has loaded its utilities for itself alone, as an interpreter's extension does.
+/// A solver that loads its utilities locally, like an extension of an interpreter.
 ///
-/// They are in the process, and not in the global scope.
+/// The process contains them, but the global scope does not.
 #[test]
 fn utilities_loaded_for_another_library_alone_are_found() {
     const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";
@@ -245,7 +245,7 @@ int main(int count, char **words)
             .arg("-ldl"),
     );
     let told = succeed(Command::new(at("host")).arg(library()).arg(at("libutilities.so")));
-    // What it complains of is said by the utility, and it is not the utility that is missing.
+    // The utility prints the message, and the message does not complain about the utility itself.
     assert!(told.contains("no function") && !told.contains("c_errmes"), "{told}");
 }
 
@@ -280,7 +280,7 @@ fn any_units_give_the_same_run_asked_or_given() {
     let solver = solver();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // Metre; inch, pound and millisecond; mm and kN.
+    // The systems are meter and newton; inch, pound and millisecond; mm and kN.
     let systems = [(1.0, 1.0, 1.0), (0.0254, 4.448_221_615_260_5, 1e-3), (1e-3, 1e3, 1.0)];
     let run_in = |routine: &str, (length, force, time): (f64, f64, f64), given: &str| {
         let units = [format!("length_unit={length:?}"), format!("force_unit={force:?}"), format!("time_unit={time:?}")];
@@ -349,7 +349,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
         let (i, j, vi, vj, guide, force) = (three(0), three(3), three(6), three(9), three(12), three(15));
         let apart = minus(i, j);
         let axis = apart.map(|c| c / size(apart));
-        // The kernel's steady force, for this length, speed and force across the axis.
+        // Compute the kernel's steady force for this length, velocity and transverse force.
         let input = Input {
             side_force: size(cross(guide, axis)),
             ..Input::motion(1e-3 * (size(apart) - 400.0), 1e-3 * dot(minus(vi, vj), axis))
@@ -359,7 +359,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
         let tension = dashpot_core::evaluate::force(&model, &state, &input).force;
         let want = axis.map(|c| -tension * c);
         assert!(size(minus(force, want)) < 1e-4 * (10.0 + tension.abs()), "{force:?} {want:?}");
-        // Action on I, its reaction at the same place on the part of J: J's marker sees no torque.
+        // The force on I and its reaction at the same point of J's part give no torque about J's marker.
         let reaction = force.map(|c| -c);
         let torque = cross(minus(i, j), reaction);
         assert!(size(torque) < 1e-9 * size(force) * size(apart), "{torque:?}");
@@ -401,7 +401,7 @@ fn only_an_iflag_that_may_asks_for_states() {
     let folder = tempfile::tempdir().unwrap();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // The stand-in ends a run where a call asks for other things than it declared, or for any when it saves or reloads.
+    // The stand-in stops a run if a call requests undeclared dependences, or any while it saves or reloads.
     for iflag in ["iflag=1", "iflag=3", "iflag=5", "iflag=7", "iflag=9", "iflag=2", "iflag=99"] {
         for routine in ROUTINES {
             let run = started(&solver(), routine, &with(&path, &[iflag, &states]));
@@ -415,7 +415,7 @@ fn the_gse_is_declared_threadsafe_and_is() {
     let folder = tempfile::tempdir().unwrap();
     let solver = solver();
     let path = written(folder.path(), PLAIN);
-    // threads=2: nobody has called before the threads do.
+    // With threads=2 the threads make the first calls.
     for threads in ["threads=1", "threads=2"] {
         let run = started(&solver, "gse", &with(&path, &[threads]));
         assert_eq!(run.threads().len(), 4);
@@ -466,10 +466,10 @@ fn a_request_shows_what_makes_the_force() {
             assert!((v - last.v).abs() < 1e-9 * last.v.abs() && (mass + deflection - x).abs() < 1e-9, "{routine}");
             assert_eq!(memory != 0.0, has_memory, "{routine}: {memory}");
             if !has_memory {
-                // The series spring's force, 3000 N/mm and 0.2 N s/mm, is what friction, gas and stops leave of the whole.
+                // The series spring (3000 N/mm, 0.2 N s/mm) carries the total force minus friction, gas and stops.
                 let series = 3000.0 * deflection + 0.2 * (last.v - mass_velocity);
                 assert!((series + friction + gas + stop - force).abs() < 1e-6 * force.abs(), "{routine}");
-                // The internal mass, half a kilogram, takes little.
+                // The inertia of the internal mass, half a kilogram, is small.
                 assert!(
                     (primary + spring - series).abs() < 0.02 * force.abs(),
                     "{routine}: {primary} {spring} {series}"
@@ -479,7 +479,7 @@ fn a_request_shows_what_makes_the_force() {
             let unknown = started(&solver, routine, &with(&path, &["end=0.01", "request=99"]));
             assert_eq!(unknown.request(), [0.0; 8]);
         }
-        // Far out the stop carries.
+        // At a large displacement the stop carries force.
         let far = ["amplitude=70", "frequency=1", "end=0.5", "page=2"];
         let run = started(&solver, "sfo", &with(&path, &far));
         let last = *run.accepted().last().unwrap();

@@ -1,4 +1,4 @@
-//! The damper test rig that `dashpot export adams` writes: read back strictly, and run from its files.
+//! The damper test rig written by `dashpot export adams`: parsed strictly, and run from its files.
 
 use dashpot_core::{Input, Model, State, evaluate::evaluate};
 use dashpot_rig::Matrix;
@@ -10,7 +10,7 @@ use std::path::Path;
 
 const LENGTH: f64 = 412.5;
 
-/// Writes the run folder and reads rig and commands.
+/// Writes the run folder. Returns rig and commands.
 fn exported(folder: &Path) -> (Dataset, Vec<Command>) {
     std::fs::write(folder.join("damper.toml"), PLAIN).unwrap();
     let library = library().to_str().unwrap();
@@ -37,7 +37,7 @@ fn the_datasets_are_whole() {
         let ends = ["I", "J"].map(|end| part_of(values(&rig[&(name.into(), id)], end)[0]));
         (ends[0], ends[1])
     };
-    // Ground 1, rig 2, tube 3, rod 4.
+    // The parts are ground 1, rig 2, tube 3, rod 4.
     assert_eq!((parts("JOINT", 1), parts("JOINT", 2)), ((2.0, 1.0), (4.0, 3.0)));
     assert_eq!((parts("BUSHING", 1), parts("BUSHING", 2), parts("SFORCE", 1)), ((4.0, 1.0), (3.0, 2.0), (4.0, 3.0)));
 
@@ -53,11 +53,11 @@ fn the_datasets_are_whole() {
         begin = *end;
     }
 
-    // Fragments name markers of the user's model, and no others that they do not bring.
+    // Fragments use only their own markers and two markers of the user's model.
     let read = |name: &str| std::fs::read_to_string(folder.path().join("run").join(name)).unwrap();
     let damper = dataset::read(&read("damper.adm"), false, &[11, 12]);
     assert_eq!(damper.len(), 4);
-    // The native elements have no place of their own: two markers of the model, no others, and neither part nor joint.
+    // The native elements use two markers of the model, and add neither parts nor joints.
     let native = dataset::read(&read("native.adm"), false, &[11, 12]);
     let of = |name: &str| native.keys().filter(|k| k.0 == name).count();
     assert_eq!(["DIFF", "SFORCE", "SPLINE"].map(of), [2, 1, 3]);
@@ -88,7 +88,7 @@ fn the_reader_refuses_what_is_broken() {
     }
 }
 
-/// Tube and rod between rig and ground.
+/// Masses of tube and rod, and the bushings between rig and ground.
 struct Rig {
     tube: f64,
     rod: f64,
@@ -96,7 +96,8 @@ struct Rig {
     damping: [f64; 2],
 }
 
-/// The motion of the rig, mm and mm/s, in a test of the matrix: one cycle in, two whole ones, one out.
+/// Returns the motion of the rig, mm and mm/s, in a test of the matrix: one cycle of fade-in, two full cycles, one of
+/// fade-out.
 fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     let (w, cycles) = (TAU * point.frequency_hz, t * point.frequency_hz);
     let rise = |s: f64| {
@@ -112,7 +113,7 @@ fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     (a * share * (w * t).sin(), a * (rate * (w * t).sin() + share * w * (w * t).cos()))
 }
 
-/// Positions and speeds of tube and rod from their rest, SI, and the damper's state.
+/// Displacements and velocities of tube and rod from their equilibrium, SI, and the damper's state.
 #[derive(Clone, Copy)]
 struct Instant {
     y: [f64; 4],
@@ -131,7 +132,7 @@ impl Rig {
         (Instant { y, damper: rate }, output.force)
     }
 
-    /// SFORCE at the accepted instants after `begin`, by a fourth-order method with short steps.
+    /// Computes the SFORCE at the accepted time points after `begin`, by a fourth-order method with short steps.
     fn run(
         &self,
         model: &Model,
@@ -150,7 +151,7 @@ impl Rig {
         let mut t = 0.0;
         at.iter()
             .map(|accepted| {
-                // Friction is steep where the damper turns: an explicit method must go slowly there.
+                // Friction is steep at the reversal, so the explicit method needs short steps there.
                 let slow = (now.y[3] - now.y[1]).abs() < 4e-3;
                 let n = ((accepted.t - begin - t) / if slow { 1e-5 } else { 2e-5 }).ceil().max(1.0);
                 let h = (accepted.t - begin - t) / n;
@@ -169,13 +170,13 @@ impl Rig {
             .collect()
     }
 
-    /// At rest with the rig in the middle.
+    /// Computes the equilibrium with the rig in the middle position.
     fn rest(&self, model: &Model) -> Instant {
         let (mut low, mut high) = (-0.01, 0.01);
         for _ in 0..100 {
             let x = 0.5 * (low + high);
             let force = model.static_output(&Input::motion(x, 0.0)).force;
-            // The bushings hold what the damper pulls.
+            // The bushings carry the force of the damper.
             let apart = -force / self.stiffness[0] - force / self.stiffness[1];
             if apart > x { low = x } else { high = x }
         }
@@ -198,10 +199,10 @@ fn the_exported_rig_runs_the_matrix_as_the_kernel_does() {
         damping: [1, 2].map(|id| si("BUSHING", id, "C", 1e3)),
     };
     let model = model_of(PLAIN);
-    // The solver runs in the folder, as the path in the STRING is meant.
+    // The solver runs in the folder, because the path in the STRING is relative to it.
     let acf = format!("dataset={}", folder.path().join("run/rig.acf").display());
     let string = format!("model={}", folder.path().join("run/damper.toml").display());
-    // The sines; the slow cycles behind them last minutes and show nothing else.
+    // Only the sines run; the slow cycles after them last minutes and test nothing else.
     let matrix = Matrix::default();
     let sines = matrix.points().iter().take_while(|p| p.frequency_hz > 0.1).count();
     assert!(sines > 40);

@@ -1,4 +1,4 @@
-//! The library for Adams on Windows: built on Linux with mingw-w64, looked into, and run with Wine where it is there.
+//! The library for Adams on Windows: built on Linux with mingw-w64, inspected, and run with Wine if available.
 
 use dashpot_core::{Input, evaluate::force};
 use dashpot_test_support::{skipped, target_folder};
@@ -10,7 +10,7 @@ use std::process::Command;
 const TARGET: &str = "x86_64-pc-windows-gnu";
 const COMPILER: &str = "x86_64-w64-mingw32-gcc";
 
-/// What is missing to build for Windows.
+/// Returns the missing tool for a Windows build, if any.
 fn missing() -> Option<&'static str> {
     if Command::new(COMPILER).arg("--version").output().is_err() {
         return Some("x86_64-w64-mingw32-gcc (Debian: gcc-mingw-w64-x86-64)");
@@ -20,7 +20,7 @@ fn missing() -> Option<&'static str> {
     (!there).then_some("the Rust target (rustup target add x86_64-pc-windows-gnu)")
 }
 
-/// The library as its README builds it.
+/// Builds the library as in its README.
 fn built(folder: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--release", "--quiet", "-p", "dashpot-dll", "--target", TARGET]).current_dir(root());
@@ -35,7 +35,7 @@ fn built(folder: &Path) -> PathBuf {
     library
 }
 
-/// Names in the tables of a DLL: those it exports, and the libraries it needs.
+/// Returns the names in the tables of a DLL: exports, and required libraries.
 fn tables(library: &Path) -> (Vec<String>, Vec<String>) {
     let text = succeed(Command::new("x86_64-w64-mingw32-objdump").arg("-p").arg(library));
     let (_, names) = text.split_once("[Ordinal/Name Pointer] Table").expect("an export table");
@@ -75,11 +75,11 @@ fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     let mut wine = Command::new("wine");
     wine.args(["host.exe", "AsUtility.dll", "dashpot_adams.dll", "damper.toml"]).current_dir(folder.path());
     let text = succeed(wine.env("WINEPREFIX", folder.path().join("wine")).env("WINEDEBUG", "-all"));
-    // Ends Wine's server for this folder, if it is not gone by itself.
+    // End Wine's server of this folder, if it still runs.
     Command::new("wineserver").arg("-k").env("WINEPREFIX", folder.path().join("wine")).output().unwrap();
     assert!(text.contains("selftest 0"), "{text}");
     assert!(text.contains("usrmes 1 INFO dashpot: model file damper.toml, 2 states"), "{text}");
-    // The steady force at this motion.
+    // Compute the steady force for this motion.
     let (model, input) = (model_of(PLAIN), Input::motion(0.01, 0.15));
     let want = -force(&model, &model.steady_state(&input), &input).force;
     let line = text.lines().find_map(|l| l.trim().strip_prefix("sforce ")).unwrap();

@@ -1,4 +1,4 @@
-//! What the bridge answers at the host's step, from 0.25 to 2 ms, against the converged solution over the test matrix.
+//! Accuracy of the bridge at host steps from 0.25 to 2 ms, compared with the converged solution over the test matrix.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -9,11 +9,11 @@ use std::fs::File;
 use std::path::Path;
 use std::process::Command;
 
-/// Steps of real-time hosts.
+/// Step lengths of real-time hosts, s.
 const STEPS: [f64; 4] = [FINEST, 0.5e-3, 1e-3, 2e-3];
 const FINEST: f64 = 0.25e-3;
 
-/// Every second test of the matrix that has any hurry in it, the fastest included: slow tests are exact whatever the step.
+/// Returns every second fast test of the matrix, including the fastest: slow tests are exact at any step.
 fn matrix() -> Vec<Sine> {
     let all = Matrix::default();
     let fast = all.points().iter().filter(|p| p.frequency_hz > 1.5).rev().step_by(2);
@@ -24,7 +24,7 @@ fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().expect("eight bytes"))).collect()
 }
 
-/// Forces of the bridge, tension positive, for one test after the other, each from its own rest.
+/// Returns the forces of the bridge, tension positive, for several tests, each from its own equilibrium.
 fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt: f64) -> Vec<Vec<f64>> {
     let folder = model.parent().expect("a folder");
     let mut requests: Vec<u8> = Vec::new();
@@ -46,7 +46,7 @@ fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt:
     tests.iter().map(|(_, steps)| all.by_ref().take(steps + 1).collect()).collect()
 }
 
-/// Worst errors of a model at each host step, as shares of the largest force of the test.
+/// Returns the largest errors of a model at each host step, relative to the largest force of the test.
 fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
     let folder = tempfile::tempdir().expect("a directory");
     let file = folder.path().join("model.toml");
@@ -70,8 +70,8 @@ fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
         .collect()
 }
 
-/// Elements beside curve and series spring, and further lines. A void that closes is a blow that Radau steps do not resolve either:
-/// cavitation is in the kernel's own tests.
+/// Elements in addition to curve and series spring, and further lines. Cavitation is excluded: Radau steps do not
+/// resolve the impact when a void closes, and the kernel's own tests cover it.
 const MODELS: [(&str, &str); 19] = [
     ("parallel_spring\", \"stribeck_friction\", \"viscous_friction\", \"gas_preload", ""),
     ("gas_preload", "series_stiffness = 1e7\ninternal_mass = 0.1"),
@@ -94,7 +94,7 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// The kernel's contract at 1 ms, at every step of a host: 0.1 % of the largest force root mean square, 1 % at most.
+/// The kernel's contract at 1 ms holds at every host step: errors of 0.1 % rms and at most 1 % of the largest force.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

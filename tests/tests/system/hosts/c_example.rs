@@ -1,4 +1,4 @@
-//! The example C program runs a model file as the kernel does, and says what is wrong with a bad one.
+//! The example C program runs a model file like the kernel, and reports errors in an invalid file.
 
 use dashpot_core::number;
 use dashpot_core::{Input, Model, Params, step};
@@ -8,7 +8,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// Compiles the example as a user would.
+/// Compiles the example like a user.
 fn example(folder: &Path) -> PathBuf {
     let source = library::root().join("examples/damper.c");
     library::host(source.to_str().unwrap(), library::Language::C, library::Linkage::Static, &[], folder)
@@ -23,7 +23,7 @@ fn run(program: &Path, model: &Path, input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // A program that refuses its model file has gone before it reads.
+    // A program that rejects its model file exits before it reads.
     let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     child.wait_with_output().unwrap()
 }

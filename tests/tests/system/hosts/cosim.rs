@@ -1,7 +1,7 @@
-//! An exported FMU in stock hosts for co-simulation that are not FMPy.
+//! An exported FMU in co-simulation hosts other than FMPy.
 //!
-//! libcosim of the Open Simulation Platform, which is built on the FMI Library, and Ecos, which has an FMI library of
-//! its own. The force of every step is that of the library itself.
+//! The hosts are libcosim of the Open Simulation Platform, which uses the FMI Library, and Ecos, which has its own FMI
+//! library. The force of every step equals the library's.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{directory, root};
@@ -11,7 +11,7 @@ use std::process::Command;
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\n";
 
-/// What the host says on an FMU of a version of FMI, after three motions that came out as the library has them.
+/// Runs three motions in the host, whose forces must equal the library's. Returns the host's messages.
 fn the_force_is_that_of_the_library(packages: &str, script: &str, fmi: &str) -> Option<String> {
     let python = python_with(packages)?;
     let at = tempfile::tempdir().expect("a directory");
@@ -33,7 +33,7 @@ fn the_force_is_that_of_the_library(packages: &str, script: &str, fmi: &str) -> 
 #[test]
 fn the_force_in_libcosim_is_that_of_the_library() {
     let Some(said) = the_force_is_that_of_the_library("libcosimpy==0.0.6", "cosim.py", "2") else { return };
-    // It tells what it finds wrong with the page of an FMU, and goes on.
+    // The host reports errors in the FMU's page and continues.
     assert_eq!(said.lines().find(|line| line.contains("[error]")), None);
 }
 

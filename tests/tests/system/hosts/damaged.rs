@@ -1,6 +1,6 @@
-//! Damaged channel maps and FMU resources through the readers in C, under the compiler's watch over memory.
+//! Damaged channel maps and FMU resources through the C readers, with the compiler's memory checks.
 //!
-//! Each is taken or refused, and nothing is read or written beyond its block.
+//! Each file is accepted or rejected, without access outside of its block.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
@@ -11,7 +11,7 @@ use dashpot_tests::python::{has_python, python};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The program that damages and reads; none where the compiler watches over nothing.
+/// Compiles the program that damages and reads files; `None` if the compiler has no memory checks.
 fn watched(at: &Path) -> Option<PathBuf> {
     let program = at.join("damaged");
     let mut build = compiler(Language::C);

@@ -1,4 +1,4 @@
-//! The FMU in a host that nobody here wrote: FMPy validates and runs all four kinds, with one corner and with four.
+//! The FMU in an independent host: FMPy validates and runs all four kinds, with one corner and with four.
 
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::{Model, Params, model_file};
@@ -53,7 +53,7 @@ fn entries(fmu: &Path) -> Vec<String> {
     succeed(Command::new(python()).args(["-c", list]).arg(fmu)).lines().map(str::to_owned).collect()
 }
 
-/// No compiler is there: the runtime is in the command, and reads the model from the FMU's resources.
+/// An export needs no compiler: the command contains the runtime, which reads the model from the FMU's resources.
 #[test]
 fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     if !has_python() {
@@ -88,11 +88,12 @@ fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     }
 }
 
-/// A supplier hands out a damper without its numbers: the same forces, bit for bit, and no number in description or resources.
+/// Asserts that an obfuscated FMU gives the same forces bit for bit, without parameter values in description or
+/// resources.
 fn runs_hidden(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    // Numbers that stand nowhere else.
+    // These numbers appear nowhere else.
     let model = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\"]\n\
                  fv_velocity = [-1.0, -0.123457, 0.0, 0.123457, 1.0]\nfv_force = [-601.137, -251.731, 0.0, 401.373, 1301.917]\n\
                  series_stiffness = 1730411.0\ngas_force = 141.771\n";
@@ -109,7 +110,7 @@ mod hidden {
     dashpot_tests::each_fmu!(runs_hidden);
 }
 
-/// A compiler that makes a library for another system is not taken for one of this computer.
+/// A library compiled for another system is rejected.
 #[test]
 fn a_library_for_another_system_is_refused() {
     runtimes();
@@ -127,7 +128,7 @@ fn a_library_for_another_system_is_refused() {
     assert!(!at.join("x.fmu").exists());
 }
 
-/// An importer that compiles (`fmpy compile`) finds what it needs in the description, and what it makes is the damper.
+/// An importer that compiles (`fmpy compile`) finds all inputs in the description, and its result equals the damper.
 #[test]
 fn fmpy_compiles_it() {
     if !has_python() {
@@ -160,7 +161,7 @@ fn unpacked(fmu: &Path, to: &Path) {
     succeed(Command::new(python()).args(["-c", unzip]).arg(fmu).arg(to));
 }
 
-/// Every row of the parameter table of the elements that are on, and none of the others, as the table has it.
+/// The description contains exactly the rows of the parameter table for the enabled elements, as in the table.
 #[test]
 fn the_description_is_the_parameter_table() {
     if !has_python() {
@@ -187,7 +188,7 @@ fn the_description_is_the_parameter_table() {
             assert!(!can("canBeInstantiatedOnlyOncePerProcess") && !can("needsExecutionTool"));
             assert!(kind == "me" || can("canHandleVariableCommunicationStepSize"));
         }
-        // The states that this model has: travel, deflection and velocity of the internal mass, and those of its elements.
+        // The states are travel, deflection and velocity of the internal mass, and the states of the elements.
         let corners: &[&str] = if four { &["L1.", "R1.", "L2.", "R2."] } else { &[""] };
         let memories = Model::new(&params).expect("a model").elements().memories();
         assert!(memories > 1);
@@ -240,7 +241,7 @@ fn the_description_is_the_parameter_table() {
         }
         let own = ["motion_scale", "force_scale", "position_offset", "displacement_given", "initial_position"];
         let parameters = variables.values().filter(|v| v["causality"] == "parameter").count();
-        // And inputs_between_points, of the whole FMU.
+        // The last one is inputs_between_points of the whole FMU.
         assert_eq!(parameters, expected + corners.len() * own.len() + 1, "parameters that are in no table");
         assert!(rows > 30 * corners.len(), "{rows}");
         for (name, v) in variables {
@@ -253,9 +254,9 @@ fn the_description_is_the_parameter_table() {
     }
 }
 
-/// The FMU compiled again from its unpacked sources alone gives the bridge's forces bit for bit.
+/// The FMU recompiled from its unpacked sources gives the bridge's forces bit for bit.
 ///
-/// With the kernel that lies there, and with the kernel compiled from the sources that lie there.
+/// The test uses the included compiled kernel, and a kernel compiled from the included sources.
 #[test]
 fn its_sources_are_all_it_needs() {
     if !has_python() {
@@ -281,7 +282,7 @@ fn its_sources_are_all_it_needs() {
             .env_remove("CARGO_TARGET_DIR")
             .env_remove("TARGET");
         if kernel.is_empty() {
-            // Nothing but a C compiler on the way.
+            // The path contains only a C compiler.
             build.env("CARGO", "none").env("PATH", "/usr/bin:/bin");
         }
         succeed(&mut build);
@@ -296,7 +297,7 @@ fn its_sources_are_all_it_needs() {
     }
 }
 
-/// The host program for Windows beside the trace of the bridge, or none where wine or mingw-w64 is missing.
+/// Builds the host program for Windows next to the trace of the bridge; `None` if wine or mingw-w64 is missing.
 fn windows_host(at: &Path) -> Option<String> {
     let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
     if !there("wine") || !there("x86_64-w64-mingw32-gcc") {
@@ -313,7 +314,7 @@ fn windows_host(at: &Path) -> Option<String> {
     description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).map(str::to_owned)
 }
 
-/// The library runs in wine and gives the bridge's forces bit for bit.
+/// Asserts that the library in wine gives the bridge's forces bit for bit.
 fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     let mut wine = Command::new("wine");
     wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
@@ -321,7 +322,7 @@ fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     assert!(succeed(&mut wine).contains("1001 steps"), "{resources}");
 }
 
-/// The runtime that the command holds finds the model in whatever way an importer on Windows names the folder.
+/// The runtime for Windows finds the model with every form of the resources path that importers use.
 #[test]
 fn the_runtime_for_windows_reads_its_resources() {
     if !has_python() {
@@ -341,7 +342,7 @@ fn the_runtime_for_windows_reads_its_resources() {
     for file in ["contents.txt", "model.toml"] {
         std::fs::copy(at.join("unpacked/resources").join(file), at.join("a folder").join(file)).expect("copied");
     }
-    // Wine's Z: is the root.
+    // Wine's drive Z: is the root.
     let slashes = at.join("a folder").display().to_string();
     let backslashes = slashes.replace('/', "\\");
     for resources in [
@@ -354,7 +355,7 @@ fn the_runtime_for_windows_reads_its_resources() {
     }
 }
 
-/// For Windows, where a cross compiler is installed; the result goes into the FMU beside the one for this computer.
+/// With a cross compiler, a binary for Windows is added to the FMU for this computer.
 #[test]
 fn a_binary_for_another_platform_goes_inside() {
     if !has_python() {
@@ -388,7 +389,7 @@ fn a_binary_for_another_platform_goes_inside() {
         told.contains("fmi2DoStep") && told.contains("fmi2GetDerivatives") && !told.contains("dashpot_step"),
         "{told}"
     );
-    // What every Windows has.
+    // Every Windows has these libraries.
     let needs: Vec<&str> = told.lines().filter_map(|l| l.trim().strip_prefix("DLL Name: ")).collect();
     assert!(
         needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),
@@ -431,7 +432,7 @@ fn the_page_says_that_a_damper_chatters_in_a_host_that_holds_its_force() {
         );
         assert!(!page.contains("REMARKS"));
 
-        // Front and rear alike: what is to be said of both is said once.
+        // Front and rear are equal, so a remark on both appears once.
         let car = run_with(at, &["export", "fmu", "model.toml", "model.toml", "-o", "car.fmu"], &[]);
         assert_eq!(car.code, Some(0), "{}", car.err);
         unpacked(&at.join("car.fmu"), &at.join("car"));

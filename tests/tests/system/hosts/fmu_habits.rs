@@ -1,7 +1,7 @@
-//! FMUs in the hands of importers with habits of their own.
+//! FMUs in importers with unusual behavior.
 //!
-//! Wrong or no resources folder, a logger that goes away, start values that nobody sets, outputs asked for where the
-//! solver has passed, calls out of order.
+//! The resources folder is wrong or missing, a logger disappears, or start values are not set. Outputs are requested at
+//! earlier times, or calls are out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;
@@ -25,7 +25,7 @@ fn it_runs_where_an_importer_is_careless() {
     }
 }
 
-/// CarMaker's input for controlled dampers is the setting of one that depends on one.
+/// CarMaker's input for controlled dampers is the setting of an adjustable damper.
 #[test]
 fn it_is_a_controlled_damper_of_carmaker() {
     let text = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("the example");
@@ -45,7 +45,7 @@ fn it_is_a_controlled_damper_of_carmaker() {
     }
 }
 
-/// By the file beside it, which has the form of the vendor's templates, the FMU is the damper that the library is.
+/// With its accompanying file, which follows the vendor's templates, the FMU equals the library's damper.
 #[test]
 fn it_is_a_damper_of_carmaker() {
     for fmi in ["2", "3"] {
@@ -74,12 +74,12 @@ fn it_is_a_damper_of_carmaker() {
         assert!(refused(at, &[&export[..], &["0.4", "--four"]].concat()).contains("--four"));
         let two = ["export", "fmu", "model.toml", "model.toml", "-o", "other.fmu", "--carmaker", "0.4"];
         assert!(refused(at, &two).contains("one model"));
-        // What the FMU hides does not stand beside it.
+        // The accompanying file does not reveal hidden parameters.
         let plug_info = |name: &str| std::fs::read_to_string(at.join(name)).expect("the file beside the FMU");
         assert!(plug_info("damper.pluginfo").contains("Susp.Damper.SubstModel.Damper:\n\t-"));
         done(at, &["export", "fmu", "model.toml", "-o", "hidden.fmu", "--carmaker", "0.4", "--hide-parameters"]);
         assert!(!plug_info("hidden.pluginfo").contains("SubstModel.Damper"));
-        // CarMaker runs the FMU in motion; its equilibrium is looked for with a curve alone, the best one that the file has.
+        // CarMaker uses the FMU in motion. It computes the equilibrium with a curve, the best one in the file.
         assert!(plug_info("damper.pluginfo").contains("the model file has no plain FV curve of a fit"));
         let fit = "[identification.fv_only]\nvelocity = [-1.0, 0.0, 0.01, 1.0]\nforce = [-640.0, 0.0, 50.4, 1340.0]\ngas_force = 150.0\n";
         std::fs::write(at.join("fitted.toml"), format!("{MODEL}{fit}")).expect("a model file");
@@ -91,7 +91,7 @@ fn it_is_a_damper_of_carmaker() {
         );
         done(at, &[&fitted[..], &["--model-curve"]].concat());
         assert!(!plug_info("fitted.pluginfo").contains("50.4"));
-        // Every file of CarMaker begins alike; one that somebody wrote by hand stays.
+        // All files of CarMaker have the same beginning; a manually written file is not replaced.
         std::fs::write(at.join("other.pluginfo"), "#INFOFILE1.1 - Do not remove this line!\nFMU.Name = other\n")
             .expect("a file");
         assert!(refused(at, &[&export[..], &["0.4"]].concat()).contains("a file of CarMaker"));

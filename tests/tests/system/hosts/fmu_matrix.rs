@@ -1,4 +1,5 @@
-//! The rig matrix through the FMU, in FMPy: co-simulation is the kernel's step bit for bit, model exchange its converged solution.
+//! The rig matrix through the FMU in FMPy: co-simulation equals the kernel's step bit for bit, model exchange the
+//! converged solution.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -18,7 +19,7 @@ fn model() -> Model {
     Model::new(&params).expect("a model")
 }
 
-/// Every test and its exact forces at each millisecond.
+/// Returns every test with its exact forces at each millisecond.
 fn exact() -> &'static [(Sine, Vec<f64>)] {
     static EXACT: OnceLock<Vec<(Sine, Vec<f64>)>> = OnceLock::new();
     EXACT.get_or_init(|| {
@@ -78,7 +79,7 @@ fn runs(fmi: &str, four: bool) {
         percent(exchange)
     );
     assert!(exchange[1] < 1e-3, "model exchange is {} from the converged kernel", percent(exchange));
-    // The kernel's own contract at 1 ms.
+    // The limits are the kernel's contract at 1 ms.
     assert!(steps[0] < 1e-3 && steps[1] < 1e-2, "co-simulation is {} from the converged kernel", percent(steps));
 }
 

@@ -1,5 +1,5 @@
-//! Model exchange in a stock solver with its defaults: FMPy's CVODE sets the inputs where its steps end and holds them in between.
-//! The force must stay within 1 % of the largest all the same.
+//! Model exchange in a common solver with its default options: FMPy's CVODE sets the inputs at the ends of its steps
+//! and keeps them constant in between. The force must stay within 1 % of the largest force nevertheless.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_tests::fmu::exported;
@@ -7,8 +7,8 @@ use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// The damper that `dashpot demo` identifies, in its element set and its numbers that matter here: a steep dry friction and a soft
-/// series spring.
+/// A damper with the elements and the relevant parameters that `dashpot demo` identifies: a steep dry friction and a
+/// soft series spring.
 const DEMO: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"coulomb_friction\", \"gas_preload\"]\n\
     fv_form = \"table\"\nfv_velocity = [-1.57, -0.95, -0.57, -0.34, -0.21, -0.125, -0.0756, -0.0456, -0.0275, -0.0166, -0.01, 0, 0.01, \
     0.0166, 0.0275, 0.0456, 0.0756, 0.125, 0.21, 0.34, 0.57, 0.95, 1.57]\nfv_force = [-1627, -1134, -854, -673, -553, -461, -381, -249, \
@@ -23,7 +23,7 @@ fn within_one_percent(text: &str, fmi: &str, tests: &[&str]) -> String {
     succeed(host.current_dir(folder.path()))
 }
 
-/// Corners of the rig matrix.
+/// Extreme tests of the rig matrix.
 const EDGES: [&str; 4] = ["0.05:0.3", "0.03:5.6", "0.005:20", "0.001:2"];
 
 #[test]
@@ -36,7 +36,7 @@ fn the_damper_of_the_demo() {
     }
 }
 
-/// Each element beside curve, series spring and what it needs.
+/// Each element in addition to curve, series spring and the elements that it requires.
 #[test]
 fn every_element() {
     if !has_python() {
@@ -48,7 +48,7 @@ fn every_element() {
             on.push(group.name);
         }
         let text = format!("format = 1\nelements = {on:?}\n");
-        // Every other one in FMI 3.0: the solver sees the same functions.
+        // Every second element uses FMI 3.0: the solver calls the same functions.
         let fmi = if i % 2 == 0 { "2" } else { "3" };
         println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &["0.03:5.6", "0.002:12"]));
     }

@@ -1,4 +1,4 @@
-//! How FMUs start in motion, how they take inputs at the beginning of a step, and what they say of steps that are too long.
+//! Start of FMUs in motion, inputs at the beginning of a step, and messages on steps that are too long.
 
 use dashpot_core::model_file;
 use dashpot_core::{Model, Params};
@@ -11,7 +11,7 @@ use std::process::Command;
 
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"gas_preload\"]\ngas_force = 120.0\n";
-/// Fast states: an explicit solver leaves all bounds, as a slower damper's would only swing.
+/// A stiff damper, with which an explicit solver diverges; a less stiff one would only oscillate.
 const FAST: &str = "series_stiffness = 3e7\ninternal_mass = 0.05\n";
 
 fn starts(fmi: &str) {
@@ -43,7 +43,7 @@ fn of_fmi_3() {
     starts("3");
 }
 
-/// Where nobody said when the importer sets its inputs, the export says what that costs.
+/// If the time of setting inputs is not specified, the export states the resulting delay.
 #[test]
 fn the_delay_is_told_where_nobody_said_when_inputs_come() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -1,6 +1,6 @@
-//! Hosts set parameters one by one.
+//! Hosts set parameters individually.
 //!
-//! What an FMU does with a set that does not fit together, in a host that sees every status and message.
+//! The test verifies the FMU's reaction to an inconsistent set, in a host that receives every status and message.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};

@@ -1,14 +1,14 @@
-//! An importer that knows units converts by what the FMU declares: whatever the scales, it gets the damper in SI, or is told no unit.
+//! An importer that converts units uses the FMU's declarations: at any scale it gets the damper in SI, or no unit.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// Springs beside the curve, so that the force has a slope by the displacement.
+/// Springs in addition to the curve, so that the force depends on the displacement.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\ngas_stiffness = 700\n";
 
-/// Motion scale, force scale, and the units of displacement, velocity, force, stiffness and damping that have to be declared.
+/// Motion scale, force scale, and the expected units of displacement, velocity, force, stiffness and damping.
 const CASES: [(&str, &str, &str); 6] = [
     ("0.001", "0.001", "mm,mm/s,kN,kN/mm,kN s/mm"),
     ("-0.001", "-1", "mm,mm/s,N,N/mm,N s/mm"),
@@ -32,7 +32,7 @@ fn declares(fmi: &str, four: bool) {
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu_units.py")).arg("si.fmu");
     for (i, (motion, force, units)) in CASES.iter().enumerate() {
-        // Each way in which a description comes about, once.
+        // Cover each way of producing a description once.
         let more: &[&str] = match i {
             0 => &["--from-source"],
             1 => &["--hide-parameters", "--no-sources"],
@@ -42,7 +42,7 @@ fn declares(fmi: &str, four: bool) {
         export(&name, [motion, force], more);
         host.args([name.as_str(), *units]);
     }
-    // Signs are no other units, as CarMaker has them.
+    // A change of sign, as for CarMaker, does not change the units.
     export("signs.fmu", ["1", "-1"], &["--no-sources"]);
     host.args(["signs.fmu", "m,m/s,N,N/m,N s/m"]);
     print!("{}", succeed(host.current_dir(at)));

@@ -1,4 +1,4 @@
-//! The damper in its hosts: C interface, Adams, FMI, real-time bridge and the shims for other simulators.
+//! The damper in its hosts: C interface, Adams, FMI, real-time bridge and source shims for other simulators.
 
 mod abi_hosts;
 mod abi_symbols;

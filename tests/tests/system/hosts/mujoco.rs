@@ -5,10 +5,10 @@ use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// The curve and the gas force of [`MODEL`] alone.
+/// Curve and gas force of [`MODEL`], without its other elements.
 const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 141.5\n";
 
-/// The host compares MuJoCo's quarter car with one integrated by hand and refuses a vehicle that gains energy.
+/// The host compares MuJoCo's quarter car with a manual integration, and rejects a vehicle that gains energy.
 #[test]
 fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     if !has_python() {
@@ -21,11 +21,11 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     let find = "import mujoco, os, glob; f = os.path.dirname(mujoco.__file__); print(f); print(glob.glob(f + '/libmujoco.so*')[0])";
     let found = succeed(Command::new(python()).args(["-c", find]));
     let (folder, library) = found.trim().split_once('\n').expect("two lines");
-    // MuJoCo's own headers are not ours to warn about.
+    // Suppress warnings in MuJoCo's own headers.
     let flags = [
         "-isystem".to_owned(),
         format!("{folder}/include"),
-        // The sources that call it come later on the command line.
+        // The sources that call the library come later on the command line.
         "-Wl,--no-as-needed".to_owned(),
         library.to_owned(),
         format!("-Wl,-rpath,{folder}"),
@@ -51,7 +51,7 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
             .parse()
             .expect("m/s^2")
     };
-    // The setting that the host writes reaches the dampers.
+    // The setting of the host must affect the dampers.
     assert!(heave("soft") < heave("hard") && heave("skyhook") < heave("hard"), "{told}");
     assert!(figures.len() == 2 && figures[0] != figures[1], "the model is not its curve: {told}");
 }

@@ -49,7 +49,7 @@ fn the_example_gives_the_kernels_forces() {
     over_a_setting(at);
 }
 
-/// The damper of the example over its current: one number, or one for every sample.
+/// Compares the example's adjustable damper with its current as one number and as one number per sample.
 fn over_a_setting(at: &std::path::Path) {
     let text = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("the example");
     std::fs::write(at.join("family.toml"), &text).expect("a model file");
@@ -80,7 +80,8 @@ fn over_a_setting(at: &std::path::Path) {
         let input = Input::motion(0.01 * (1.0 - (w * t).cos()), 0.01 * w * (w * t).sin());
         let (next, answer) = step(&model, &state, &input, 1e-3);
         state = next;
-        // A family takes its steps otherwise than an ordinary damper: 0.03 N at 1 ms, and a twentieth of that at 0.1 ms.
+        // The step method of a family differs from an ordinary damper's. The difference is 0.03 N at 1 ms, and a
+        // twentieth of that at 0.1 ms.
         assert!((constant - answer.force).abs() < 2e-4 * peak, "sample {k}: {constant} {}", answer.force);
         assert!(k >= 200 || constant == stepped, "sample {k}");
     }

@@ -1,7 +1,6 @@
-//! The examples in Python on multibody programs that nobody here wrote.
+//! The Python examples in independent multibody programs.
 //!
-//! A mass dropped on spring and damper is where the kernel says, stepped so finely that the host's own method no
-//! longer matters.
+//! A mass dropped on spring and damper must match the kernel, with steps so short that the host's method is irrelevant.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};
@@ -11,7 +10,7 @@ use std::process::Command;
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \"gas_preload\"]\n\
                      gas_force = 141.5\n";
 
-/// Position and force every 10 ms of 1 s: the numbers of the examples.
+/// Computes position and force every 10 ms of 1 s, with the parameters of the examples.
 fn kernel() -> Vec<[f64; 2]> {
     const MASS: f64 = 100.0;
     const STIFFNESS: f64 = 24000.0;

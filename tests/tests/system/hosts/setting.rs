@@ -1,4 +1,4 @@
-//! A damper that depends on a setting, in hosts: the worked example, and the same loop through an FMU.
+//! An adjustable damper in hosts: the example, and the same control loop through an FMU.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{Language, Linkage, directory, host, root, shared, succeed};
@@ -9,7 +9,7 @@ fn model() -> std::path::PathBuf {
     root().join("examples/semi_active.toml")
 }
 
-/// The numbers behind a word in the lines that begin with another.
+/// Returns the numbers after `word` in the lines that begin with `line`.
 fn numbers(text: &str, line: &str, word: &str) -> Vec<f64> {
     let lines = text.lines().filter(|row| row.starts_with(line));
     let behind = lines.filter_map(|row| row.split(word).nth(1)?.split_whitespace().next()?.parse().ok());
@@ -31,7 +31,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
     }
     let tire = |way: &str| numbers(&four, way, "tire");
     assert!(tire("skyhook").iter().zip(tire("soft")).all(|(sky, soft)| *sky < soft), "{four}");
-    // One corner is the first of four, and Python's numbers are C's.
+    // One corner equals the first of four, and Python's output equals C's.
     let one = succeed(Command::new(&program).arg(model()).arg("1"));
     assert!(four.contains(one.lines().next().expect("a line")), "{one} {four}");
     let script = root().join("examples/skyhook.py");
@@ -39,7 +39,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
         skipped("python3");
         return;
     }
-    // Whole lines: acceleration, its spectrum in bands, and the tire, of all corners.
+    // Compare whole lines of all corners: acceleration, its spectrum in bands, and the tire.
     for (corners, of_c) in [("1", &one), ("4", &four)] {
         let python = succeed(Command::new("python3").arg(&script).arg(shared()).arg(model()).arg(corners));
         assert_eq!(&python, of_c);

@@ -1,4 +1,5 @@
-//! The source shims for CarMaker, CarSim and Simulink, compiled against declarations of our own and called as their hosts call.
+//! The source shims for CarMaker, CarSim and Simulink, compiled with our own declarations and called like by their
+//! hosts.
 
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::library::{root, succeed};
@@ -6,7 +7,7 @@ use std::process::Command;
 
 const SANITIZERS: [&str; 2] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
 
-/// A damper over a setting.
+/// Returns the model file of an adjustable damper.
 fn family() -> std::path::PathBuf {
     root().join("examples/semi_active.toml")
 }
@@ -29,7 +30,7 @@ fn runs(host: &str, shim: &str, defines: &[&str], map: Option<&str>) {
     let map = root().join("vi-crt-bridge").join(map);
     let program = host.get_program().to_owned();
     succeed(host.arg(&map));
-    // The same map with a variable of the simulator for the setting of each corner.
+    // Add a variable of the simulator for the setting of each corner to the map.
     let with_setting = directory.path().join("setting.toml");
     let text = std::fs::read_to_string(&map).expect("a map") + "setting = \"CURRENT_{corner}\"\n";
     std::fs::write(&with_setting, text).expect("a map");
@@ -50,7 +51,7 @@ fn carsim_in_its_own_units() {
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
 }
 
-/// One key in the maps of CarSim, the S-function and a plain host.
+/// The zero of the rig is one key in the maps of CarSim, the S-function and a plain host.
 #[test]
 fn the_zero_of_the_rig_is_where_the_map_says() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -65,13 +66,13 @@ fn the_zero_of_the_rig_is_where_the_map_says() {
     std::fs::write(at.join("map.toml"), text).expect("a map");
     let host = bridge_host("offset.c", &SANITIZERS, at);
     succeed(Command::new(&host).arg(at.join("model.toml")).arg(at.join("map.toml")));
-    // In mm it is refused.
+    // A value in mm is rejected.
     std::fs::write(at.join("mm.toml"), text.replace("-0.012", "-12")).expect("a map");
     let ran = Command::new(&host).arg(at.join("model.toml")).arg(at.join("mm.toml")).status().expect("the host runs");
     assert_eq!(ran.code(), Some(2));
 }
 
-/// The S-function includes its host, as it includes Simulink's own in Simulink.
+/// The S-function includes the test's host instead of Simulink's headers.
 #[test]
 fn simulink_tries_steps_and_takes_them() {
     let directory = tempfile::tempdir().expect("a directory");

@@ -1,11 +1,12 @@
-//! The static library beside other programs: one object whose names are its own, in every order, with every compiler that is here.
+//! The static library in other programs: one object with unique names, in every link order, with every available
+//! compiler.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::library::{directory, pack, root, static_library, succeed};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Calls what compilers and C libraries lend each other: functions that Rust's compiler library defines too.
+/// Calls functions of compilers and C libraries that Rust's compiler library defines too.
 const PROGRAM: &str = r#"
 #include "dashpot.h"
 #include <math.h>
@@ -37,7 +38,7 @@ int main(int argc, char **argv)
 }
 "#;
 
-/// Names of its own that the library must not see: those of a C library, and what Rust programs define.
+/// Names that the library must not use: those of a C library, and definitions of Rust programs.
 const NAMESAKES: &str = r#"
 #include "dashpot.h"
 #include <stdio.h>
@@ -75,7 +76,7 @@ fn is_here(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|out| out.status.success())
 }
 
-/// A folder with the program in C and in C++.
+/// Writes the programs in C and in C++ to a folder.
 fn sources() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     for (name, text) in [("program.c", PROGRAM), ("program.cc", PROGRAM), ("namesakes.c", NAMESAKES)] {
@@ -84,7 +85,7 @@ fn sources() -> tempfile::TempDir {
     folder
 }
 
-/// Compiles, runs and compares the force, to the bit.
+/// Compiles and runs a program, and compares the force bit for bit.
 fn links(at: &Path, compiler: &str, words: &[&str]) {
     let program = at.join("program");
     let library = static_library();
@@ -120,7 +121,7 @@ fn it_is_one_object_and_its_names_are_its_own() {
     for name in &wanted {
         assert!(["memcpy", "memmove", "memset", "memcmp", "bcmp"].contains(&name.as_str()), "asks for {name}");
     }
-    // Deterministic: packed again, the same bytes.
+    // Packing is deterministic: a second run gives the same bytes.
     let again = tempfile::tempdir().expect("a directory");
     let to = again.path().join("again.a");
     pack(&directory().join("libdashpot.a"), &to, "");
@@ -181,7 +182,7 @@ fn it_links_with_musl() {
     links(folder.path(), "musl-gcc", &["-fno-builtin", "namesakes.c", "LIBRARY"]);
 }
 
-/// A folder laid out as the package is.
+/// Makes a folder with the layout of the package.
 fn prefix() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -249,7 +250,7 @@ fn pkg_config_names_it() {
     links(folder.path(), "g++", &[&["program.cc", "-Wl,-Bstatic"], flags.as_slice(), &["-Wl,-Bdynamic"]].concat());
 }
 
-/// The archive of cargo for 64-bit Windows, where one can be built here: by rustup's target, or by Debian's second compiler.
+/// Builds cargo's archive for 64-bit Windows, with rustup's target or Debian's second compiler, if available.
 fn windows_archive() -> Option<PathBuf> {
     const TARGET: &str = "x86_64-pc-windows-gnu";
     let folder = Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]).output().ok()?;
@@ -270,7 +271,7 @@ fn windows_archive() -> Option<PathBuf> {
     } else {
         return None;
     };
-    // One folder for each compiler: neither takes what the other has built.
+    // Each compiler has its own folder, because neither accepts the other's output.
     let target = if rustup { target_folder() } else { target_folder().join("second-compiler") };
     succeed(build.args(words).env("CARGO_TARGET_DIR", &target).current_dir(root()));
     Some(target.join(TARGET).join("release/libdashpot.a"))

@@ -1,6 +1,7 @@
-//! The vehicle on the simulator bridge, as a real-time simulator has it.
+//! The vehicle on the simulator bridge, as in a real-time simulator.
 //!
-//! Every manoeuvre at steps from 0.25 to 2 ms is bit for bit that of the kernel, with the host's signs in between.
+//! Every manoeuvre at steps from 0.25 to 2 ms equals the kernel's bit for bit, with the host's sign convention in
+//! between.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_simulation::vehicle::{Car, Dampers, Manoeuvre, run, run_with};
@@ -8,7 +9,7 @@ use dashpot_tests::bridge::{MODEL, bridge_host};
 use std::io::{Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-/// The four corners behind a pipe. The bridge counts compression and push.
+/// The four corners, connected by pipes. In the bridge, compression and push are positive.
 struct Bridge {
     host: Child,
     to: ChildStdin,
@@ -24,7 +25,7 @@ impl Bridge {
         self.from.read_exact(&mut answer).expect("the bridge answers");
         let number = |i: usize| f64::from_le_bytes(answer[8 * i..8 * i + 8].try_into().expect("eight bytes"));
         std::array::from_fn(|corner| {
-            // Faster than the identified curve is a warning; a held force would be 0x10000.
+            // A velocity beyond the identified curve is a warning; a frozen force would be 0x10000.
             assert!(number(3 * corner + 2) < 65536.0, "an input was refused");
             [-number(3 * corner), number(3 * corner + 1)]
         })
@@ -44,7 +45,7 @@ impl Dampers for Bridge {
 #[test]
 fn every_manoeuvre_is_the_kernels_bit_for_bit() {
     let folder = tempfile::tempdir().expect("a directory");
-    // Rear dampers of their own, so that corners that change places are seen.
+    // The rear dampers differ, so that exchanged corners are detected.
     let texts = [
         MODEL.to_owned(),
         MODEL.replace("141.5", "200.0").replace("[\"fv_curve\"", "[\"valve_hysteresis\", \"fv_curve\""),

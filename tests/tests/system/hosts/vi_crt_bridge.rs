@@ -1,4 +1,5 @@
-//! The simulator bridge: four kernels with the host's signs and channel names, and nothing that a real-time loop forbids.
+//! The simulator bridge: four kernels with the host's signs and channel names, without operations forbidden in a
+//! real-time loop.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::{MODEL, bridge_host, map, sources};
@@ -17,7 +18,7 @@ fn does_what_its_header_says() {
     }
 }
 
-/// The map as it is shipped says what the user has to fill in.
+/// The shipped map asks the user for the missing channel.
 #[test]
 fn the_unknown_channel_is_asked_for() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -30,7 +31,7 @@ fn the_unknown_channel_is_asked_for() {
     assert!(!output.status.success() && text.contains("force must name the host's input channel"), "{text}");
 }
 
-/// What a step reaches: neither allocation nor files nor locks.
+/// A step neither allocates, nor accesses files, nor locks.
 #[test]
 fn only_create_and_destroy_allocate_and_read() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -74,7 +75,7 @@ fn only_create_and_destroy_allocate_and_read() {
     assert!(reached.iter().any(|n| n == "dashpot_step"), "{reached:?}");
 }
 
-/// Two simulated minutes here; `tests/hosts/soak.c` says how to run half an hour.
+/// The test simulates two minutes; `tests/hosts/soak.c` explains a run of half an hour.
 #[test]
 fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -94,9 +95,9 @@ fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
         line.trim().parse().expect("a number")
     };
     assert_eq!((figure("steps "), figure("missed ")), (120_000.0, 0.0));
-    // None where mlockall() is allowed, a page or two of first touches where it is not.
+    // There are no page faults if mlockall() is allowed, otherwise one or two at first accesses.
     assert!(figure("page_faults ") <= 2.0, "{text}");
-    // The host's own integration rule differs by half a step of velocity, which does not add up.
+    // The host's own integration rule differs by half a step of velocity, which does not accumulate.
     assert!(figure("drift_mm ") < 1.0, "{text}");
     assert!((figure("rms_late_n ") / figure("rms_early_n ") - 1.0).abs() < 0.2, "{text}");
 }

@@ -1,6 +1,6 @@
 //! The example of the page for host authors.
 //!
-//! Its three loops are the same car, and the implicit one is calm where the explicit one is not.
+//! Its three loops simulate the same car; the implicit loop is stable where the explicit one is not.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
@@ -8,7 +8,7 @@ use std::process::Command;
 
 const CALM: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\"]\ngas_force = 120\n";
 
-/// Time, position and force.
+/// Returns time, position and force.
 fn run(program: &Path, model: &str, kind: &str, dt: &str) -> Vec<[f64; 3]> {
     let file = program.with_file_name("model.toml");
     std::fs::write(&file, model).expect("a model file");
@@ -47,15 +47,14 @@ fn three_loops_are_one_car() {
             1e3 * peak
         );
         assert!(errors[0] < 0.01 * peak, "{kind}: {errors:?} of {peak}");
-        // The host's methods are of first order: half the step, half the error. The one that tries chooses its steps itself.
+        // The host's methods are of first order: half the step gives half the error. The trial loop adapts its steps.
         assert!(kind == "trial" || errors[1] < 0.7 * errors[0], "{kind}: {errors:?}");
     }
 }
 
-/// A mass in the damper moves the car as it does in small steps, whatever velocity a loop advances the displacement
-/// with.
+/// A mass in the damper affects the car as with small steps, whatever velocity a loop uses to advance the displacement.
 ///
-/// The first loop is semi-implicit. What the loops get wrong of the body themselves cancels in the difference.
+/// The first loop is semi-implicit. The loops' own errors of the body cancel in the difference.
 #[test]
 fn a_moving_mass_acts_as_it_is_in_every_loop() {
     let folder = tempfile::tempdir().expect("a directory");

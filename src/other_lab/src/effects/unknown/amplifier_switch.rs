@@ -1,16 +1,17 @@
-//! The amplifier changes its range when the force has become large, and back only when it has become small again; the ranges
-//! do not agree.
+//! An amplifier that changes to a coarse range at a large force, and back only at a small force. The two ranges
+//! disagree.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "amplifier_switch", laws: &[("auto_range", auto_range as Make)] };
 
-/// A gain control with backlash and a gain error in its coarse range, which it blends into over a band of forces.
+/// A gain control with backlash and a gain error in its coarse range, with a gradual transition over a band of forces.
 ///
 /// The backlash is the play operator (Krasnosel'skii & Pokrovskii, Systems with Hysteresis, 1989).
 struct AutoRange {
     error: f64,
-    /// Force at which half of the change is made while the force grows, N, and by how much later it is undone.
+    /// Force at half of the transition while the force grows, N. `backlash` is the decrease of the force that reverses
+    /// the transition, N.
     up: f64,
     backlash: f64,
     band: f64,
@@ -20,7 +21,7 @@ impl EffectModel for AutoRange {
     fn channel(&self, _: u64, _: &[f64], force: &mut Vec<f64>) {
         let mut stands = 0.0f64;
         for f in force {
-            // Between the force less the backlash and the force: it is pushed up by the one, down by the other.
+            // The state is bounded by the force and by the force minus the backlash (play operator).
             stands = stands.max(f.abs() - self.backlash).min(f.abs());
             let beyond = (stands - (self.up - self.backlash)) / self.band;
             *f *= 1.0 + self.error * 0.5 * (1.0 + libm::tanh(beyond));

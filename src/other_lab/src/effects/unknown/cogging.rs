@@ -1,10 +1,11 @@
-//! An electric actuator cogs: its magnets add a force with the pitch of its poles, of which a part reaches the load cell.
+//! Cogging of an electric actuator: its magnets add a force with the pitch of the poles, part of which reaches the load
+//! cell.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "cogging", laws: &[("poles", poles as Make)] };
 
-/// A wave over the stroke that grows with the motor's current, that is with the force.
+/// A wave over the stroke, proportional to the motor's current and thus to the force.
 struct Poles {
     share: f64,
     pitch: f64,

@@ -1,10 +1,10 @@
-//! The rig's frame rings with two modes after every sudden change of force.
+//! The rig's frame vibrates in two modes after every sudden change of force.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "frame_ring", laws: &[("two_modes", two_modes as Make)] };
 
-/// Accelerations of two modes that the force drives reach the load cell (Ewins, Modal Testing, 2000).
+/// Two modes excited by the force, whose accelerations reach the load cell (Ewins, Modal Testing, 2000).
 struct TwoModes {
     share: f64,
     /// Frequency (rad/s) and damping ratio.
@@ -17,7 +17,7 @@ impl EffectModel for TwoModes {
         for [omega, damping] in self.modes {
             let (mut y, mut rate) = (drives[0], 0.0);
             for i in 1..time.len() {
-                // Small steps of the middle-point rule: the modes are slow against them.
+                // Use the midpoint rule with steps much shorter than the periods of the modes.
                 let parts = ((time[i] - time[i - 1]) * omega / 0.1).ceil().max(1.0) as usize;
                 let h = (time[i] - time[i - 1]) / parts as f64;
                 for part in 0..parts {

@@ -1,4 +1,4 @@
-//! A load cell that remembers where its load turned.
+//! A load cell with hysteresis.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 

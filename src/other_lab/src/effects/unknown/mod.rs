@@ -1,5 +1,5 @@
-//! Effects that are in no list of damper models, real enough on a rig or in a damper. The honest answer is that something is
-//! missing that has no name.
+//! Effects outside of all catalogs of damper models, which occur on real rigs or in dampers. The correct diagnosis is
+//! an unnamed missing effect.
 
 mod amplifier_switch;
 mod cogging;

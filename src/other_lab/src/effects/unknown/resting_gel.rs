@@ -1,13 +1,13 @@
-//! Oil with additives that gels at rest.
+//! Oil with additives that gels at standstill.
 //!
-//! After a standstill the damper is firmer until it has been stirred, and the more so the smaller the strokes are.
+//! After a standstill the damper is firmer until it has moved enough; smaller strokes show more of the effect.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "resting_gel", laws: &[("moore", moore as Make)] };
 
-/// A structure that shear breaks and rest restores (Moore, Trans. Brit. Ceram. Soc. 58, 1959; Barnes, J. Non-Newton. Fluid
-/// Mech. 70, 1997).
+/// A structure that shear breaks and standstill restores (Moore, Trans. Brit. Ceram. Soc. 58, 1959; Barnes, J.
+/// Non-Newton. Fluid Mech. 70, 1997).
 struct Moore {
     stiffer: f64,
     breaks: f64,
@@ -19,7 +19,7 @@ impl EffectModel for Moore {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is the share that is broken: none at the start of a record.
+        // The state is the broken fraction: 0 at the start of a record.
         r[0] = (1.0 - s[0]) * here.v.abs() / self.breaks - s[0] / self.restores;
     }
     fn gain(&self, _: &Here, s: &[f64]) -> f64 {

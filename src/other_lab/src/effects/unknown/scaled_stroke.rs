@@ -1,11 +1,11 @@
-//! The displacement channel is scaled wrongly and its wire potentiometer is not straight; velocity comes from another sensor,
-//! so the two do not agree.
+//! A displacement channel with a wrong scale and a nonlinear wire potentiometer. A separate sensor measures velocity,
+//! so displacement and velocity disagree.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "scaled_stroke", laws: &[("potentiometer", potentiometer as Make)] };
 
-/// A gain and a wave over the stroke.
+/// A gain error and a sinusoidal error over the stroke.
 struct Potentiometer {
     gain: f64,
     wave: f64,

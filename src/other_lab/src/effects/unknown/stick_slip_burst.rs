@@ -1,13 +1,13 @@
-//! The rod catches and lets go with a rattle, at places that nothing in the motion explains.
+//! The rod sticks and releases with bursts of vibration, unrelated to the motion.
 
 use super::{Draw, Effect, EffectModel, Make, Reading, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "stick_slip_burst", laws: &[("rattle", rattle as Make)] };
 
-/// A slot of the campaign's clock either has a burst or has none, s.
+/// Length of a slot of the campaign's clock, s, which contains at most one burst.
 const SLOT: f64 = 0.4;
 
-/// Decaying saw teeth against the motion, at random times of the campaign.
+/// Decaying sawtooth waves against the motion, at random times of the campaign.
 struct Rattle {
     size: f64,
     teeth: f64,

@@ -1,10 +1,10 @@
-//! A tilted cross-head turns a share of the axial force into friction in the guides.
+//! A tilted crosshead converts a part of the axial force to friction in the guides.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale, soft_sign};
 
 pub(super) const EFFECT: Effect = Effect { name: "tilted_head", laws: &[("wedge", wedge as Make)] };
 
-/// A wedge: friction by the force and by how far the rod is out, which lengthens the lever (Deubel & Prokop 2023).
+/// Wedge friction, proportional to the force; extension lengthens the lever arm (Deubel & Prokop 2023).
 struct Wedge {
     share: f64,
     lever: f64,

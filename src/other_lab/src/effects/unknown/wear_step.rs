@@ -1,10 +1,10 @@
-//! In the middle of the campaign a valve disc cracks: from then on one stroke is softer.
+//! A valve disc cracks during the campaign: from then on one stroke is softer.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "wear_step", laws: &[("cracked_disc", cracked_disc as Make)] };
 
-/// The valves of one stroke pass more from some time on.
+/// Increased flow through the valves of one stroke from some time on.
 struct CrackedDisc {
     more: f64,
     from: f64,

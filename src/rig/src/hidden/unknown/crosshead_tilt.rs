@@ -1,4 +1,4 @@
-//! A tilted cross-head turns part of the axial force into side force on the guides.
+//! A tilted crosshead converts a part of the axial force to side force on the guides.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -11,7 +11,7 @@ struct Tilt {
 
 impl Hidden for Tilt {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
-        // The axial force before friction; smooth round zero.
+        // Use the axial force before friction, smoothed around zero.
         self.share * (libm::hypot(here.oil_n, 20.0) - 20.0) * (1.0 + here.line.displacement_m / 0.12)
     }
 }

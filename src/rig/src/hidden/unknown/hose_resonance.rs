@@ -1,4 +1,4 @@
-//! A hose to an accumulator swallows part of the flow at its own frequency.
+//! A hose to an accumulator takes up a part of the flow, with a resonance.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -6,7 +6,7 @@ use crate::neutral::{Here, Rest};
 const FORMS: &[&str] = &["helmholtz"];
 
 struct Hose {
-    /// Volume taken up by the accumulator as a stroke per force, m/N.
+    /// Compliance of the accumulator, as stroke per force, m/N.
     compliance_m_n: f64,
     omega: f64,
     damping: f64,
@@ -14,7 +14,7 @@ struct Hose {
 
 impl Hidden for Hose {
     fn tolerances(&self) -> &[f64] {
-        // Flow as a velocity, m/s, and pressure in the accumulator as a force, N.
+        // The states are the flow as a velocity, m/s, and the pressure in the accumulator as a force, N.
         &[1e-5, 1e-1]
     }
 
@@ -23,7 +23,7 @@ impl Hidden for Hose {
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
-        // Inertia from frequency and compliance: m = 1 / (omega² C).
+        // The inertia follows from frequency and compliance: m = 1 / (omega² C).
         let per_mass = self.omega * self.omega * self.compliance_m_n;
         rates[0] = per_mass * (here.oil_n - states[1]) - 2.0 * self.damping * self.omega * states[0];
         rates[1] = states[0] / self.compliance_m_n;

@@ -1,4 +1,4 @@
-//! The load cell reads more while its load rises than while it falls.
+//! The load cell reads more at rising load than at falling load.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,7 +12,7 @@ struct CellHysteresis {
 
 impl Hidden for CellHysteresis {
     fn tolerances(&self) -> &[f64] {
-        // Centre of the play, N.
+        // The state is the center of the play, N.
         &[1e-1]
     }
 

@@ -1,5 +1,5 @@
-//! Effects that are in no catalogue of damper models. They are real enough on a rig or in a damper, and an honest
-//! diagnosis answers "none of these" to them.
+//! Effects outside of all catalogs of damper models. They occur on real rigs or in dampers, and the correct diagnosis
+//! is "none of these".
 
 mod crosshead_tilt;
 mod hose_resonance;
@@ -15,7 +15,7 @@ mod wear_step;
 
 use super::{Hidden, Recipe};
 
-/// The effect of that name; names are checked before.
+/// Draws the effect with a given name, which was verified before.
 pub(super) fn draw(name: &str, recipe: &mut Recipe) -> Box<dyn Hidden> {
     match name {
         "unknown_shear_softening" => shear_softening::draw(recipe),

@@ -1,4 +1,4 @@
-//! The rig's frame rings after every sudden change of force.
+//! The rig's frame vibrates after every sudden change of force.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -13,7 +13,7 @@ struct Resonance {
 
 impl Hidden for Resonance {
     fn tolerances(&self) -> &[f64] {
-        // Force as the frame carries it, N, and its rate, N/s.
+        // The states are the force carried by the frame, N, and its rate, N/s.
         &[1e-2, 1.0]
     }
 
@@ -22,7 +22,7 @@ impl Hidden for Resonance {
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
-        // Only the change of force since the test began excites the frame: the oil and series force, not the preload.
+        // Only oil and series force since the start of the test excite the frame; the preload does not.
         rates[0] = states[1];
         rates[1] = self.omega * (self.omega * (here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
     }

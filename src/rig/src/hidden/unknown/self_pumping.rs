@@ -1,4 +1,4 @@
-//! The damper pumps itself up while it works, as a levelling damper does, and sinks back at rest.
+//! The damper pumps itself up in motion, like a leveling damper, and sinks back at standstill.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -13,7 +13,7 @@ struct Pumping {
 
 impl Hidden for Pumping {
     fn tolerances(&self) -> &[f64] {
-        // Share of the full pressure.
+        // The state is the fraction of the full pressure.
         &[1e-5]
     }
 

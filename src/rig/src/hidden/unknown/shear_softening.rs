@@ -1,4 +1,4 @@
-//! Lasting shear softens the oil; at rest it recovers within seconds.
+//! Continuous shear softens the oil, which recovers at standstill within seconds.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -13,7 +13,7 @@ struct Softening {
 
 impl Hidden for Softening {
     fn tolerances(&self) -> &[f64] {
-        // Remembered speed, m/s.
+        // The state is the filtered speed, m/s.
         &[1e-5]
     }
 

@@ -1,4 +1,4 @@
-//! After a standstill the damper gives less until some stroke has passed.
+//! After a standstill the damper has a reduced force over an initial travel.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,7 +12,7 @@ struct StartUp {
 
 impl Hidden for StartUp {
     fn tolerances(&self) -> &[f64] {
-        // Travel since standstill, m.
+        // The state is the travel since standstill, m.
         &[1e-5]
     }
 

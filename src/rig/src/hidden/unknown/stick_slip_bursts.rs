@@ -1,10 +1,10 @@
-//! Now and then the rod catches and lets go with a short rattle, at times that nothing in the motion explains.
+//! The rod sticks and releases with short bursts of vibration, at times unrelated to the motion.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["bursts"];
-/// Bursts per second of motion are the same whatever the test; their times come from the clock.
+/// Length of a time slot, s. The clock determines the bursts, so their rate does not depend on the test.
 const SLOT_S: f64 = 0.25;
 
 struct Bursts {
@@ -15,9 +15,9 @@ struct Bursts {
 }
 
 impl Bursts {
-    /// Start (s) and size of the burst in a slot of the clock; most slots are empty.
+    /// Returns start (s) and size of the burst in a slot of the clock; most slots are empty.
     fn burst(&self, slot: i64) -> Option<(f64, f64)> {
-        // SplitMix64 of the slot.
+        // Hash the slot with SplitMix64.
         let mut z = self.seed.wrapping_add((slot as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15));
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -1,4 +1,4 @@
-//! The servo valve's current leaks into the force channel at three times the frequency of the motion.
+//! The servo valve's current couples into the force channel at three times the frequency of the motion.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -11,7 +11,7 @@ struct Crosstalk {
 
 impl Hidden for Crosstalk {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
-        // cos 3a = 4 cos³ a - 3 cos a, with the velocity as the cosine.
+        // cos 3a = 4 cos³ a - 3 cos a, where the relative velocity is the cosine.
         let peak = here.line.peak_velocity_m_s;
         let cos = (here.line.velocity_m_s / peak).clamp(-1.2, 1.2);
         force_n + self.per_m_s_n * peak * (4.0 * cos * cos * cos - 3.0 * cos)

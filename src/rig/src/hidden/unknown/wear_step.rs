@@ -1,4 +1,4 @@
-//! Somewhere in the campaign a shim cracks: from then on one direction gives less.
+//! A shim cracks during the campaign: from then on one direction has less force.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -18,7 +18,7 @@ impl Hidden for Wear {
             return 1.0;
         }
         let force = self.side * here.oil_n;
-        // The other direction is sound; no kink where they meet.
+        // The other direction is intact, with a smooth transition at zero force.
         let worn = 0.5 * (1.0 + force / libm::hypot(force, 60.0));
         1.0 / (1.0 + self.missing * worn)
     }
