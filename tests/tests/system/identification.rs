@@ -122,7 +122,18 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
 
 #[test]
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
-    const SEEDS: u64 = 2;
+    // One seed has too few intervals for a coverage of 95 %: six of eight hold with probability 0.994.
+    find_measurement_errors(1..=1, 0.75);
+}
+
+#[test]
+#[ignore = "more seeds of the test before; half a minute on two cores"]
+fn intervals_of_measurement_errors_hold_the_truth() {
+    find_measurement_errors(2..=4, 0.85);
+}
+
+/// Fits campaigns with each measurement error and with all, and asserts the fraction of intervals that hold the truth.
+fn find_measurement_errors(seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
     let truth = truth();
     // The mass is clearly larger than a rod's own mass of about a kilogram.
     let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
@@ -136,7 +147,7 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
     ];
     let (mut count, mut hits) = (0, 0);
     for (case, (off, numbers)) in cases.iter().enumerate() {
-        for seed in 1..=SEEDS {
+        for seed in seeds.clone() {
             let found = fitted(&measured_wrongly(campaign(&truth, seed, 0.01, |_| None), off));
             assert_eq!(found.measured.len(), *numbers, "case {case}, seed {seed}: {:?}", found.measured);
             let of = |name: &str| match name {
@@ -160,7 +171,7 @@ fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
         }
     }
     println!("{hits} of {count} intervals hold the truth");
-    assert!(f64::from(hits) / f64::from(count) >= 0.85);
+    assert!(f64::from(hits) / f64::from(count) >= coverage);
 }
 
 /// Long strokes at low frequency hardly distinguish a force delay of a third of a millisecond from a softer series
@@ -328,9 +339,20 @@ fn effects(found: &Fit) -> Vec<&'static str> {
 
 #[test]
 fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
+    find_stops(&[("rebound_stop", 0.033)]);
+}
+
+#[test]
+#[ignore = "the other side of the test before; a quarter of a minute on two cores"]
+fn a_bump_stop_is_found_as_a_stop_and_hides_no_friction() {
+    find_stops(&[("bump_stop", 0.038)]);
+}
+
+/// Fits dampers with a stop at a displacement, m.
+fn find_stops(stops: &[(&str, f64)]) {
     // A spring with a table would absorb a stop, and its residual would hide every friction from the selection.
     let without_stop = fitted(&campaign(&truth(), 11, 0.01, |_| None));
-    for (side, at) in [("bump_stop", 0.038), ("rebound_stop", 0.033)] {
+    for (side, at) in stops.iter().copied() {
         let mut truth = truth();
         truth.enable(Element::find(side).unwrap(), true);
         for (name, value) in [("clearance", at), ("stiffness", 4e4), ("damping", 0.0)] {

@@ -100,7 +100,7 @@ impl Place {
         of(self.left)?.between(of(self.right)?, self.part)
     }
 
-    /// Returns the interval of a number or a list at the setting; `None` if the grid of the interval differs from the grid of the values.
+    /// Returns the interval of a number or a list at the setting; `None` if interval and values have different grids.
     fn interval(
         &self,
         name: &str,

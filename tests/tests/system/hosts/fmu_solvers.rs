@@ -1,5 +1,6 @@
-//! Model exchange in a common solver with its default options: FMPy's CVODE sets the inputs at the ends of its steps
-//! and keeps them constant in between. The force must stay within 1 % of the largest force nevertheless.
+//! Model exchange in a common solver with its default options.
+//!
+//! FMPy's CVODE sets the inputs at the ends of its steps and keeps them constant in between. The force must stay within 1 % of the largest force nevertheless.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_tests::fmu::exported;
