@@ -12,7 +12,7 @@
 //! | [`tree`] | all probabilities: path, family, effect, form |
 //! | [`phrases`] | English templates of all sentences |
 //! | [`regions`] | regions where model and records disagree |
-//! | [`reference`], [`changes`] | form error shared by two dampers, and changes between them |
+//! | [`mod@reference`], [`changes`] | form error shared by two dampers, and changes between them |
 //! | [`groups`] | many dampers, each against one reference |
 //! | [`settings`] | one damper at several settings: effects of all settings and of some |
 //! | [`opposite`], [`warmer`] | differences of two campaigns other than the damper |

@@ -3,7 +3,7 @@
 //! | file | section |
 //! |---|---|
 //! | [`answer`] | the verdict, the error before and after, test by test |
-//! | [`inventory`](crate::inventory) | every effect of the model with its force |
+//! | [`crate::inventory`] | every effect of the model with its force |
 //! | [`both_curves`] | FV curves of the damper and the reference |
 //! | [`findings`] | the added effects with parameters, intervals and alternatives |
 //! | [`loops`] | loops of the tests with the largest disagreement |

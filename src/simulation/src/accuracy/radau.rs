@@ -1,6 +1,6 @@
 //! An independent integrator for references: Radau IIA of order 5 on the continuous equations.
 //!
-//! It shares only [`dashpot_core::evaluate`] with the kernel's step. The motion is exact, and Newton's method solves all three stages
+//! It shares only [`dashpot_core::evaluate()`] with the kernel's step. The motion is exact, and Newton's method solves all three stages
 //! together to rounding. The caller halves the step until the result is unchanged.
 
 use dashpot_core::evaluate::partials;

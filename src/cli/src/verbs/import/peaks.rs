@@ -33,7 +33,8 @@ pub struct Args {
     /// Columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
     #[arg(long, value_name = "COLUMN=HEADING")]
     column: Vec<String>,
-    /// Click whose curve is read from a table of an adjustable damper; all makes a model of each click; family makes one model over the clicks
+    /// Which click of an adjustable damper to read.
+    /// A number reads one, all makes a model of each, with the click behind its name, and family makes one model over the clicks
     #[arg(long, value_name = "N|all|family")]
     clicks: Option<String>,
     /// Gas force in the table's forces, N
