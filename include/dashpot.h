@@ -234,7 +234,7 @@ const char *dashpot_version(void);
 // one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 #define DASHPOT_OUT_OF_PROPORTION -37
 
-// A table of the model file is named as an element; parameters belong above the first [table].
+// A table of the model file is named as an element; parameters belong above the first `[table]`.
 #define DASHPOT_FILE_ELEMENT_TABLE -38
 
 // The grid of a setting is not 2 to 8 increasing numbers, or a setting is used without a grid.
@@ -249,7 +249,7 @@ const char *dashpot_version(void);
 // More than 32 numbers depend on the setting.
 #define DASHPOT_SETTING_TOO_MANY -42
 
-// A number is 0 at one setting only, so that a state exists at some settings and not at others.
+// A parameter is 0 at one setting and not at another. A state would then exist only at some settings.
 #define DASHPOT_SETTING_STATES -43
 
 // Returns the message of a status. Never null; valid as long as the library is loaded.

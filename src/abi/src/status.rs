@@ -100,7 +100,7 @@ pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
 /// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if all have
 /// one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
-/// A table of the model file is named as an element; parameters belong above the first [table].
+/// A table of the model file is named as an element; parameters belong above the first `[table]`.
 pub const DASHPOT_FILE_ELEMENT_TABLE: i32 = -38;
 /// The grid of a setting is not 2 to 8 increasing numbers, or a setting is used without a grid.
 pub const DASHPOT_SETTING_GRID: i32 = -39;
@@ -110,7 +110,7 @@ pub const DASHPOT_SETTING_COUNT: i32 = -40;
 pub const DASHPOT_SETTING_FIXED: i32 = -41;
 /// More than 32 numbers depend on the setting.
 pub const DASHPOT_SETTING_TOO_MANY: i32 = -42;
-/// A number is 0 at one setting only, so that a state exists at some settings and not at others.
+/// A parameter is 0 at one setting and not at another. A state would then exist only at some settings.
 pub const DASHPOT_SETTING_STATES: i32 = -43;
 
 /// Longest text, including the terminating zero.

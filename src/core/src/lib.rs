@@ -17,7 +17,7 @@
 //! then act on the mass, at x_m and v_m. F is then F_s plus the forces of a mass at the moving end, of the lagged
 //! polynomial and of the stops.
 //!
-//! [`evaluate`] returns force, state rates and partial derivatives at one instant; [`step`] advances by one host step.
+//! [`evaluate()`] returns force, state rates and partial derivatives at one instant; [`step()`] advances by one host step.
 
 #![no_std]
 #![forbid(unsafe_code)]

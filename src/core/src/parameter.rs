@@ -1,7 +1,7 @@
 //! The parameter table.
 //!
 //! Every element defines its rows (name, unit, default, bounds, meaning). The table is their sequence in the order of
-//! the element list ([`crate::list`]). It defines the C setter, the model file, the bounds of the identification and
+//! the element list ([`mod@crate::list`]). It defines the C setter, the model file, the bounds of the identification and
 //! the documentation.
 //!
 //! | module | content |

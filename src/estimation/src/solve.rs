@@ -5,7 +5,7 @@
 //! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna, arXiv:1201.5885,
 //!   2012). Narrow curved valleys, common for friction with a steep curve, then need tens of steps instead of thousands.
 //! - If a Jacobian costs many runs and only a ranking is needed, Broyden's rank-one update (Math. Comp. 19, 1965) replaces its computation.
-//! - The rows of each block are reduced to a triangular factor (see [`reduce`]) and stacked in their order. So a result does not depend on
+//! - The rows of each block are reduced to a triangular factor (see [`reduce()`]) and stacked in their order. So a result does not depend on
 //!   the number of threads.
 //! - Bounds by projection: a parameter at a bound whose descent direction points outward is fixed for that step.
 //! - Huber's loss by reweighting (Ann. Math. Stat. 35, 1964); Gaussian priors as further rows.

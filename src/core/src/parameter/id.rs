@@ -245,7 +245,7 @@ impl fmt::Display for Element {
     }
 }
 
-/// The [`Number`](crate::parameter::Number) of a name, looked up when the code is compiled.
+/// The [`Number`] of a name, looked up when the code is compiled.
 ///
 /// ```
 /// # use dashpot_core::{Params, number};
@@ -276,7 +276,7 @@ macro_rules! number {
     }};
 }
 
-/// The [`List`](crate::parameter::List) of a name, looked up when the code is compiled.
+/// The [`List`] of a name, looked up when the code is compiled.
 ///
 /// ```
 /// # use dashpot_core::{Params, list};
@@ -305,7 +305,7 @@ macro_rules! list {
     }};
 }
 
-/// The [`Element`](crate::parameter::Element) of a name, looked up when the code is compiled.
+/// The [`Element`] of a name, looked up when the code is compiled.
 ///
 /// ```
 /// # use dashpot_core::{Params, element};

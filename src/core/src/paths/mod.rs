@@ -12,8 +12,8 @@
 //! ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries the whole force,
 //! friction and gas act on the mass in addition to F_p.
 //!
-//! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`crate::step`] and the
-//! short formulas of [`crate::evaluate`] then apply, and no code of this module runs.
+//! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`mod@crate::step`] and the
+//! short formulas of [`mod@crate::evaluate`] then apply, and no code of this module runs.
 
 pub mod acting;
 pub mod bits;

@@ -123,7 +123,7 @@ impl Artefact {
 
     /// Applies the measurement error to the forces at the samples of a test.
     ///
-    /// A delay is the force of an earlier motion ([`earlier`]); a filter is [`low_pass`] at finer steps.
+    /// A delay is the force of an earlier motion ([`earlier`]); a filter is [`low_pass()`] at finer steps.
     pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {
         match self {
             Artefact::Delay | Artefact::LowPass => {}

@@ -2,7 +2,7 @@
 //!
 //! Each model has a file of its own with the paper that defines it. It is identified from the tests of dashpot's model by the same least
 //! squares, and then predicts the force of any motion. The models serve for comparison only. The kernel can run those for which it has
-//! elements ([`Literature::params`]). The others are stored in a separate format ([`file`]).
+//! elements ([`Literature::params`]). The others are stored in a separate format ([`mod@file`]).
 //!
 //! | file | model |
 //! |---|---|
@@ -21,7 +21,7 @@
 //! | [`observation`] | tests in the form that the models use, from the fit's segments or from a record |
 //! | [`law`] | parameters, starts and least squares of models that are formulas |
 //! | [`bristle`] | normalized hysteresis of Dahl, Bouc-Wen and Spencer over a travel |
-//! | [`file`] | file of a model that the kernel cannot run |
+//! | [`mod@file`] | file of a model that the kernel cannot run |
 
 mod bouc_wen;
 mod bristle;

@@ -15,7 +15,7 @@ pub(crate) struct Motion {
     pub name: String,
     pub time: Vec<f64>,
     pub begins: Option<f64>,
-    /// See [`Samples::about`].
+    /// Metadata of the test.
     pub about: TestMetadata,
     pub displacement: Vec<f64>,
     pub velocity: Vec<f64>,

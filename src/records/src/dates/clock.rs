@@ -167,7 +167,7 @@ fn day(text: &str) -> Option<f64> {
 }
 
 /// Reads a date from year, month and day. The separators determine the order. With slashes the month comes first if
-/// possible, as in America. With hyphens the day comes first. [`crate::campaign::date_agreement`] decides which order
+/// possible, as in America. With hyphens the day comes first. The module `campaign::date_agreement` decides which order
 /// is right.
 pub(crate) fn date(text: &str) -> Option<Date> {
     let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;

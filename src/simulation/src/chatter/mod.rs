@@ -18,7 +18,7 @@
 //! | `gain` | gain over motions and over the FV curve |
 //! | [`Turning`] | result of the simulated host loop |
 //! | [`chatter`] | full check of one damper, and the element at fault |
-//! | [`softened`] | damper that does not chatter |
+//! | [`mod@softened`] | damper that does not chatter |
 //! | [`Ready`] | damper checked in a host and prepared for it |
 //! | `told` | messages |
 
