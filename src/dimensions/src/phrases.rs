@@ -29,6 +29,8 @@ dashpot_records::phrases! {
     NO_LEAK: "no leak shows beside the orifice";
     OPENING_AT: "opening at the largest force of the table";
     HAD_PRIOR: "the fit had a prior of the dimensions for it";
+    COMMA: ", ";
+    IN_DOUBT: "uses {entries} as drawn, which the contradiction below puts in doubt";
     SEMICOLON: "; ";
     // Contradictions.
     CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives.";

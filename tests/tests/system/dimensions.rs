@@ -71,6 +71,11 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
     );
     assert_eq!(contradiction["parameter"], "gas_force");
     assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");
+    // What was computed with an entry in doubt says so.
+    let quantities = found["quantities"].as_array().unwrap();
+    let pressure = quantities.iter().find(|of| of["name"] == "gas_pressure").unwrap();
+    assert!(pressure["note"].as_str().unwrap().contains("uses rod_mm as drawn"), "{found}");
+    assert_eq!(contradiction["entries"].as_array().unwrap().len(), 2);
 }
 
 #[test]

@@ -51,7 +51,15 @@ fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions
         .with("ratio", two_digits(model / dimensions))
         .with("dimensions", with_unit(dimensions))
         .with_sentence("facts", facts(expectation, drawing));
-    Contradiction { parameter: expectation.number.name(), model, dimensions, ratio: model / dimensions, unit, text }
+    Contradiction {
+        parameter: expectation.number.name(),
+        model,
+        dimensions,
+        ratio: model / dimensions,
+        unit,
+        entries: expectation.from.clone(),
+        text,
+    }
 }
 
 /// Formats the entries with their values, as in a drawing.

@@ -25,7 +25,17 @@ pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     oil::explain(&model, drawing, &mut to);
     valves::explain(&model, drawing, &mut to);
     contradictions::explain(&model, drawing, &mut to);
+    let mut doubted: Vec<&'static str> =
+        to.contradictions.iter().flat_map(|found| found.entries.iter().copied()).collect();
+    doubted.sort_unstable();
+    doubted.dedup();
     for quantity in &mut to.quantities {
+        let own: Vec<&str> = quantity.from.iter().copied().filter(|name| doubted.contains(name)).collect();
+        if !own.is_empty() {
+            let doubt = Sentence::from(phrases::IN_DOUBT).with_names("entries", own, phrases::COMMA);
+            let all = quantity.note.take().into_iter().chain([doubt]).collect();
+            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
+        }
         if quantity.from.iter().any(|name| model.had_prior(name)) {
             let all = quantity.note.take().into_iter().chain([phrases::HAD_PRIOR.into()]).collect();
             quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));

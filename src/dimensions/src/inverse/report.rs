@@ -53,6 +53,8 @@ pub struct Contradiction {
     pub ratio: f64,
     /// Unit of both.
     pub unit: &'static str,
+    /// Entries of the drawing that the value was computed from: at least one of them is wrong, or the model is.
+    pub entries: Vec<&'static str>,
     /// Message.
     pub text: Sentence,
 }

@@ -121,8 +121,11 @@ fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
     let rows: Vec<Vec<Cell>> = actuator_numbers(&model.axis, &model.identification)
         .into_iter()
         .map(|number| {
-            let known = |end: usize| number.interval.map_or_else(Cell::none, |ends| Cell::digits(ends[end], 3));
-            vec![number.name.into(), Cell::digits(number.value, 3), number.unit.into(), known(0), known(1)]
+            // Response times stand in ms in the table of the steps, too.
+            let (unit, factor) = if number.unit == "s" { ("ms".to_owned(), 1e3) } else { (number.unit, 1.0) };
+            let known =
+                |end: usize| number.interval.map_or_else(Cell::none, |ends| Cell::digits(factor * ends[end], 3));
+            vec![number.name.into(), Cell::digits(factor * number.value, 3), unit.into(), known(0), known(1)]
         })
         .collect();
     let columns = vec![

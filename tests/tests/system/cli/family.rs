@@ -404,6 +404,26 @@ fn a_constant_column_of_the_motion_is_the_option() {
 }
 
 #[test]
+fn a_table_of_clicks_is_one_model_over_the_clicks() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    let table = "Velocity [m/s],C 0 clk [N],C 8 clk [N],R 0 clk [N],R 8 clk [N]\n\
+                 0.05,200,100,300,150\n0.1,300,160,500,260\n0.3,,300,900,500\n0.5,700,420,1300,700\n";
+    std::fs::write(dir.join("clicks.csv"), table).unwrap();
+    let printed = done(dir, &["import", "peaks", "clicks.csv", "-o", "adjuster.toml", "--clicks", "family"]);
+    assert!(printed.contains("not every click has a force at -300.0 mm/s"), "{printed}");
+    for (setting, rebound, compression) in [("0", 1300.0, -700.0), ("8", 700.0, -420.0)] {
+        done(dir, &["setting", "adjuster.toml", setting, "-o", "one.toml", "--force"]);
+        let one = dashpot_identification::model_file::read_family(&dir.join("one.toml")).unwrap();
+        let forces = one.params.list(list!("fv_force"));
+        assert_eq!((forces.first(), forces.last()), (Some(&compression), Some(&rebound)));
+    }
+    std::fs::write(dir.join("clicks.csv"), table.replace("R 8", "R 9")).unwrap();
+    let message = refused(dir, &["import", "peaks", "clicks.csv", "-o", "other.toml", "--clicks", "family"]);
+    assert!(message.contains("clicks.csv") && !dir.join("other.toml").exists(), "{message}");
+}
+
+#[test]
 fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();

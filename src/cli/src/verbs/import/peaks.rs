@@ -5,7 +5,6 @@ use anyhow::{Context as _, bail};
 use dashpot_identification::of_peaks::{Begun, family_of_peaks, of_peaks};
 use dashpot_output::Kind;
 use dashpot_records::{PeakOptions, Positive, assignment, peak_clicks};
-use dashpot_report::numbers::digits;
 use std::path::{Path, PathBuf};
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
@@ -86,7 +85,7 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
     let begun: Begun = make(&args.input, &options, args.gas_force, args.friction)?;
     dashpot_output::write(output, &begun.text)?;
     if !begun.left_out.is_empty() {
-        let speeds: Vec<String> = begun.left_out.iter().map(|speed| digits(1e3 * speed, 3)).collect();
+        let speeds: Vec<String> = begun.left_out.iter().map(|speed| format!("{:.1}", 1e3 * speed)).collect();
         let text = format!("note: not every click has a force at {} mm/s; left out", speeds.join(", "));
         dashpot_output::say(Some(output), &text)?;
     }

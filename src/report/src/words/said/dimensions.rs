@@ -140,6 +140,12 @@ pub const ALL: &[Said] = &[
         "表中最大力时的开口",
     ],
     [
+        "uses {entries} as drawn, which the contradiction below puts in doubt",
+        "verwendet {entries} nach Zeichnung; der Widerspruch unten stellt das in Frage",
+        "utilise {entries} selon le plan, ce que la contradiction ci-dessous met en doute",
+        "按图纸使用 {entries}，下述矛盾使其存疑",
+    ],
+    [
         "the fit had a prior of the dimensions for it",
         "die Anpassung hatte dafür einen Prior aus den Maßen",
         "l’ajustement avait pour cela un a priori tiré des dimensions",
