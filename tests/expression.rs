@@ -104,8 +104,8 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Term {
         if self.take('-') {
-            // The sign has precedence over a product here, and not in Adams; the value is equal.
-            return Term::Negative(Box::new(self.atom()));
+            // A power binds more tightly than a sign. A product does, too, in Adams; here it does not, and the value is equal.
+            return Term::Negative(Box::new(self.power()));
         }
         if self.take('(') {
             let term = self.sum();

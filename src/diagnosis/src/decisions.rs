@@ -3,6 +3,11 @@
 /// Smallest probability at which an effect is named. Below it the name is more likely wrong than right.
 pub const NAMED: f64 = 0.5;
 
+/// Residual over the noise of the mean cycles beyond which a diagnosis without a finding states both.
+///
+/// Below, the noise itself limits what can be found. It decides on a note alone.
+pub const CLEARLY: f64 = 2.0;
+
 /// Largest root mean square residual at which nothing is missing, in units of noise and curve error.
 ///
 /// Beyond it the form error is larger than the noise.

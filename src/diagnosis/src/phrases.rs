@@ -41,6 +41,7 @@ dashpot_records::phrases! {
     NOT_EXPLAINED: "{percent} of the disagreement is not explained by what was named: another form of it, or something else";
     IMMATERIAL: "the improved model has {effects} besides, not named: in no test is the force beyond the noise and 0.5 % of the measured force";
     TEST_AND_TIMES: "{test} ({times} times)";
+    DETECTION_LIMIT: "the model misses the mean cycles by {residual} N rms, and their noise is {noise} N: the difference counts as the form of the FV curve, and an effect of that size cannot be told from it";
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
     UNCHANGED: "nothing has changed that these records can show ({percent} sure): the reference's model is off by {times}{not_seen}{not_confirmed}";

@@ -27,6 +27,8 @@ const SHORTEST: f64 = 0.03;
 const SETTLED: f64 = 0.25;
 /// Difference of force, relative to the largest, below which an instant of a step is not used.
 const LEAST: f64 = 0.2;
+/// Smallest fraction of the way at which a response may end. A shorter one would be scaled up by more than five.
+const SHORTEST_WAY: f64 = 0.2;
 /// Largest error by rounding of the motion, relative to the difference of force, at which an instant is used.
 ///
 /// If the velocity is a derivative of the position, its window rounds a corner of the motion. At a limit of 1, a step shortly before a turn
@@ -134,7 +136,7 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     // The force change of a step starts at the force before it.
     let [zero, one] = ends(&model, grid);
     let model = scaled(&model, zero, 1.0);
-    let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), LEAST, 1.0);
+    let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), SHORTEST_WAY, 1.0);
     let [zero, one] = ends(&measured, grid);
     let measured = scaled(&measured, zero, zero + (one - zero) / settled);
     ([measured, model], settled)

@@ -247,8 +247,10 @@ impl Session {
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         if let Some((axis, _)) = model.over_setting() {
-            // Ignore an incompatible unit: the setting of such a record is not this damper's.
-            let _ = restate_settings(axis, records.iter_mut().chain(&mut of_reference));
+            // Each by itself: an incompatible unit is the setting of another damper and must not stop the others.
+            for record in records.iter_mut().chain(&mut of_reference) {
+                let _ = restate_settings(axis, [record]);
+            }
         }
         let note = model.identification.right(records.iter_mut().chain(&mut of_reference));
         let reference = others.map(|others| Arc::new(others.seen_as(of_reference, note.clone())));

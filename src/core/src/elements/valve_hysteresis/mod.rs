@@ -71,7 +71,7 @@ struct Passage {
     /// h.
     h: f64,
     /// Derivative of g over x.
-    d_force_d_x: f64,
+    d_g_d_x: f64,
 }
 
 /// Largest number of iterations for the opening and its feedback.
@@ -325,7 +325,7 @@ impl<T: Tables> ValveHysteresis<T> {
         let root = libm::sqrt(beyond * beyond + width * width);
         let h = self.middle + 0.5 * (beyond + root);
         let at = self.conductance.conducted(curve, h, stroke);
-        Passage { g: at.g, h, d_force_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
+        Passage { g: at.g, h, d_g_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
     /// Computes the factor by which a valve at p increases F, with its derivative over the ratio of two conductances.
@@ -392,11 +392,11 @@ impl<T: Tables> ValveHysteresis<T> {
             let p = self.follows(Dual::<2>::along(found, 0), Dual::along(known, 1), g);
             let now = self.conducts(curve, p.value * stroke, stroke);
             let ratio = steady.g / now.g;
-            let (by, derivative) = self.raises(force, p.value, ratio, now.d_force_d_x);
+            let (by, derivative) = self.raises(force, p.value, ratio, now.d_g_d_x);
             let late = force * by;
             // ∂F_h over the conductance of the passage at F, and at p.
             let (by_steady, by_now) = (force * derivative / now.g, -force * derivative * ratio / now.g);
-            let by_p = by_now * now.d_force_d_x * stroke;
+            let by_p = by_now * now.d_g_d_x * stroke;
             let steep = 1.0 - found * by_p * p.derivative(0) / late;
             let off = late / found;
             let step = 2.0 * (off - 1.0) / ((off + 1.0) * if steep > 0.5 { steep } else { 0.5 });
@@ -418,7 +418,7 @@ impl<T: Tables> ValveHysteresis<T> {
             let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
             let derivatives = [
-                (by + by_steady * steady.d_force_d_x * stroke) * per,
+                (by + by_steady * steady.d_g_d_x * stroke) * per,
                 by_p * p.derivative(1) * per,
                 by_steady * steady_by * per,
                 by_now * now_by * per,
@@ -447,9 +447,9 @@ impl<T: Tables> ValveHysteresis<T> {
         let (f, p) = (force.value(), stands.value());
         let stroke = if f < 0.0 { -1.0 } else { 1.0 };
         let [steady, now] = [f, p].map(|x| self.conducts(curve, x * stroke, stroke));
-        let ratio = force.chain(steady.g, steady.d_force_d_x * stroke)
-            * stands.chain(now.g, now.d_force_d_x * stroke).inverse();
-        let (by, derivative) = self.raises(f, p, ratio.value(), now.d_force_d_x);
+        let ratio =
+            force.chain(steady.g, steady.d_g_d_x * stroke) * stands.chain(now.g, now.d_g_d_x * stroke).inverse();
+        let (by, derivative) = self.raises(f, p, ratio.value(), now.d_g_d_x);
         let late = force * ratio.chain(by, derivative);
         if self.is_spool() {
             let pushed = late - stands - rate * (2.0 * self.damping);

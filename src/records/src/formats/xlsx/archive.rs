@@ -7,9 +7,9 @@ use crate::source::{Budget, Exhausted};
 /// Unpacked size of all parts of a workbook together that is always allowed, bytes.
 ///
 /// The strings need several times their size in memory, so their limit is lower.
-const LARGEST_PART: u64 = 256 << 20;
+const LARGEST_UNPACKED: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
-/// A workbook may unpack to this multiple of its size where that exceeds [`LARGEST_PART`]. For sheets of numbers the
+/// A workbook may unpack to this multiple of its size where that exceeds [`LARGEST_UNPACKED`]. For sheets of numbers the
 /// ratio is below twelve.
 const UNPACKED: u64 = 20;
 /// Longest tag with the text after it, bytes. A cell contains at most 32,767 letters.
@@ -26,7 +26,7 @@ const TAG: u64 = 40;
 pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result<Metered<'a>, String> {
     let size = bytes.len() as u64;
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
-    let mut left = LARGEST_PART.max(UNPACKED * size);
+    let mut left = LARGEST_UNPACKED.max(UNPACKED * size);
     let mut parts = Vec::new();
     for index in 0..archive.len() {
         let mut part = archive.by_index(index).map_err(|e| e.to_string())?;
@@ -47,7 +47,8 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
                 return Err(format!("it announces {} strings, more than it can hold", count.unwrap_or(0)));
             }
         }
-        let limit = if strings { left.min(LARGEST_STRINGS.max(size)) } else { left };
+        let of_strings = LARGEST_STRINGS.max(size);
+        let limit = if strings { left.min(of_strings) } else { left };
         let is_xml = [".xml", ".rels"].iter().any(|ending| name.ends_with(ending));
         let mut piece = [0; 1 << 14];
         loop {
@@ -57,7 +58,11 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
             }
             scan.take(&piece[..read]);
             if scan.bytes > limit {
-                return Err(format!("its part {name} unpacks to more than {} MiB", limit >> 20));
+                return Err(if limit == of_strings && strings {
+                    format!("its part {name} unpacks to more than {} MiB", limit >> 20)
+                } else {
+                    format!("it unpacks to more than {} MiB", LARGEST_UNPACKED.max(UNPACKED * size) >> 20)
+                });
             }
             if is_xml && scan.longest > LONGEST {
                 return Err(format!(
@@ -76,7 +81,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
             budget.hold(scan.tags.saturating_mul(scan.longest + STYLE))?;
         }
     }
-    budget.work(size + (LARGEST_PART.max(UNPACKED * size) - left))?;
+    budget.work(size + (LARGEST_UNPACKED.max(UNPACKED * size) - left))?;
     parts.sort_by_key(|part| part.start);
     if parts.windows(2).any(|pair| pair[0].end > pair[1].start) {
         return Err("its parts overlap".into());

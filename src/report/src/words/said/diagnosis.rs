@@ -171,6 +171,12 @@ pub const ALL: &[Said] = &[
     ],
     ["{test} ({times} times)", "{test} ({times}-fach)", "{test} ({times} fois)", "{test}（{times} 倍）"],
     [
+        "the model misses the mean cycles by {residual} N rms, and their noise is {noise} N: the difference counts as the form of the FV curve, and an effect of that size cannot be told from it",
+        "das Modell verfehlt die gemittelten Zyklen um {residual} N effektiv, ihr Rauschen ist {noise} N: der Unterschied gilt als Form der FV-Kurve, und ein Effekt dieser Größe ist davon nicht zu unterscheiden",
+        "le modèle s’écarte des cycles moyens de {residual} N efficaces, et leur bruit est de {noise} N : la différence compte comme forme de la courbe FV, et un effet de cette taille n’en est pas distinguable",
+        "模型与平均循环的偏差为 {residual} N（有效值），其噪声为 {noise} N：差值计入 FV 曲线的形状误差，同等大小的效应无法与之区分",
+    ],
+    [
         "too rare or too small to be named, but these tests are missed: {tests}",
         "zu selten oder zu klein, um benannt zu werden, aber diese Versuche werden verfehlt: {tests}",
         "trop rare ou trop petit pour être nommé, mais ces essais sont manqués : {tests}",
