@@ -1,4 +1,4 @@
-//! The parameter table: the rows of all groups in sequence.
+//! The rows of the parameter table, group by group.
 
 use crate::fault::{Fault, Reason};
 use crate::parameter::groups::GROUPS;
