@@ -104,7 +104,7 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Term {
         if self.take('-') {
-            // The sign has precedence over a product here, and not in Adams; the value is equal.
+            // Here the sign has precedence over a product; in Adams it does not. The value is equal.
             return Term::Negative(Box::new(self.atom()));
         }
         if self.take('(') {

@@ -49,9 +49,9 @@ const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// Limits of the automatic choice for the mass behind a linear spring.
 ///
 /// The method of three stages requires n² ≥ `EVEN` f L^1.6, that of four stages n³ ≥ `CUBIC` L f². Here f is the
-/// frequency times the step, and L the overshoot of the mass. The limits were determined with masses of 0.1 to 2 kg,
-/// springs of 0.3 to 30 MN/m and FV curves of 0.3 to 3 times the default curve. The error is below a thousandth in all
-/// these cases (core/tests/accuracy.rs). With smaller limits, the error exceeds a thousandth in some cases.
+/// frequency times the step, and L the overshoot of the mass. The limits come from masses of 0.1 to 2 kg, springs of
+/// 0.3 to 30 MN/m and 0.3 to 3 times the default FV curve. The error is below a thousandth in all these cases
+/// (core/tests/accuracy.rs). With smaller limits, the error exceeds a thousandth in some cases.
 const EVEN: f64 = 0.4;
 const CUBIC: f64 = 0.12;
 
@@ -143,8 +143,8 @@ impl Integration {
         };
         let substeps = params.number(number!("substeps")) as u32;
         // The motion of the mass on its series spring is stiff. Let f be its frequency times the step, and n the number
-        // of substeps for a given error. f is proportional to n² for few substeps and to n for many. For 0.1 % error,
-        // f/n is then 4 to 6, and smaller with less damping (tests/tests/system/hosts/bridge_accuracy.rs).
+        // of substeps for a given error. For few substeps, f is proportional to n², for many to n. For many and 0.1 %
+        // error, f/n is 4 to 6, and smaller with less damping (tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.number(number!("series_stiffness")) * (1.0 + added);

@@ -76,8 +76,8 @@ proptest! {
 
 /// Computes the energy in the springs and masses.
 ///
-/// Energy is stored in the series spring with its gap and bushing, in the oil column, and in all masses that move with
-/// the piston or the moving end.
+/// These are the series spring with gap and bushing, the oil column, and all masses that move with the piston or the
+/// moving end.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
     let series = &e.series_compliance;

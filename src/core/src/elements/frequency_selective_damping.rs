@@ -17,8 +17,8 @@ use crate::schema::{Describe, Parameter, View};
 /// the sign of the previous stroke, so the bypass is open until z changes sign.
 ///
 /// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. The flow, as a velocity, is q_s (1
-/// − y) r(F_h)/r(1 kN). r is the law of a passage with laminar flow below F_l (see [`crate::paths::bypass`]). y = |z|
-/// is the filling of the chamber of the current stroke. It satisfies τ dz/dt = tanh(F_h/F_0) (1 − |z|): a higher
+/// − y) r(F_h)/r(1 kN). The law r is that of a passage with laminar flow below F_l (see [`crate::paths::bypass`]). The
+/// filling of the current stroke's chamber is y = |z|. It satisfies τ dz/dt = tanh(F_h/F_0) (1 − |z|): a higher
 /// pressure fills the chamber faster. The chamber of the other stroke empties through a check valve in τ/10. Below
 /// about F_0/20 both chambers empty.
 #[derive(Clone, Copy, Debug)]

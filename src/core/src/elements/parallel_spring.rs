@@ -8,7 +8,7 @@ use crate::schema::kind::{Many, One};
 use crate::schema::{Describe, Own, Parameter, View};
 use crate::tables::{Lookup, Owned, Tables};
 
-/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis tries one term at a time and chooses the
+/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x). The thesis tries one term at a time and chooses the
 /// quadratic one.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {

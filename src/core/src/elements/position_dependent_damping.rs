@@ -12,8 +12,8 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
 ///
-/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN), nearly proportional to the square root
-/// of the force above a few newtons; see [`crate::paths::bypass`].
+/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN). Above a few newtons this is nearly
+/// proportional to √F_h; see [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
     pub(crate) is_groove: bool,

@@ -13,7 +13,7 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// The force reverses within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the
 /// start; with a larger n it first deflects elastically. With an elastic return, a deflected contact does not slip
-/// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²): below the velocity v_c the contact creeps, and the
+/// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the
 /// friction of a long slow motion is less than F_c.
 #[derive(Clone, Copy, Debug)]
 pub struct PreslidingFriction {

@@ -2,8 +2,8 @@
 
 use crate::dual::Real;
 
-/// d(F) = F/k + g F/(|F| + F_0): at large forces, the deflection of the spring alone plus g on either side; softest at
-/// F = 0.
+/// d(F) = F/k + g F/(|F| + F_0). At large forces, the deflection is that of the spring plus g on either side; the law
+/// is softest at F = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct SoftGap {
     /// g, m.

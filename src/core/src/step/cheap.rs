@@ -7,9 +7,9 @@
 //! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
 //! ```
 //!
-//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a straight line
-//! through the FV curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. F̃_d is the tangent
-//! there or the secant to standstill, whichever is steeper:
+//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a line through the FV
+//! curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. F̃_d is the tangent there or the
+//! secant to standstill, whichever is steeper:
 //!
 //! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. With a
 //!   digressive curve, the tangent would still have a large force at standstill and accelerate the mass.

@@ -28,7 +28,7 @@ pub struct Stage<'a> {
     pub u: f64,
     /// a + g F_d', the denominator of every derivative of u.
     pub denominator: f64,
-    /// The factor a/g of u in the stage's equation divided by g, N s/m.
+    /// The `denominator` divided by g, N s/m.
     pub resistance: f64,
     /// Linearized force of the springs on the mass.
     pub inner: Response,

@@ -34,8 +34,8 @@ pub use stage::Seed;
 
 /// Bounds of the length of a step, s.
 ///
-/// A step longer than the first bound changes the states by more than their rounding errors. In a step shorter than the
-/// second bound, the cubic motion of the host stays finite.
+/// A step longer than the first bound changes the states by more than their rounding errors. The second bound is far
+/// above the step of any host.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
@@ -294,8 +294,8 @@ fn known_part<const ON: u32>(
 /// Clamps openings and fillings to their ranges and returns the bit set of the clamped states.
 ///
 /// Every stage ends within the ranges. The fourth-order method combines stages with weights of up to 31, so its known
-/// parts can lie outside. With an opening of 2.5 times the range, the lag would cancel more than the whole force, and
-/// the equation of the stage would have no unique solution.
+/// parts can lie outside. With an opening of 2.5 times the range, the lag would cancel more than the whole force. The
+/// equation of the stage would then have no unique solution.
 #[inline(always)]
 fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32 {
     let mut kept = 0;
@@ -469,8 +469,8 @@ const CALM: u32 = 8;
 /// extrapolation.
 ///
 /// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
-/// bushing released in a step of 2 ms was 1.8 times too high (search, seed 295465, case 53629). With a limit of 2, this
-/// error does not occur. For a spool at a reversal, the ratio was 3.2.
+/// released bushing was 1.8 times too high at 2 ms (search, seed 295465, case 53629). With a limit of 2, this error
+/// does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
 /// Smallest relevant difference, relative to the size of the forces. A smaller difference does not count as an
 /// overshoot.

@@ -21,7 +21,7 @@ pub(super) struct Tableau {
     pub latest: usize,
     /// Whether the plain step linearizes the forces and has a closed form ([`super::cheap`]).
     pub along_lines: bool,
-    /// Extrapolation from the latest stage to the end, relative to the range of the previous stages; at least a given
+    /// Time from the latest stage to the end, relative to the time from the first stage to the latest; at least a given
     /// minimum.
     pub goes_on: f64,
 }

@@ -169,7 +169,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             factors,
         };
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
-        // Tolerance at which the velocity error moves the mass by at most a nanometer; it matters in long stages.
+        // Tolerance at which the last step moves the mass by at most a nanometer. It matters in long stages.
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
         let tolerance = min(short, TOLERANCE);
         // If no element lies between the moving end and the valves, the oil has the velocity of the moving end.
