@@ -16,7 +16,7 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// Builds the command with the crates of the tests, which avoids compiling most of them again.
+/// Builds the command in the profile of the tests, so that most crates are not compiled again.
 ///
 /// This command therefore unwinds on a panic, whereas the shipped command aborts. The build names no package, so that
 /// the features are those of the whole workspace.

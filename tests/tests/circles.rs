@@ -1,9 +1,9 @@
 //! The files of a crate have no circular dependencies. Files with a circular dependency can only be understood
 //! together. Code that both files need belongs in a separate file that uses neither.
 //!
-//! Tests inside a file do not count. Neither does the use of names from the `mod.rs` of an enclosing folder, because a
-//! folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file that
-//! defines it.
+//! Tests inside a file do not count. Uses of names from the `mod.rs` of an enclosing folder do not count either,
+//! because a folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file
+//! that defines it.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
@@ -142,7 +142,7 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
                 let mut reader = Reader { here: &here, room: Room { file: path, ..Room::default() } };
                 reader.visit_file(&file);
                 let room = reader.room;
-                // For a command with a library of the same name, the library takes precedence.
+                // If a crate has both `lib.rs` and `main.rs`, the library takes precedence.
                 rooms.entry(here).or_insert(room);
             }
         }

@@ -1,4 +1,4 @@
-//! The elements of one model: prepared, and summed by their position in the model.
+//! The prepared elements of one model, and their sums by position in the model.
 
 use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
@@ -259,13 +259,13 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Returns whether an inner element is so nonlinear that no linearization holds for a stage.
+            /// Returns whether an inner element is too nonlinear for one linearization per stage.
             #[inline(always)]
             pub fn is_nonlinear(&self) -> bool {
                 false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
             }
 
-            /// Sums the inner elements if none of them is nonlinear ([`Elements::is_nonlinear`]).
+            /// Sums the inner elements; requires that [`Elements::is_nonlinear`] is false.
             #[inline(always)]
             pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;

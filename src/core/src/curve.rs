@@ -2,8 +2,7 @@
 //!
 //! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
 //! *resolvent* of an implicit step: the `u` that satisfies `a u + b f(u) = r` ([`Curve::solve`]). The solution is
-//! unique, because the curve never falls. The number of operations does not depend on the data, because the knots are
-//! known.
+//! unique, because the curve never falls. The number of operations does not depend on the data.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
@@ -220,7 +219,8 @@ impl Curve {
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
         let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
         for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
-            // Piece i lies left of point i; the first and the last piece extrapolate the curve by its end derivative.
+            // Piece i lies left of point i. The first and the last piece extrapolate the curve with its end
+            // derivatives.
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
@@ -437,7 +437,7 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
 }
 
 /// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// It is zero if their signs differ, and one-sided at the ends.
+/// The derivative is zero if the chords differ in sign, and one-sided at the ends.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();

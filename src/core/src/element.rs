@@ -81,7 +81,7 @@ impl StateResponse {
 pub struct EndState {
     /// The state z.
     pub z: f64,
-    /// Force, with total derivatives over displacement and velocity at the end of the step: they include the change of z.
+    /// Force, with total derivatives with respect to final displacement and velocity, which include the change of z.
     pub response: Response,
 }
 
@@ -147,13 +147,13 @@ pub trait Force {
         None
     }
 
-    /// Returns whether the force is so nonlinear that a linearization may not hold for a stage.
+    /// Returns whether the force may be too nonlinear for one linearization per stage.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
     }
 
-    /// Computes [`Force::force`] if [`Force::is_nonlinear`] is false.
+    /// Computes [`Force::force`]; requires that [`Force::is_nonlinear`] is false.
     #[inline(always)]
     fn linear_force(&self, at: &Motion) -> Response {
         self.force(at)

@@ -58,7 +58,7 @@ fn displacement(state: &State, input: &Input) -> f64 {
     input.displacement.unwrap_or(state.displacement)
 }
 
-/// Computes the force at a state, with the derivatives over the input at constant state.
+/// Computes the force at a state, with its derivatives with respect to the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }

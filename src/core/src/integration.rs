@@ -28,9 +28,9 @@ pub struct Integration {
     /// Frequency, rad/s, of a ringing mass whose energy is removed by steps too long to resolve it
     /// ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
     quiets_at: f64,
-    /// Longest step, s, that is one substep of the method.
+    /// Longest step, s, for which one substep of the method suffices.
     one_up_to: f64,
-    /// Longest step, s, that is one cheap step; 0 with another method.
+    /// Longest step, s, for which one cheap step suffices; 0 with another method.
     pub(crate) cheap_up_to: f64,
 }
 

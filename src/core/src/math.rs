@@ -1,7 +1,7 @@
 //! Elementary functions with the same digits on every platform, and with a known, branch-free cost.
 //!
-//! `exp` and `tanh` are accurate to a few units in the last place. For `exp` this error is relative. For `tanh` it is
-//! absolute, because `tanh` multiplies a friction level.
+//! `exp` and `tanh` are accurate to a few units in the last place. For `exp` this error is relative. For `tanh` the
+//! error is absolute, because `tanh` multiplies a friction level.
 
 /// Largest argument magnitude of [`exp`]. Larger arguments give the result at the bound, so no result is infinite or
 /// subnormal.

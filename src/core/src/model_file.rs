@@ -821,7 +821,7 @@ mod tests {
                      gas_force = 151.93 # N\n\n[end]\n";
         let end = whole.find("[end]\n").unwrap();
         assert!(read(whole.as_bytes(), &mut Params::new()).is_ok());
-        // Begin where the parameters begin. A file cut inside the first value would otherwise be a valid damper.
+        // Truncate the file at every position from the first parameter on.
         for cut in whole.find("format").unwrap()..whole.len() {
             let refused = read(&whole.as_bytes()[..cut], &mut Params::new()).is_err();
             assert_eq!(refused, cut <= whole.rfind('[').unwrap(), "{cut} of {end}: {:?}", &whole[..cut]);

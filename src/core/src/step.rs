@@ -60,7 +60,7 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
 
 /// Advances a state and writes the new state and the output to the caller's variables.
 ///
-/// Returns false, and leaves both unchanged, if the output is not finite.
+/// Returns false if the output is not finite. The state is then `from`, and the output stays unchanged.
 #[inline]
 pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) -> bool {
     *state = *from;
@@ -69,8 +69,8 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 
 /// Advances a state in place.
 ///
-/// Returns false, and leaves state and output unchanged, if the output is not finite. Only an input or a state far
-/// outside the range of dampers causes this.
+/// Returns false if the output is not finite; state and output then stay unchanged. Only inputs or states far outside
+/// the range of dampers cause this.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     move_on(model, state, to, dt, output, true)

@@ -1,7 +1,8 @@
 //! The large tables that elements read, and their owners.
 //!
 //! A model owns its tables. A model at a setting between two grid values exists for one step. It borrows the tables
-//! from the family and stores nothing large: see [`crate::family`]. The formulas of the elements are the same for both.
+//! from the family and stores nothing large: see [`crate::family`]. The formulas of the elements are the same for both
+//! kinds of model.
 
 use crate::curve::{Above, Value};
 use core::fmt::Debug;

@@ -604,7 +604,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
             // A state that was beyond its range before the last stage ends near the limit.
             ends += usize::from(at > 0.9 || at < least + 0.1);
-            // Where two differences agree, the derivative must equal them.
+            // If two differences agree, the derivative must equal them.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
             let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
             let (coarse, fine) = (central(1e-6), central(5e-7));

@@ -240,7 +240,7 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
     for of in &found.settings {
         // The limits are figures of the book with a margin for changes of the search. The ratio of the left-out error
-        // to the own fit's error has no limit, because it grows when the own fit improves.
+        // to the error of the setting's own fit has no limit, because a better own fit increases this ratio.
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }

@@ -61,7 +61,7 @@ fn fitted(records: &[Record]) -> Fit {
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,
-    // and all parameters together some two hundred.
+    // and all parameters together have about two hundred.
     const SEEDS: u64 = 13;
     let truth = truth();
     let model = Model::new(&truth).unwrap();

@@ -38,8 +38,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// The relaxing branches after an implicit stage: z and y with their derivatives over the rate of the deflection and
-/// over their known parts.
+/// The relaxing branches after an implicit stage: z and y, with their derivatives with respect to the rate of the
+/// deflection and the known parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],

@@ -1,4 +1,4 @@
-//! The law of a stop at one end of the stroke, rubber or hydraulic; `bump_stop` and `rebound_stop` are its two ends.
+//! The law of a rubber or hydraulic stop, used by `bump_stop` and `rebound_stop`.
 
 use crate::element::Response;
 use crate::math::tanh;

@@ -1,4 +1,5 @@
-//! Frequency-selective damping: fast strokes are damped less than slow ones of the same speed.
+//! Frequency-selective damping: at equal speed, strokes of high frequency are damped less than strokes of low
+//! frequency.
 
 use crate::dual::Real;
 use crate::element::Prepare;

@@ -96,7 +96,7 @@ impl GasSpring {
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// Computes [`GasSpring::rests`] at a displacement that is probably close to a known one.
+    /// Computes [`GasSpring::rests`] at a displacement that is probably close to that of `known`.
     #[inline(always)]
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;

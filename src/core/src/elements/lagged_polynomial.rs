@@ -102,7 +102,7 @@ impl LaggedPolynomial {
         y
     }
 
-    /// Returns the time constant and its derivative over velocity.
+    /// Returns the time constant and its derivative with respect to velocity.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
         if speed <= self.v1 {

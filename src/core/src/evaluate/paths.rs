@@ -213,7 +213,7 @@ impl Instant {
     }
 }
 
-/// The force through both paths, its components, and its derivatives over displacement and velocity of the moving end.
+/// The force through both paths, its components, and its derivatives with respect to the motion of the moving end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,

@@ -85,7 +85,7 @@ pub struct Axis {
     unit: [u8; MAX_TEXT + 1],
 }
 
-/// A damper as a model file defines it: an ordinary damper, or an adjustable one that depends on a setting.
+/// A damper as defined by a model file: an ordinary damper, or an adjustable damper, which depends on a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Definition {
     /// Parameters of the damper. If it depends on a setting, these are the parameters at the start setting.

@@ -53,7 +53,8 @@ impl Delay {
     /// Advances by a step in which the signal is constant; returns the mean of the delayed signal over the step.
     pub fn advance(&mut self, signal: f64, dead_time: f64, dt: f64) -> f64 {
         if dt >= 2.0 * dead_time {
-            // The output is the stored signal followed by the new one. Afterwards only the new signal is stored.
+            // During the step, the output is the stored signal, followed by the new signal. Afterwards, only the new
+            // signal is stored.
             let cell = dead_time / CELLS as f64;
             let oldest = self.cells.get(self.oldest as usize).copied().unwrap_or(signal);
             let all = self.cells.iter().fold(0.0, |sum, mean| sum + mean * cell);

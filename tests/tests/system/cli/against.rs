@@ -97,7 +97,7 @@ fn mistakes_are_told_before_anything_is_fitted() {
     assert!(told.contains("--elements"), "{told}");
 }
 
-/// Returns the root mean square error on left-out tests by model, N.
+/// Returns the root mean square error on left-out tests, N, of each model.
 fn left_out(data: &Path, hold_out: &str, further: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let (dir, data) = (folder.path(), data.to_str().unwrap());

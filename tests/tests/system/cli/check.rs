@@ -3,7 +3,7 @@
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
-/// A damper whose friction reverses within one millimeter per second.
+/// A damper with friction that reverses within a velocity of one millimeter per second.
 const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
 

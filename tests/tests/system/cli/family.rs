@@ -190,7 +190,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     let page = std::fs::read_to_string(dir.join("d.html")).unwrap();
     assert!(page.contains("id=\"settings\"") && page.contains("id=\"setting-3\"") && page.contains("<details"));
 
-    // The diagnosis at one setting equals that of the damper at this setting.
+    // The diagnosis at one setting equals the diagnosis of the ordinary damper at this setting.
     done(dir, &["setting", "poor.toml", "0.6", "-o", "one.toml"]);
     done(dir, &["diagnose", "one.toml", "rig/0.6A", "--candidates", options[2], "--json", "one.json"]);
     let one = json(&dir.join("one.json"));

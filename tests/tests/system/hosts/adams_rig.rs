@@ -202,7 +202,7 @@ fn the_exported_rig_runs_the_matrix_as_the_kernel_does() {
     // The solver runs in the folder, because the path in the STRING is relative to it.
     let acf = format!("dataset={}", folder.path().join("run/rig.acf").display());
     let string = format!("model={}", folder.path().join("run/damper.toml").display());
-    // Only the sines run; the slow cycles after them last minutes and test nothing else.
+    // Only the sines run. The slow cycles after the sines would take minutes and test nothing new.
     let matrix = Matrix::default();
     let sines = matrix.points().iter().take_while(|p| p.frequency_hz > 0.1).count();
     assert!(sines > 40);

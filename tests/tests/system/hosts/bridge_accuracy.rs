@@ -94,8 +94,7 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// The accuracy that the kernel guarantees at 1 ms holds at every host step: relative to the largest force, 0.1 % rms
-/// and at most 1 %.
+/// The guaranteed accuracy at 1 ms holds at every host step: relative to the largest force, 0.1 % rms and at most 1 %.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -1,6 +1,7 @@
 //! The example from the book's page for host authors.
 //!
-//! Its three loops simulate the same car; the implicit loop is stable where the explicit one is not.
+//! Its three loops simulate the same car; with some steps, the implicit loop is stable and the explicit loop is
+//! unstable.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
