@@ -84,8 +84,8 @@ const POISON: [&[u8]; 32] = [
     b"[[[[[[[[[[[[[[[[",
 ];
 
-/// Damages a file in one to three positions. Changes bytes, truncates, inserts [`POISON`] or overwrites with it,
-/// repeats or removes parts.
+/// Damages a file in one to three positions. Changes bytes, truncates, inserts words of `POISON`, overwrites bytes with
+/// such words, repeats or removes parts.
 pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());

@@ -143,8 +143,8 @@ impl Integration {
         };
         let substeps = params.number(number!("substeps")) as u32;
         // The motion of the mass on its series spring is stiff. Let f be its frequency times the step, and n the number
-        // of substeps for a given error. For few substeps, f is proportional to n², for many to n. For many and 0.1 %
-        // error, f/n is 4 to 6, and smaller with less damping (tests/tests/system/hosts/bridge_accuracy.rs).
+        // of substeps for a given error. For few substeps, f is proportional to n²; for many, to n. In the second case,
+        // f/n is 4 to 6 at 0.1 % error, and smaller with less damping (tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.number(number!("series_stiffness")) * (1.0 + added);

@@ -219,7 +219,7 @@ fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
 /// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor is known
 /// before the step.
 ///
-/// The cheap step does not use this function, because it differs from the same method in the force path.
+/// The cheap step does not use this function, because its result differs from that of the force path.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,

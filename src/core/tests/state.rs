@@ -153,7 +153,8 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         let (same, output) = step(&model, &state, &here, 0.0);
         assert_eq!(same, state);
         assert!((output.force - held).abs() < 1e-3 && output.friction_force > 39.0, "{elements:?}: {held} {output:?}");
-        // The derivative with respect to displacement is the mean stiffness of the contact over both directions.
+        // The displacement derivative is the contact's mean stiffness over both directions, the velocity derivative
+        // that of the FV curve at rest.
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
         assert!((output.d_force_d_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");

@@ -10,7 +10,7 @@ use crate::math::tanh;
 /// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
-/// The spring stiffens and returns less energy than it absorbs. It displaces oil only while the depth grows. The
+/// The spring stiffens and returns less energy than it absorbs. Oil is displaced only while the depth grows. The
 /// derivatives are continuous, because d̃ sets in smoothly over d_0 and the oil force over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {

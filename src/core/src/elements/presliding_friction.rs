@@ -143,9 +143,9 @@ impl PreslidingFriction {
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
         for _ in 0..PARTS {
-            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. At the start of the part, the rate
-            // of an undeflected contact is zero. The force would then jump between n = 1, which has an exact closed
-            // form, and larger n.
+            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. With the rate at the start of the
+            // part, an undeflected contact would not decay. The force would then jump between n = 1, which has an exact
+            // closed form, and larger n.
             let start = bent.abs();
             let halfway = relaxed(bent, r, raised(start, self.power), part * 0.5);
             let middle = if halfway.value().abs() > highest { R::constant(highest) } else { halfway.abs() };

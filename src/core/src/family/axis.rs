@@ -15,7 +15,7 @@ pub const MAX_NUMBERS: usize = 32;
 pub const MAX_TEXT: usize = 31;
 /// Largest magnitude of a setting. Even values in revolutions per minute or pascals are far below.
 const LARGEST: f64 = 1e9;
-/// Smallest interval of the grid relative to its range. Closer values count as equal.
+/// Smallest interval of the grid relative to its range. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
 /// A number of the axis that is not a parameter of the damper.

@@ -138,8 +138,8 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
-    /// Returns whether a parameter affects the damper. It must be a setting or belong to an element that is on, and it
-    /// must belong to the chosen form.
+    /// Returns whether a parameter affects the damper. It must belong to the integration or to an element that is on,
+    /// and to the chosen form.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }

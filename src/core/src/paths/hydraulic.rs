@@ -37,7 +37,7 @@ pub struct Flow<R> {
 }
 
 /// Leakage past the valves, N s/m, with an oil column. It makes the velocity unique where the FV curve is horizontal.
-/// The value is far below any measurable one.
+/// The value is far below any measurable leakage.
 const LEAKAGE: f64 = 0.01;
 
 /// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w).
@@ -103,7 +103,7 @@ impl Factors {
 
 /// The valve force after an implicit stage, with the derivatives of each of the three effects in series.
 ///
-/// The effects are the factors, s F_d, the lagging valve, and the frequency-selective damping.
+/// The effects are the factors s of F_d, the lagging valve, and frequency-selective damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
     /// F_h.

@@ -1,6 +1,6 @@
 //! The list of the elements in the force path.
 //!
-//! - `primary` (the FV curve) and `series` (the compliance with its mass): the elements that all others modify;
+//! - `primary` (the FV curve) and `series` (the compliance with its mass): the two elements that all others extend;
 //! - `series_law`: elements that change the force law of the series compliance (see [`super::series`]);
 //! - `hydraulic`: between the internal mass and the FV curve (see [`super::hydraulic`]);
 //! - `late`: the last hydraulic element, which contains a large table.

@@ -17,8 +17,7 @@ pub mod place {
     pub const BUSHING: usize = 2;
     /// Deflection of the bushing's slowly relaxing spring, y.
     pub const SLOW_BUSHING: usize = 3;
-    /// Part s of the piston stroke that the oil column absorbs, or the deflection q: see
-    /// [`crate::elements::oil_compressibility`].
+    /// Part s of the piston stroke that the oil column absorbs, or the deflection q: see `oil_compressibility`.
     pub const COLUMN: usize = 4;
     /// Depth of the cavitation void, e.
     pub const VOID: usize = 5;
