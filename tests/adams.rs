@@ -13,7 +13,7 @@ fn folder() -> &'static Path {
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a directory")).path()
 }
 
-/// Returns the library, built by its own makefile.
+/// Returns the path of the library, which its own makefile builds.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
     LIBRARY.get_or_init(|| built("dashpot_adams.so", "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"))
@@ -35,7 +35,7 @@ fn objects(flags: &[&str]) -> Vec<PathBuf> {
         .iter()
         .map(|name| {
             let object = folder().join(format!("{name}{}.o", flags.concat()));
-            // Tests run in parallel: each builds under its own name and then moves the file.
+            // Tests run in parallel, so each test builds in its own folder and then moves the file.
             let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
             let built = build.path().join("object.o");
             let mut compiler = compiler();
@@ -74,7 +74,8 @@ fn plain_objects() -> &'static [PathBuf] {
     OBJECTS.get_or_init(|| objects(&[]))
 }
 
-/// Returns the stand-in solver and the library, both built with the compiler's race detector; `None` without one.
+/// Returns the stand-in solver and the library, both built with the compiler's race detector. `None` without such a
+/// detector.
 pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
     let flag = "-fsanitize=thread";
     let probe = folder().join("probe.c");
@@ -150,7 +151,7 @@ impl Run {
         (n[0], n[1])
     }
 
-    /// Returns the largest error of the supplied partial derivatives against finite differences, relative to the
+    /// Returns the largest difference between the supplied partial derivatives and finite differences, relative to the
     /// largest derivative of a row.
     pub fn partials_off(&self) -> f64 {
         self.lines_of("partials_off")[0][0]
@@ -177,7 +178,7 @@ impl Run {
         parts.map(one).collect()
     }
 
-    /// Returns the sums of each thread, computed alone and in parallel.
+    /// Returns two sums for each thread: computed alone, and computed in parallel.
     pub fn threads(&self) -> Vec<(f64, f64)> {
         self.lines_of("thread").iter().map(|n| (n[0], n[1])).collect()
     }

@@ -16,9 +16,9 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// Builds the command with the crates of the tests, which avoids compiling most of them again.
+/// Builds the command in the profile of the tests, so that most crates are not compiled again.
 ///
-/// The command therefore unwinds on a panic, unlike the shipped one, which aborts. The build names no package, so that
+/// This command therefore unwinds on a panic, whereas the shipped command aborts. The build names no package, so that
 /// the features are those of the whole workspace.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
@@ -43,7 +43,7 @@ pub struct Ran {
 
 /// Runs the command in `folder`. It must not panic, and must exit with 0, 1 or 2.
 ///
-/// Code 1 means that a damper violates its limits, or chatters where that is a criterion.
+/// Code 1 means that a damper violates its limits, or that it chatters in a verb that checks for chatter.
 pub fn run(folder: &Path, args: &[&str]) -> Ran {
     run_with(folder, args, &[])
 }
@@ -144,7 +144,8 @@ pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (header, rows.collect())
 }
 
-/// Rewrites every record of a folder: header line, and the text of each row from time, displacement, velocity, force.
+/// Rewrites every record of a folder with a header line. `row` formats each row from time, displacement, velocity and
+/// force.
 pub fn rewrite(from: &Path, to: &Path, header: &str, row: impl Fn([f64; 4]) -> String) {
     std::fs::create_dir_all(to).expect("a folder");
     for entry in std::fs::read_dir(from).expect("a folder") {

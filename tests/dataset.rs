@@ -1,6 +1,6 @@
 //! A strict reader of the Adams dataset and command files that the exports write.
 //!
-//! It accepts only the statements of the exports, and resolves every id.
+//! The reader accepts only the statements of the exports, and resolves every id.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,7 +35,7 @@ enum Kind {
     Routine,
 }
 
-/// Returns the arguments of an allowed statement and the number of leading ones that are required.
+/// Returns the arguments of an allowed statement, and the number of leading arguments that are required.
 fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
     use Kind::{Function, Id, List, Numbers, Routine, Text, Word};
     match name {
@@ -80,8 +80,8 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(',').map(|n| n.trim().parse().unwrap_or_else(|_| panic!("\"{n}\" is no number"))).collect()
 }
 
-/// Joins each statement to one line with its name and id, and omits comments. A line feed replaces a comma that
-/// continues a statement.
+/// Joins each statement to one line with its name and id, and omits comments. A line feed replaces the comma before a
+/// continuation line.
 fn joined(text: &str) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('!')) {
@@ -138,8 +138,8 @@ fn markers_of(function: &str) -> Vec<u64> {
     all
 }
 
-/// Reads a dataset: if `whole`, a model with title, units and END, otherwise a fragment. `others` are marker ids of the
-/// model around a fragment.
+/// Reads a dataset. If `whole` is true, the text must be a model with title, units and END, otherwise a fragment.
+/// `others` are marker ids of the model around a fragment.
 pub fn read(text: &str, whole: bool, others: &[u64]) -> Dataset {
     let mut all = Dataset::new();
     let mut statements = joined(text);

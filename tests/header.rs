@@ -1,8 +1,8 @@
 //! Generates the C header from the sources of the C interface.
 //!
 //! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual. Every file is a
-//! section, introduced by its module documentation. Parts only for C (guards, initializers) come from
-//! `src/abi/header/`; the last section is the parameter table.
+//! section, introduced by its module documentation. Parts that exist only in C (guards, initializers) come from
+//! `src/abi/header/`. The last section is the parameter table.
 
 use dashpot_core::parameter::{Element, Parameter, Params, Shape};
 use std::path::{Path, PathBuf};

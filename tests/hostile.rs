@@ -15,7 +15,7 @@ impl Random {
     }
 }
 
-/// Returns the number of damaged files of a test: the usual number, times the variable DASHPOT_HOSTILE for long runs.
+/// Returns the number of damaged files of a test: `usual`, multiplied by the variable DASHPOT_HOSTILE in long runs.
 ///
 /// # Panics
 /// If the variable is not a number.
@@ -84,8 +84,8 @@ const POISON: [&[u8]; 32] = [
     b"[[[[[[[[[[[[[[[[",
 ];
 
-/// Damages a file in one to three positions: changes bytes, truncates, inserts or overwrites poison, repeats or removes
-/// parts.
+/// Damages a file in one to three positions. Changes bytes, truncates, inserts words of `POISON`, overwrites bytes with
+/// such words, repeats or removes parts.
 pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -115,10 +115,10 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     }
 }
 
-/// Damages a text in one to three positions by its words and lines.
+/// Damages words or lines of a text in one to three positions.
 ///
 /// Unexpected numbers replace others, words are exchanged, and lines are repeated, removed or exchanged. The result
-/// still resembles a valid file, and therefore penetrates further into a reader than damaged bytes.
+/// still resembles a valid file. It therefore reaches more code of a reader than damaged bytes.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",

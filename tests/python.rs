@@ -20,7 +20,7 @@ pub fn has_python() -> bool {
     }
 }
 
-/// Returns the interpreter, in an environment that is created on first use and kept.
+/// Returns the interpreter, in an environment that is created on first use and stays for later runs.
 ///
 /// # Panics
 /// If the environment cannot be created, with the reason. A test that calls [`has_python`] first is skipped instead.

@@ -12,7 +12,7 @@ fn folder(package: &str) -> String {
     package.trim_start_matches("dashpot-").replace('-', "_")
 }
 
-/// Reads the dependencies from the manifests of the crates below `src`; the picture omits the tests.
+/// Reads the dependencies from the manifests of the crates below `src`. The crates of the tests are omitted.
 fn of_manifests() -> Uses {
     let read = |path: &str| -> toml::Table {
         std::fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}")).parse().unwrap()

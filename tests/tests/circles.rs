@@ -1,9 +1,9 @@
-//! The files of a crate have no circular dependencies. Files in a circle can be understood only together; code that
-//! both sides need belongs in a separate file below them.
+//! The files of a crate have no circular dependencies. Files with a circular dependency can only be understood
+//! together. Code that both files need belongs in a separate file that uses neither.
 //!
-//! Tests inside a file do not count. Neither does the use of names from the `mod.rs` of an enclosing folder, because a
-//! folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file that
-//! defines it.
+//! Tests inside a file do not count. Uses of names from the `mod.rs` of an enclosing folder do not count either,
+//! because a folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file
+//! that defines it.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +13,7 @@ use syn::visit::{self, Visit};
 /// A path in code, from the crate's root.
 type Names = Vec<String>;
 
-/// Contents of one file; called a room.
+/// Names that one file of a crate uses, re-exports, or defines as macros.
 #[derive(Default)]
 struct Room {
     file: PathBuf,
@@ -123,7 +123,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
     }
 }
 
-/// Reads all files of a crate, by their module paths.
+/// Reads all files of a crate. The keys are the module paths of the files.
 fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     fn collect(folder: &Path, at: &[String], rooms: &mut BTreeMap<Names, Room>) {
         let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
@@ -142,7 +142,7 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
                 let mut reader = Reader { here: &here, room: Room { file: path, ..Room::default() } };
                 reader.visit_file(&file);
                 let room = reader.room;
-                // For a command with a library of the same name, the library takes precedence.
+                // If a crate has both `lib.rs` and `main.rs`, the library takes precedence.
                 rooms.entry(here).or_insert(room);
             }
         }
@@ -174,7 +174,7 @@ fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) 
     Some(place)
 }
 
-/// Finds sets of files that use each other in a circle.
+/// Finds sets of files with circular dependencies.
 fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     let arrows: BTreeMap<&Names, BTreeSet<&Names>> = rooms
         .iter()
@@ -211,7 +211,7 @@ fn crates() -> Vec<PathBuf> {
     crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()).collect()
 }
 
-/// Merges the files of each folder to one unit; omits the crate's root.
+/// Merges the files of each folder to one unit, and omits the crate's root.
 fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     let mut found: BTreeMap<Names, Room> = BTreeMap::new();
     for (name, room) in rooms.iter().filter(|(name, _)| !name.is_empty()) {
@@ -224,7 +224,8 @@ fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Crates whose folders use each other in a circle today. The test fails if a listed crate has no circle any more.
+/// Crates with circular dependencies between folders. The test also fails if a listed crate no longer has circular
+/// dependencies.
 const WITH_CIRCLES: &[&str] = &["core", "hosts", "identification", "report", "rig"];
 
 #[test]

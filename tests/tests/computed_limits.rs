@@ -14,7 +14,7 @@ fn is_written(limit: &str) -> bool {
     is_number || is_constant || limit == "0.5 * STEP"
 }
 
-/// Returns the limits of a call of `clamp` from the text after its opening parenthesis.
+/// Returns the limits in a call of `clamp`, from the text after the opening parenthesis of the call.
 fn limits(text: &str) -> Vec<String> {
     let (mut depth, mut found) = (0, vec![String::new()]);
     for letter in text.chars() {

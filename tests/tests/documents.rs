@@ -1,7 +1,7 @@
 //! The documents are consistent.
 //!
-//! Every relative link leads to a file, every page of the book is in its list, and the book builds if mdBook is
-//! installed.
+//! Every relative link leads to a file, and the book's table of contents lists every page. If mdBook is installed, the
+//! book builds.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
@@ -70,7 +70,7 @@ fn every_relative_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
-/// The book is read without the surrounding folders, so its links stay inside.
+/// Readers have the book without the surrounding folders, so its relative links stay inside the book.
 #[test]
 fn the_book_lists_its_pages_and_keeps_to_itself() {
     let source = root().join("docs/book/src");
@@ -102,7 +102,7 @@ fn the_book_builds() {
                 model.contains("figures/element-free_play.svg")
                     && folder.path().join("figures/element-free_play.svg").is_file()
             );
-            // Included files from outside the book were inserted.
+            // The build inserted the included files from outside the book.
             let parameters =
                 std::fs::read_to_string(folder.path().join("parameters.html")).expect("the page of parameters");
             assert!(parameters.contains("free_play_gap") && !parameters.contains("{{#"));

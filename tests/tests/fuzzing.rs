@@ -13,7 +13,7 @@ const SECONDS: &str = "5";
 fn no_reader_breaks_under_the_fuzzer() {
     let seconds = std::env::var("DASHPOT_FUZZ").unwrap_or_else(|_| SECONDS.to_owned());
     let mut run = Command::new(root().join("tests/fuzz/run"));
-    // These variables select the compiler that runs this test; the fuzzer needs another one.
+    // These variables select the compiler of this test run. The fuzzer needs another compiler.
     for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER", "CARGO_TARGET_DIR"] {
         run.env_remove(name);
     }

@@ -1,10 +1,10 @@
-//! The Python package as its user gets it.
+//! The Python package as its users install it.
 //!
-//! It is built as a wheel, installed without the source tree on the path, and tested there.
+//! The test builds a wheel, installs it without the source tree on the path, and tests the installed package.
 //!
 //! Building the wheel compiles the workspace again, with unwinding, and the required packages have half a gigabyte.
-//! Therefore `cargo test --release` excludes it. Run it with
-//! `cargo test --release -p dashpot-tests --test python_package -- --ignored --nocapture`.
+//! Therefore `cargo test --release` excludes this test. Run it with `cargo test --release -p dashpot-tests --test
+//! python_package -- --ignored --nocapture`.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
@@ -13,7 +13,7 @@ use dashpot_tests::library::{root, shared, static_library};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Tool that builds the wheel; [`PACKAGES`] are the packages of its tests.
+/// Tool that builds the wheel; [`PACKAGES`] are the packages for the wheel's tests.
 const BUILD: &str = "maturin>=1.9,<2";
 const PACKAGES: [&str; 13] = [
     "numpy",
@@ -77,7 +77,7 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    // The pages load the shared library from the folder of the static one.
+    // The pages load the shared library from the folder of the static library.
     let library = wheels.path().join("libdashpot.a");
     std::fs::copy(static_library(), &library).expect("the static library");
     std::fs::copy(shared(), library.with_extension("so")).expect("the shared library");

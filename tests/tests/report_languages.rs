@@ -1,6 +1,6 @@
-//! The reports of a real diagnosis, and of a validation of records with every kind of flaw, in every language.
+//! Tests the reports in every language: of a real diagnosis, and of a validation with records of every kind of flaw.
 //!
-//! This file lists all texts that stay English in them.
+//! This file lists all texts that stay English in the translated reports.
 
 use dashpot_core::{Params, parameter};
 use dashpot_core::{element, number};
@@ -25,7 +25,7 @@ use std::sync::OnceLock;
 /// Units, symbols, file formats and the words of commands, which are equal in all languages.
 const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n c h x cm dashpot validate diagnose reference CSV FV SHA SHA-256 \
                        sha256sum rms lambda damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
-/// Texts that are equal in a language and in English.
+/// By language, texts that are equal to the English text.
 const SAME: &[(&str, &[&str])] = &[
     ("de", &["Name", "Parameter", "Amplitude, mm"]),
     ("fr", &["compression", "amplitude, mm", "direction", "Identification", "cycles"]),
@@ -141,8 +141,8 @@ fn is_name(word: &str) -> bool {
     let in_symbols = |word: &str| SYMBOLS.split_whitespace().any(|symbol| symbol == word);
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());
     let is_symbol = || in_symbols(word) || word.split(['/', '·']).all(|part| in_symbols(part) || is_figure(part));
-    // Symbols of the model's equations (k_p, v_0, x) in the meaning of a parameter are equal in every language; no word
-    // is that short.
+    // The meaning of a parameter contains symbols of the model's equations (k_p, v_0, x), which are equal in every
+    // language. No word is so short.
     let is_short = word.len() == 1 || word.as_bytes().get(1) == Some(&b'_');
     let is_of_an_equation =
         || is_short && parameter::table().any(|row| latin(row.parameter.meaning).any(|w| w == word));
@@ -155,7 +155,7 @@ fn is_name(word: &str) -> bool {
         || is_tried()
 }
 
-/// Returns whether a text stays English: the meanings of parameters.
+/// Returns whether a text stays English. Only the meanings of parameters do.
 fn stays(text: &str) -> bool {
     parameter::table().any(|row| row.parameter.meaning == text)
 }
@@ -378,7 +378,7 @@ fn flawed(folder: &Path) {
 
 /// A flawed campaign, and a model with the remarks of its fit.
 struct Flawed {
-    /// Folder of its files, whose name appears untranslated in texts.
+    /// Folder of the files of the case. Its name appears untranslated in texts.
     folder: String,
     campaign: Campaign,
     model: ModelFile,
@@ -451,7 +451,7 @@ fn is_flawed_name(word: &str) -> bool {
     let is = |list: &str| {
         list.split_whitespace().any(|name| name == word.trim_end_matches(".csv").trim_end_matches(".xlsx"))
     };
-    // These are a quoted heading, and the message of the zip library.
+    // These words come from a quoted heading and from a message of the zip library.
     let quoted = "one two invalid Zip archive Could not find EOCD";
     // The segments of a record with a gap have English names.
     is_name(word) || is(stems) || is(FORMATS) || is(quoted) || word == "part"

@@ -1,8 +1,8 @@
-//! A fit has the same digits on every system and in every thread, so all shipped code takes elementary functions from
-//! crate `libm`.
+//! A fit gives the same digits on every system and in every thread. Therefore all shipped code uses the elementary
+//! functions of crate `libm`.
 //!
-//! The standard library calls those of the system. glibc selects an implementation by the processor. MinGW on Windows
-//! uses the x87, whose precision differs between the main thread and threads started later.
+//! The standard library calls the elementary functions of the system. glibc selects an implementation by the processor.
+//! MinGW on Windows uses the x87 unit, whose precision differs between the main thread and threads started later.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
@@ -41,7 +41,7 @@ fn nothing_that_ships_computes_with_the_systems_functions() {
         if name.contains("/tests/") {
             continue;
         }
-        // The kernel has no standard library; its numbers with derivatives define methods of these names.
+        // The kernel does not use the standard library. Its numbers with derivatives define methods with these names.
         if name.starts_with("src/core/") || OF_NUMBERS_WITH_DERIVATIVES.contains(&name.as_str()) {
             continue;
         }

@@ -1,8 +1,8 @@
 //! Enforces STYLE.md: standard terms in public names and JSON keys, self-contained doc comments, short sentences in
 //! documents.
 //!
-//! `ALLOWED` states the remaining violations by crate and document. A count may only fall: the test fails at a higher
-//! count, and at a lower count until the table is updated.
+//! `ALLOWED` states the remaining violations by crate and document. A count may only fall. The test fails at a higher
+//! count, and also at a lower count until the table contains the lower count.
 
 use dashpot_tests::library::root;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
@@ -26,7 +26,8 @@ const SURPLUS: &str = "words above a mean of 22 a sentence";
 /// Remaining violations: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[];
 
-/// Words of the glossary's left column. A name is split into its words; an entry of several words matches that sequence.
+/// Words of the glossary's left column. The test splits a name into its words. An entry with several words matches the
+/// same sequence in a name.
 const WORDS: &str = "
     slope slopes share shares
     answer answers answered answering

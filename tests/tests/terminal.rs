@@ -23,13 +23,15 @@ fn nothing_prints_beside_the_one_place() {
             }
         }
     }
-    // The first file only asks whether there is a terminal; the second prints clap's help on the user's request.
+    // The first file only checks whether a terminal exists. The second file prints clap's help if the user requests
+    // help.
     wrong.retain(|line| !line.starts_with("src/cli/src/progress.rs") && !line.starts_with("src/cli/src/main.rs"));
     assert!(seen > 300, "only {seen} files were seen");
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Escape sequences and direction marks in names, headings, profiles and arguments are displayed and have no effect.
+/// Escape sequences and direction marks in names, headings, profiles and arguments are displayed as text and have no
+/// effect.
 #[test]
 fn texts_of_strangers_do_not_act_on_the_terminal() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,5 +1,5 @@
-//! Tuning constants are in one file per crate, `tuning.rs`. The documentation of each ends with the test that fails
-//! when the value moves.
+//! Tuning constants are in one file per crate, `tuning.rs`. The documentation of each constant ends with the name of a
+//! test that fails if the value changes.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;

@@ -1,7 +1,7 @@
 //! Prints the last line of a whole test run: the number of tests that could not run on this machine, and the reasons.
 //!
-//! This is not a test, but a program that cargo runs like one. Cargo runs the test programs in the order of their
-//! packages and names, and then the documentation examples. This program verifies that it is the last one.
+//! This file is not a test, but a program that cargo runs like a test. Cargo runs the test programs in the order of
+//! their packages and names, and then the documentation examples. This program verifies that it is the last one.
 
 use dashpot_tests::library::root;
 use std::path::Path;

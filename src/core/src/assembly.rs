@@ -1,4 +1,4 @@
-//! The elements of one model: prepared, and summed by their position in the model.
+//! The prepared elements of one model, and their sums by position in the model.
 
 use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
@@ -15,7 +15,7 @@ use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::{Owned, OwnedElement, Tables};
 
-/// Forces between the ends or, if the series compliance carries the whole force, on the mass.
+/// Friction and position forces between the ends, or on the mass if the series compliance carries the whole force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outer {
     /// Friction without internal state.
@@ -65,7 +65,7 @@ macro_rules! assembled {
         }
 
         impl Elements {
-            /// The value without elements.
+            /// A model with all elements switched off.
             pub const OFF: Elements = {
                 type T = Owned;
                 Elements {
@@ -79,7 +79,7 @@ macro_rules! assembled {
                 }
             };
 
-            /// Checks whether the elements that are on can be prepared, one by one and together.
+            /// Checks the parameters of all elements that are on, first each element alone, then all together.
             ///
             /// # Errors
             /// Returns the parameter at fault.
@@ -112,7 +112,7 @@ macro_rules! assembled {
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
-            /// Computes the largest derivative of the elements on the internal mass over the displacements `places`.
+            /// Computes the largest stiffness ∂F/∂x of the inner elements, at rest, among the displacements `places`.
             ///
             /// # Errors
             /// Returns the parameter at fault.
@@ -157,8 +157,8 @@ macro_rules! assembled {
                 }
             }
 
-            /// Returns the elements at a setting, with the FV curve there. All are borrowed: from the family, or from
-            /// the elements prepared again for the setting.
+            /// Returns the elements at a setting, with the FV curve of that setting. Each is borrowed from the family,
+            /// or from the elements that were prepared again for the setting.
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -194,7 +194,8 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// Returns the value without elements. It is a function, because a constant would be copied whole.
+            /// Returns a set without elements. This is a function, because each use of a constant would copy the whole
+            /// set.
             #[inline(always)]
             pub(crate) fn none() -> Renewed {
                 Renewed {
@@ -237,8 +238,8 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums friction and preload, wherever they act. Not inlined: several copies cost more time. Only the plain
-            /// step calls their parts directly.
+            /// Sums friction and preload, wherever they act. Not inlined, because several copies of the code cost more
+            /// time. Only the plain step calls the two sums directly.
             #[inline(never)]
             pub fn outer(&self, at: &Motion) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
@@ -258,13 +259,13 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Returns whether an inner element is so nonlinear that no linearization holds for a stage.
+            /// Returns whether an inner element is too nonlinear for one linearization per stage.
             #[inline(always)]
             pub fn is_nonlinear(&self) -> bool {
                 false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
             }
 
-            /// Sums the inner elements if none of them is nonlinear ([`Elements::is_nonlinear`]).
+            /// Sums the inner elements; requires that [`Elements::is_nonlinear`] is false.
             #[inline(always)]
             pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -387,8 +388,8 @@ macro_rules! assembled {
                 self.carries_whole() && element.acts_on_mass()
             }
 
-            /// Calls `visit` with the index of its state and the element, for each parallel element with an internal
-            /// state that is on.
+            /// Calls `visit` for each parallel element that is on and has an internal state. The arguments are the
+            /// state's index and the element.
             #[inline(always)]
             pub fn each_stateful(&self, visit: impl FnMut(usize, &dyn StatefulForce)) {
                 self.visit_stateful(&mut Shown(visit));
@@ -410,7 +411,7 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Subtracts friction and gas on the mass from the force of the springs there, and adds them to their own outputs.
+    /// Moves friction and gas force on the mass from the output of the spring force to their own outputs.
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
@@ -425,7 +426,7 @@ impl<T: Tables> Elements<T> {
         }
     }
 
-    /// Calls `visit` with the element and its response, for each element with a state on the mass.
+    /// Calls `visit` with element and response, for each element that acts on the mass and has a state.
     #[inline(always)]
     pub(crate) fn each_on_mass(
         &self,
@@ -443,7 +444,7 @@ impl<T: Tables> Elements<T> {
         });
     }
 
-    /// Sums the forces of the elements with a state on the mass, at given states.
+    /// Sums the forces of the elements that act on the mass and have a state, at given states.
     #[inline(always)]
     pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;
@@ -461,8 +462,9 @@ impl<T: Tables> Elements<T> {
 impl<T: Tables> Elements<T> {
     /// Returns whether the damper can use the plain step although its force fades with temperature.
     ///
-    /// The fade must be the only element of the force path. It must scale the whole FV curve by a factor of the host's
-    /// temperature. Only the force path solves nonlinear springs to rounding.
+    /// The fade must be the only element of the force path. It must scale the whole FV curve by a factor that depends
+    /// on the host's temperature alone. The springs must be linear enough, because the plain step does not solve
+    /// nonlinear ones to rounding accuracy.
     #[inline(always)]
     pub(crate) fn fades_alone(&self) -> bool {
         self.paths.acting() & !SERIES == FADE && self.paths.temperature_fade.is_of_all() && !self.is_nonlinear()
@@ -470,7 +472,8 @@ impl<T: Tables> Elements<T> {
 }
 
 impl Elements {
-    /// Passes one element's data to another: a moving mass to the internal mass.
+    /// Prepares what depends on several elements. For example, adds a moving mass inside the damper to the internal
+    /// mass.
     pub(crate) fn join(&mut self) {
         self.paths.join();
         if self.has_series() {

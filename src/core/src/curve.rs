@@ -2,26 +2,25 @@
 //!
 //! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
 //! *resolvent* of an implicit step: the `u` that satisfies `a u + b f(u) = r` ([`Curve::solve`]). The solution is
-//! unique, because the curve never falls. The number of operations does not depend on the data, because the knots are
-//! known.
+//! unique, because the curve never falls. The number of operations does not depend on the data.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
 
 /// Largest number of points of a curve.
 pub const MAX_POINTS: usize = 63;
-/// Minimum distance of two points, m/s or m.
+/// Smallest distance between two points, m/s or m.
 ///
-/// No channel of a test rig resolves a smaller difference of velocity or displacement. The squares and cubes of smaller
-/// distances would leave a derivative without valid digits.
+/// No channel of a test rig resolves a smaller difference of velocity or displacement. With a smaller distance, its
+/// squares and cubes would give a derivative without valid digits.
 pub const NEAREST: f64 = 1e-6;
 /// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
 ///
 /// A force computed from a velocity has the rounding error of the velocity, 1e-17 m/s, times the derivative. With this
-/// limit it is far below a millinewton. The limit is a hundred times the steepest damper; a steeper rise is no
-/// measurement.
+/// limit the error is far below a millinewton. The limit is a hundred times the derivative of the steepest damper; a
+/// steeper rise is an invalid measurement.
 pub const STEEPEST: f64 = 1e8;
-/// Number of pieces between and beyond the points.
+/// Largest number of pieces: one between each pair of adjacent points, and one beyond each end.
 const PIECES: usize = 64;
 
 /// Interpolation of a curve between its points.
@@ -30,8 +29,8 @@ pub enum Interpolation {
     /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
-    /// Monotone cubic on each side of zero, with separate derivatives at zero, as valves of rebound and compression
-    /// have.
+    /// Monotone cubic on each side of zero. The derivatives at zero differ, like those of the valves for rebound and
+    /// compression.
     ///
     /// Each derivative at zero is that of the parabola through zero and two further points (see [`derivatives`]).
     CubicEachSide,
@@ -56,15 +55,16 @@ struct Piece {
     /// f0 − f(0).
     above: f64,
     c1: f64,
-    /// c2 of the value and 2 c2 of the derivative, likewise c3 and 3 c3: both polynomials are evaluated in parallel.
+    /// c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel. Likewise, `c3`
+    /// contains c3 and 3 c3.
     c2: [f64; 2],
     c3: [f64; 2],
 }
 
-/// The extent of a piece.
+/// Extent of a piece and its mean derivative.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
-    /// Ends of the piece in t; the outer pieces extend to the largest numbers.
+    /// Ends of the piece in t; the outer pieces extend to the largest finite numbers.
     low: f64,
     high: f64,
     /// Mean derivative of an inner piece, or the derivative of an outer piece.
@@ -76,7 +76,7 @@ struct Extent {
 pub struct Curve {
     /// Points (u, f), ascending; the unused entries are larger than any argument.
     points: [[f64; 2]; PIECES],
-    /// Stored apart from their extents, which an evaluation does not need: a piece fills one cache line.
+    /// The pieces, without their extents, which an evaluation does not need. Thus a piece fills one cache line.
     pieces: [Piece; PIECES],
     extents: [Extent; PIECES],
     /// Number of points.
@@ -91,10 +91,10 @@ pub struct Curve {
     high: f64,
 }
 
-/// Value, derivative and curvature of a curve, with the value relative to that at 0.
+/// Value, derivative and curvature of a curve at one position; the value is relative to f(0).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Above {
-    /// f(u) − f(0), with the sign of u.
+    /// f(u) − f(0), which has the sign of u.
     pub value: f64,
     /// df/du.
     pub derivative: f64,
@@ -102,7 +102,7 @@ pub struct Above {
     pub curvature: f64,
 }
 
-/// Number of buckets on either side of 0 for a lookup without comparisons.
+/// Number of buckets on each side of 0, for a lookup without comparisons.
 const BUCKETS: usize = 256;
 /// Number of points in one bucket above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
@@ -110,8 +110,8 @@ const CROWDED: u32 = 3;
 /// Returns the bucket of `u`: whether it lies below 0, and its index outward from 0.
 ///
 /// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
-/// makes sixteen buckets per power of two, fine where the curves of dampers have knees. Rounding cannot exchange the
-/// order of two numbers.
+/// makes sixteen buckets per power of two, so the buckets are narrow where damper curves have knees. Rounding cannot
+/// reverse the order of two numbers.
 #[inline(always)]
 fn bucket(u: f64) -> (bool, u8) {
     const NEAREST: f64 = 1.0 / 4096.0;
@@ -124,15 +124,16 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this fraction of its piece is the last: the next would be below rounding.
+/// A Householder step shorter than this fraction of its piece is the last one. The next step would be smaller than a
+/// rounding error.
 const FEW: f64 = 1e-3;
 
 impl Curve {
     const ZERO_PIECE: Piece = Piece { u0: 0.0, f0: 0.0, above: 0.0, c1: 0.0, c2: [0.0; 2], c3: [0.0; 2] };
     const EVERYWHERE: Extent = Extent { low: -FAR, high: FAR, chord: 0.0 };
 
-    /// Memory for a curve, invalid before [`Curve::set`] or [`Curve::clear`]. All zeros, so that it takes no space in
-    /// the program file.
+    /// Memory for a curve, invalid before [`Curve::set`] or [`Curve::clear`]. It is all zeros and therefore takes no
+    /// space in the program file.
     pub const UNSET: Curve = Curve {
         points: [[0.0; 2]; PIECES],
         pieces: [Curve::ZERO_PIECE; PIECES],
@@ -194,7 +195,7 @@ impl Curve {
         Ok(())
     }
 
-    /// Prepares the curve in place, because it is too large for the stack of a small thread.
+    /// Prepares the curve in place, because a curve is too large for the stack of a small thread.
     ///
     /// # Errors
     /// Returns the errors of [`Curve::check`]; the curve then stays unchanged.
@@ -218,7 +219,8 @@ impl Curve {
         let at = |s: &[f64], i: usize| s.get(i).copied().unwrap_or(0.0);
         let pieces = curve.pieces.iter_mut().zip(&mut curve.extents);
         for (i, (piece, extent)) in pieces.enumerate().take(n + 1) {
-            // Piece i lies left of point i; the first and the last piece extrapolate the curve by its end derivative.
+            // Piece i lies left of point i. The first and the last piece extrapolate the curve with its end
+            // derivatives.
             let (left, right) = (i.wrapping_sub(1), i);
             let inner = i > 0 && i < n;
             let anchor = if i == 0 { 0 } else { left };
@@ -291,7 +293,7 @@ impl Curve {
 
     #[inline(always)]
     fn piece(&self, index: usize) -> &Piece {
-        // The mask is the identity (index < 64); it avoids the bounds check and thus a panic path.
+        // The mask does not change the index, which is below 64. It avoids the bounds check and thus a panic path.
         &self.pieces[index & (PIECES - 1)]
     }
 
@@ -303,7 +305,7 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // Unrolled, so that the cost is fixed. Most tables have fewer than 16 points.
+        // The loop is unrolled, so that its cost is fixed. Most tables have fewer than 16 points.
         if self.count >= 16 {
             halve(32);
             halve(16);
@@ -343,12 +345,12 @@ impl Curve {
         p.at(u - p.u0)
     }
 
-    /// Returns value relative to that at 0, derivative and curvature at `u`.
+    /// Returns the value relative to f(0), the derivative and the curvature at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
         let t = u - p.u0;
-        // In two halves, which processors compute in parallel.
+        // The polynomial is evaluated in two halves, which processors compute in parallel.
         let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
@@ -365,10 +367,11 @@ impl Curve {
 
     /// Computes the resolvent: the `u` with `a u + f(u) = r` for `a > 0`, with the value and the derivative of f there.
     ///
-    /// The piece is found from its ends. Inside it, a cubic that never falls is solved from the chord by `STEPS`
-    /// Householder steps of fourth order, clamped to the piece. The errors below are relative to the piece's height,
-    /// over all monotone pieces (worst: end derivatives of 0 and 3 times the mean). Two steps leave at most 1e-10,
-    /// 6e-8, 2e-5 if `a` is 0.6, 0.3, 0.1 of the mean derivative. Three steps leave 1e-9 at 0.03.
+    /// The values of `a u + f(u)` at the points determine the piece. Inside the piece, `STEPS` Householder steps of
+    /// fourth order start from the chord and are clamped to the piece. The errors below are the largest of all monotone
+    /// pieces, relative to the piece's height. The worst piece has end derivatives of 0 and 3 times the mean. If `a` is
+    /// 0.6, 0.3 or 0.1 of the mean derivative, the error after two steps is at most 1e-10, 6e-8 or 2e-5. If `a` is 0.03
+    /// of it, the error after three steps is 1e-9.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -412,9 +415,10 @@ impl Piece {
 
 /// Returns the derivatives of a cubic curve before and after its point `i`.
 ///
-/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then that of the parabola through
-/// zero and the next two points of its side, but at least 0. With one point it is that of the line. Fritsch and Butland
-/// limit such a derivative to three times the chord; that of a parabola through rising points is below twice the chord.
+/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative of the parabola
+/// through zero and the next two points of its side, but at least 0. With one point it is the derivative of the line.
+/// The limit of Fritsch and Butland, three times the chord, always holds: the derivative of a parabola through rising
+/// points is below twice the chord.
 pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let is_inner = i > 0 && i + 1 < u.len();
@@ -433,7 +437,7 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
 }
 
 /// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// It is zero if their signs differ, and one-sided at the ends.
+/// The derivative is zero if the chords differ in sign, and one-sided at the ends.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -486,7 +490,8 @@ mod tests {
         }
     }
 
-    /// Valves of rebound and compression have different derivatives at rest. A parabola on one side is reproduced.
+    /// Valves of rebound and compression have different derivatives at rest. The curve reproduces a parabola on one
+    /// side.
     #[test]
     fn each_side_has_a_derivative_of_its_own_at_zero() {
         let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
@@ -495,11 +500,11 @@ mod tests {
         assert!((c.evaluate(0.0).derivative - 900.0).abs() < 1e-9);
         assert!((c.evaluate(-1e-9).derivative - 300.0).abs() < 1e-4);
         assert!((c.evaluate(0.1).value - 90.0).abs() < 1e-9);
-        // Away from zero, and without a point at zero, it is the monotone cubic.
+        // Away from zero, and without a point at zero, the curve equals the monotone cubic.
         let (plain, off) = (Interpolation::MonotoneCubic, u.map(|u| u + 1e-3));
         assert_eq!(derivatives(&u, &f, 2, Interpolation::CubicEachSide), derivatives(&u, &f, 2, plain));
         assert_eq!(derivatives(&off, &f, 3, Interpolation::CubicEachSide), derivatives(&off, &f, 3, plain));
-        // A side with zero derivative at zero keeps it; the curve never falls.
+        // A side with zero derivative at zero keeps that derivative; the curve never falls.
         let level = Curve::new(&[-1.0, 0.0, 0.1, 0.2], &[-9.0, 0.0, 1.0, 50.0], Interpolation::CubicEachSide).unwrap();
         assert_eq!(level.evaluate(0.0).derivative, 0.0);
     }

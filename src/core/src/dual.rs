@@ -1,7 +1,7 @@
 //! Numbers that carry their derivatives.
 //!
-//! The equations of the coupled force path are written once: with plain numbers for their values, with [`Dual`] for
-//! their exact derivatives.
+//! The equations of the coupled force path are written once. With plain numbers they give values, with [`Dual`] also
+//! exact derivatives.
 
 use crate::math::{exp, tanh};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -14,7 +14,7 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// Returns the value without derivatives.
     fn value(self) -> f64;
-    /// Applies a function that has this value and this derivative at the number.
+    /// Applies a function, given by its value and its derivative at the number.
     fn chain(self, value: f64, derivative: f64) -> Self;
 
     /// Adds a constant.

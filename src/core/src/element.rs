@@ -81,12 +81,13 @@ impl StateResponse {
 pub struct EndState {
     /// The state z.
     pub z: f64,
-    /// Force, with total derivatives over displacement and velocity at the end of the step: they include the change of z.
+    /// Force, with total derivatives with respect to final displacement and velocity, which include the change of z.
     pub response: Response,
 }
 
 impl EndState {
-    /// Combines the response at the end with the derivatives of z over displacement and velocity there.
+    /// Combines the response at the end of the step with the derivatives of z with respect to displacement and velocity
+    /// there.
     #[inline(always)]
     pub fn new(z: f64, by_end: [f64; 2], end: &StateResponse) -> EndState {
         let response = Response {
@@ -102,7 +103,8 @@ impl EndState {
 pub trait Prepare: Describe + Sized {
     /// The element switched off.
     const OFF: Self;
-    /// Checks the parameters against each other, which their single bounds cannot do, and precomputes.
+    /// Prepares the element, and checks conditions between its parameters, which the bounds of each parameter cannot
+    /// express.
     ///
     /// # Errors
     /// Returns the parameter that does not fit the others.
@@ -139,26 +141,26 @@ pub trait Force {
 
     /// Computes [`Force::force`], bitwise equal, if a few operations suffice; returns `None` otherwise.
     ///
-    /// Most steps of most models need no more, and thus run without the long code.
+    /// This code suffices for most steps of most models, so the longer code rarely runs.
     #[inline(always)]
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
     }
 
-    /// Returns whether the force is so nonlinear that a linearization may not hold for a stage.
+    /// Returns whether the force may be too nonlinear for one linearization per stage.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
     }
 
-    /// Computes [`Force::force`] if [`Force::is_nonlinear`] is false.
+    /// Computes [`Force::force`]; requires that [`Force::is_nonlinear`] is false.
     #[inline(always)]
     fn linear_force(&self, at: &Motion) -> Response {
         self.force(at)
     }
 }
 
-/// The component of the output that the force of an element adds to, besides the total.
+/// The output, besides the total force, to which the force of an element is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceComponent {
     /// The total alone.
@@ -171,7 +173,7 @@ pub enum ForceComponent {
 
 /// An element with one internal state z.
 pub trait StatefulForce {
-    /// Returns the component of the output that the element's force adds to.
+    /// Returns the output, besides the total force, to which the element's force is added.
     fn component(&self) -> ForceComponent {
         ForceComponent::Total
     }
@@ -187,7 +189,7 @@ pub trait StatefulForce {
         self.equilibrium(at)
     }
 
-    /// Returns whether the state at rest depends on the path of the displacement before, and not on the velocity.
+    /// Returns whether the state at rest depends on the previous path of the displacement instead of the velocity.
     fn is_path_dependent(&self, _at: &Motion) -> bool {
         false
     }
@@ -201,8 +203,8 @@ pub trait StatefulForce {
     /// Computes state and force at the end of a motion of the mass that began at `_from`. Called only if
     /// [`StatefulForce::acts_on_mass`] is true.
     ///
-    /// The caller chooses the two directions of the derivatives. The force must not fall with the final displacement,
-    /// so that a stage has a unique solution.
+    /// The caller chooses the two variables of the derivatives. The force must not decrease with the final
+    /// displacement, so that a stage has a unique solution.
     fn propagate_on_mass(&self, _from: Dual<2>, _travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         [z, Dual::new(0.0, [0.0; 2])]
     }
@@ -210,7 +212,7 @@ pub trait StatefulForce {
     /// Computes state and force after the motion along a path, in closed form. The derivatives are undefined unless
     /// requested.
     ///
-    /// Returns `None` without such a form: the step then integrates the state derivative.
+    /// Returns `None` if there is no closed form. The step then integrates the state derivative.
     fn propagate(&self, _path: &Path, _z: f64, _derivatives: bool) -> Option<EndState>
     where
         Self: Sized,

@@ -7,11 +7,11 @@ use crate::paths;
 use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Largest number of bracketed Newton steps to the deflection of the series spring. The setup may cost more than a
-/// step.
+/// Largest number of bracketed Newton steps to the deflection of the series spring. It may be large, because the
+/// equilibrium may cost more time than a step.
 const STEPS: usize = 100;
 
-/// Allowed residual of the balance from rounding, relative to its forces.
+/// Residual of the force balance, relative to its forces, that counts as rounding error.
 const ROUNDING: f64 = 1e-13;
 
 /// Half the width of the central differences for static derivatives without a formula, m and m/s.
@@ -39,8 +39,8 @@ impl Model {
 
     /// Returns the static output of a damper with a history.
     ///
-    /// At rest the derivative over velocity contains only elements that respond to velocity immediately. A contact that
-    /// keeps its deflection reverses only with displacement.
+    /// At rest, the derivative with respect to velocity contains only elements that respond to velocity immediately. A
+    /// contact that keeps its deflection responds to displacement only.
     pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
         self.equilibrium_output_from(from, input)
     }
@@ -51,16 +51,16 @@ impl<T: Tables> Model<T> {
     pub(crate) fn equilibrium(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
         let fresh = State { displacement: x, layout: self.layout, ..State::ZERO };
-        // A contact that has not moved keeps its deflection of 0.
+        // A contact that has never moved has zero deflection and keeps it.
         self.equilibrium_keeping(&fresh, input, (input.velocity == 0.0).then_some(&fresh))
     }
 
-    /// Computes the equilibrium of a damper that has moved: see [`Model::steady_state_from`].
+    /// Computes the equilibrium of a damper with a history: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_keeping(from, input, None)
     }
 
-    /// Computes [`Model::equilibrium_from`], with contacts at rest that keep their deflection in the state `kept`.
+    /// Computes [`Model::equilibrium_from`]; contacts at rest keep their deflection from the state `kept`.
     fn equilibrium_keeping(&self, from: &State, input: &Input, kept: Option<&State>) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
@@ -94,7 +94,7 @@ impl<T: Tables> Model<T> {
             internal
         };
         settle(false, from.displacement, &motion(x));
-        // The force on the mass at one of its positions, with the steepest derivative of its contacts.
+        // The force on the mass at position `x_m`, with the largest possible derivative of the contacts.
         let mut on_the_mass = |x_m: f64| {
             let at = motion(x_m);
             let mut sum = e.on_the_mass(&at);
@@ -114,8 +114,8 @@ impl<T: Tables> Model<T> {
             ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
         };
         if e.has_series() {
-            // The force of these springs never falls, so the series spring alone would deflect further than both
-            // together.
+            // The force of the springs on the mass never decreases. The series spring alone would therefore deflect
+            // more than both together.
             let alone = primary + on_the_mass(x).force;
             let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
@@ -130,7 +130,7 @@ impl<T: Tables> Model<T> {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.d_force_d_x);
-                // A slipping contact has a smaller derivative than assumed, so its Newton steps may be short.
+                // A slipping contact has a smaller derivative than assumed, so Newton steps may converge slowly.
                 let slow = e.has_states_on_mass()
                     && left.abs() > 0.5 * last
                     && left.abs() > ROUNDING * (series.abs() + primary.abs());
@@ -157,7 +157,7 @@ impl<T: Tables> Model<T> {
         let e = &self.elements;
         let outer = Motion { displacement: state.displacement, ..at };
         if e.has_paths() {
-            // Derivatives of the equilibrium force, including the parallel elements with internal states.
+            // The differences include the parallel elements with internal states.
             let input_velocity = input.velocity;
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
@@ -171,7 +171,8 @@ impl<T: Tables> Model<T> {
             return output;
         }
         if e.has_series() {
-            // At equilibrium, series spring and inner springs are in series, and both move with the velocity.
+            // At equilibrium, the series spring and the inner springs are in series, and both ends of the series spring
+            // have the input velocity.
             let k = e.paths.series_compliance.stiffness;
             let (inner, primary) = (e.inner(&at), e.paths.fv_curve.evaluate(input.velocity));
             let share = k / (k + inner.d_force_d_x);
@@ -179,11 +180,11 @@ impl<T: Tables> Model<T> {
             output.d_force_d_velocity +=
                 share * (primary.derivative + inner.d_force_d_v) - e.paths.series_compliance.damping;
         }
-        // An internal state that relaxes to its steady state follows the input there.
+        // The steady state of an internal state depends on the input, so it contributes to the derivatives.
         e.each_stateful(|place, element| {
             let response = element.evaluate(&outer, state.internal.get(place).copied().unwrap_or(0.0));
             if element.is_path_dependent(&outer) {
-                // The mean of a displacement in either direction.
+                // The mean of the derivatives for displacement in either direction.
                 output.d_force_d_displacement += response.d_force_d_z * response.d_rate_d_v;
             } else if response.d_rate_d_z < 0.0 {
                 let follows = -response.d_force_d_z / response.d_rate_d_z;

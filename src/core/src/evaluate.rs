@@ -52,13 +52,13 @@ fn at(x: f64, v: f64, input: &Input) -> Motion {
     Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature }
 }
 
-/// Returns the displacement of the moving end: that of the input, or else that of the state.
+/// Returns the displacement of the moving end from the input or, if missing there, from the state.
 #[inline(always)]
 fn displacement(state: &State, input: &Input) -> f64 {
     input.displacement.unwrap_or(state.displacement)
 }
 
-/// Computes the force at a state, with the derivatives over the input at constant state.
+/// Computes the force at a state, with its derivatives with respect to the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }
@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, Beside::Nothing)
 }
 
-/// Computes the force of a state in this model's layout; `beside` selects further outputs of the same evaluation.
+/// Computes the force of a state in this model's layout. `beside` selects further outputs of the evaluation.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: Beside) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -136,7 +136,8 @@ fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &
     });
 }
 
-/// Computes force and state derivatives at a state. `rate.velocity` is 0: it is the last input and not a state.
+/// Computes force and state derivatives at a state. `rate.velocity` is 0, because `velocity` is the last input, not a
+/// state.
 pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
     evaluate_of(model, state, input)
 }

@@ -31,19 +31,19 @@ pub enum Reason {
     CurveLengths,
     /// The abscissae of a curve do not increase.
     NotIncreasing,
-    /// The ordinates of a curve fall somewhere: the damper would push where it should resist.
+    /// The ordinates of a curve decrease somewhere, so the damper would drive a motion that it should resist.
     ForceDecreases,
-    /// Two points of a curve are nearer than 1e-6.
+    /// Two points of a curve are closer than 1e-6.
     TooClose,
-    /// A curve rises by more than 1e8 from point to point.
+    /// A curve rises with a derivative of more than 1e8 between two points.
     TooSteep,
-    /// The number is far larger or smaller than is in proportion to the others.
+    /// The number is far too large or too small in proportion to the others.
     OutOfProportion,
-    /// A limit is not above another one as required.
+    /// A limit must exceed another limit, but does not.
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives it.
     SofterThanInner,
-    /// The elements that are on have more internal states than a state can hold.
+    /// The elements that are on have more internal states than a [`crate::State`] can store.
     TooManyStates,
     /// An element that modifies the series compliance is on, but the series compliance is off.
     NeedsSeries,
@@ -55,7 +55,7 @@ pub enum Reason {
     SettingFixed,
     /// Too many parameters depend on the setting.
     SettingTooMany,
-    /// The damper has other internal states at one setting than at another.
+    /// The damper has different internal states at two settings.
     SettingStates,
 }
 

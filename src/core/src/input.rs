@@ -6,8 +6,8 @@ use crate::math::pair;
 /// Input at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// Damper displacement, m, extension positive. `None` if the host knows only the velocity, which is then integrated
-    /// from the initial position.
+    /// Damper displacement, m, extension positive. `None` if the host knows only the velocity. The kernel then
+    /// integrates the velocity from the initial position.
     pub displacement: Option<f64>,
     /// Damper velocity, m/s, extension positive.
     pub velocity: f64,
@@ -18,12 +18,12 @@ pub struct Input {
 }
 
 impl Input {
-    /// Makes an input of a velocity alone.
+    /// Makes an input with a velocity alone.
     pub fn velocity(velocity: f64) -> Input {
         Input { displacement: None, velocity, side_force: 0.0, temperature: 20.0 }
     }
 
-    /// Makes an input of displacement and velocity.
+    /// Makes an input with displacement and velocity.
     pub fn motion(displacement: f64, velocity: f64) -> Input {
         Input { displacement: Some(displacement), ..Input::velocity(velocity) }
     }
@@ -51,7 +51,7 @@ pub struct Path {
     is_integrated: bool,
 }
 
-/// A point of a [`Path`], with its derivatives over the displacement and the velocity at the end of the step.
+/// A point of a [`Path`], with its derivatives with respect to displacement and velocity at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
     /// Displacement, m.
@@ -66,7 +66,7 @@ pub struct PathPoint {
 }
 
 impl PathPoint {
-    /// Computes the derivatives of `k x + c v` over the displacement and the velocity at the end of the step.
+    /// Computes the derivatives of `k x + c v` with respect to displacement and velocity at the end of the step.
     #[inline(always)]
     pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
         if self.is_end { [k, c] } else { pair(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }
@@ -93,7 +93,8 @@ impl Path {
         self.dt
     }
 
-    /// Returns whether the displacement at the end is integrated from the velocity, because the host gives none.
+    /// Returns whether the displacement at the end is the integral of the velocity, because the host gives no
+    /// displacement.
     #[inline(always)]
     pub fn is_integrated(&self) -> bool {
         self.is_integrated
@@ -111,7 +112,7 @@ impl Path {
         (self.x0, self.v0)
     }
 
-    /// Returns the motion with displacement and velocity at the end as numbers that may carry derivatives.
+    /// Returns the motion to the given end. Displacement and velocity at the end may carry derivatives.
     #[inline(always)]
     pub fn travel<R: Real>(&self, x1: R, v1: R) -> Travel<R> {
         Travel { x0: self.x0, moved: x1.plus(-self.x0), v0: R::constant(self.v0), v1, time: self.dt }
@@ -135,14 +136,14 @@ impl Path {
         }
     }
 
-    /// Returns the last point, exact.
+    /// Returns the last point, without rounding errors.
     #[inline(always)]
     pub fn last(&self) -> PathPoint {
         PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
     }
 }
 
-/// Motion of one end over a time, a cubic like [`Path`], whose end may carry derivatives.
+/// Motion of one end over a time, a cubic like [`Path`]. Its numbers may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Travel<R> {
     x0: f64,
@@ -157,8 +158,7 @@ pub struct Travel<R> {
 }
 
 impl<R: Real> Travel<R> {
-    /// Makes a motion at constant acceleration from the displacement `x0` and the velocity `v0` to the displacement
-    /// `x1`.
+    /// Makes a motion at constant acceleration from displacement `x0` and velocity `v0` to displacement `x1`.
     #[inline(always)]
     pub fn accelerated(x0: R, v0: R, x1: R, time: f64) -> Travel<R> {
         let moved = x1 - x0;

@@ -14,70 +14,74 @@ pub(crate) const LONGEST: f64 = 1e60;
 pub struct Integration {
     /// The method.
     pub method: Method,
-    /// Substeps inside one host step; 0: from [`Integration::per_time`].
+    /// Substeps inside one host step. 0: [`Integration::per_time`] determines the number.
     pub substeps: u32,
-    /// Substeps per second for few substeps n, from the model's stiffness: per_time dt is n², or n^1.5 with `cubic`.
+    /// Rate, 1/s, from the model's stiffness, that determines small numbers n of substeps: per_time dt is n², or n^1.5
+    /// with `cubic`.
     pub per_time: f64,
     /// Whether `per_time` refers to n^1.5.
     cubic: bool,
-    /// Substeps per second for many substeps: n is at least this times dt, minus ½.
+    /// Rate, 1/s, that determines large numbers n of substeps: n is at least this rate times dt, minus ½.
     many_per_time: f64,
-    /// Frequency of a mass that rings, rad/s ([`RINGS`]); 0 if it is damped.
+    /// Frequency of a ringing mass, rad/s ([`RINGS`]); 0 if the mass is damped.
     rings_at: f64,
-    /// Frequency of a mass, rad/s, whose energy unresolved steps remove ([`Integration::method_of`]). It is `rings_at`,
-    /// or 0 with an oil column or a void.
+    /// Frequency, rad/s, of a ringing mass whose energy is removed by steps too long to resolve it
+    /// ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
     quiets_at: f64,
-    /// Longest step, s, that is one substep of the method.
+    /// Longest step, s, for which one substep of the method suffices.
     one_up_to: f64,
-    /// Longest step, s, that is one cheap step; 0 with another method.
+    /// Longest step, s, for which one cheap step suffices; 0 with another method.
     pub(crate) cheap_up_to: f64,
 }
 
 /// Weight of a spool's frequency relative to that of the mass in the choice of substeps.
 const SPOOL: f64 = 12.0;
 
-/// Mean derivative of the FV curve at which the mass overshoots like that of the default damper (L = 1).
+/// Mean derivative of the FV curve at which the mass overshoots as in the default damper (L = 1).
 ///
-/// It is relative to √(k_s m), which has the same unit.
+/// The value is relative to √(k_s m), which has the same unit.
 const SLACK: f64 = 0.94;
 /// Velocities, as fractions of the FV curve's range, at which the damping of an oscillating mass is evaluated.
 ///
-/// Each is half of the previous one, so that a level part about rest is found down to an eighth of the range. A level
-/// part that ends earlier counts as damping there.
+/// Each is half the next one, down to an eighth of the range. A horizontal part of the curve around rest is detected if
+/// it extends that far; a shorter horizontal part is not.
 const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// Limits of the automatic choice for the mass behind a linear spring.
 ///
-/// For the method of three stages n² ≥ `EVEN` f L^1.6, and for that of four n³ ≥ `CUBIC` L f². Here f is the frequency
-/// times the step and L the overshoot of the mass. Measured over masses of 0.1 to 2 kg, springs of 0.3 to 30 MN/m and
-/// curves of 0.3 to 3 times the default one. The error is below a thousandth in all of them (core/tests/accuracy.rs);
-/// with smaller limits it is not.
+/// The method of three stages requires n² ≥ `EVEN` f L^1.6, that of four stages n³ ≥ `CUBIC` L f². Here f is the
+/// frequency times the step, and L the overshoot of the mass. The limits come from masses of 0.1 to 2 kg, springs of
+/// 0.3 to 30 MN/m and 0.3 to 3 times the default FV curve. The error is below a thousandth in all these cases
+/// (core/tests/accuracy.rs). With smaller limits, the error exceeds a thousandth in some cases.
 const EVEN: f64 = 0.4;
 const CUBIC: f64 = 0.12;
 
 /// Factors on these limits for elements of the force path, whose forces are nonlinear within a step.
 ///
-/// Measured over the test matrix (core/tests/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for a void or several
-/// elements. `TURNS` is for a column whose stiffness changes with the sign of the force, `WHOLE` for friction that
-/// reverses behind the spring. A bushing, whose force is smooth, uses the fourth-order method with `RUBBER`.
+/// The factors were determined with the test matrix (core/tests/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for
+/// a void or several elements. `TURNS` is for a column whose stiffness changes with the sign of the force, `WHOLE` for
+/// friction that reverses behind the spring. A bushing has a smooth force and uses the fourth-order method with
+/// `RUBBER`.
 const KNEE: f64 = 1.3;
 const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
 const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-/// Two substeps per millisecond, however soft the spring, because several elements make the force nonlinear by
-/// themselves. With fewer, the error of oil with air exceeds a thousandth at steps of 2 ms.
+/// Two substeps per millisecond, even with a soft spring, because several elements make the force nonlinear by
+/// themselves. With fewer substeps, the error of oil with air exceeds a thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
 
-/// Overshoot L from which a mass counts as ringing: √(k_s m) over its damping, relative to the default damper.
+/// Overshoot L from which a mass counts as ringing. L is the ratio of √(k_s m) to the damping, relative to the default
+/// damper.
 ///
-/// At this limit each oscillation keeps two thirds of the amplitude, at a damping ratio of 0.06. From 5 on, dampers
-/// with a third of the default damping exceeded an error of a thousandth in steps that other methods handle well.
+/// At this limit, with a damping ratio of 0.06, each oscillation has two thirds of the amplitude of the previous one.
+/// With a limit of 5, dampers with a third of the default damping exceeded an error of a thousandth, in steps where
+/// other methods are accurate.
 const RINGS: f64 = 8.0;
 /// Largest phase angle of the oscillation in one substep, rad: six substeps per period.
 ///
-/// Tested with 20,000 masses of 0.5 to 20 kg thrown about on hardening rubber. With 1.5, 3 of them had a force that
-/// short steps do not have; with 2, 14; without this limit, 250; with 1, none. `cargo test -p dashpot-abi --test search
-/// hard_rubber` runs a thousand such masses.
+/// Tested with 20,000 masses of 0.5 to 20 kg under random motion on hardening rubber. With 1.5, three masses had a
+/// force error that short steps do not show; with 2, 14 masses; without this limit, 250; with 1, none. `cargo test -p
+/// dashpot-abi --test search hard_rubber` runs a thousand such masses.
 const FOLLOWED: f64 = 1.0;
 
 /// Largest number of substeps of the automatic choice.
@@ -90,13 +94,14 @@ pub enum Method {
     Fourth,
     /// Four stages, order 3, with the smallest γ that is L-stable.
     Third,
-    /// Three stages, order 2, with the smallest γ that is L-stable: the cheapest that is accurate enough at 1 ms.
+    /// Three stages, order 2, with the smallest γ that is L-stable. The cheapest method that is accurate enough at 1
+    /// ms.
     ThreeStage,
     /// Two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
     Second,
     /// The cheap step: linearly implicit in closed form, order 1.
     Euler,
-    /// One stage, order 1, solved in full. Users cannot choose it: see [`Integration::method_of`].
+    /// One stage, order 1, solved to convergence. Users cannot choose it: see [`Integration::method_of`].
     BackwardEuler,
 }
 
@@ -137,10 +142,9 @@ impl Integration {
             _ => Method::Fourth,
         };
         let substeps = params.number(number!("substeps")) as u32;
-        // The stiff motion is that of the mass on its series spring. For few substeps, its frequency times the step
-        // grows with the square of the number that a given error needs. For many substeps it grows in proportion to the
-        // number. At 0.1 % error this product is 4 to 6 per substep, and smaller with less damping
-        // (tests/tests/system/hosts/bridge_accuracy.rs).
+        // The motion of the mass on its series spring is stiff. Let f be its frequency times the step, and n the number
+        // of substeps for a given error. For few substeps, f is proportional to n²; for many, to n. In the second case,
+        // f/n is 4 to 6 at 0.1 % error, and smaller with less damping (tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
         let added = bushing.share + bushing.slow_share + bushing.stop_share;
         let stiffness = params.number(number!("series_stiffness")) * (1.0 + added);
@@ -152,13 +156,13 @@ impl Integration {
         let alone = libm::sqrt(stiffness / mass);
         let mut frequency = alone;
         if elements.paths.has_spool() {
-            // The spool oscillates faster than alone, because its own force moves it (measured: 0.1 % with this
-            // factor).
+            // In the damper the spool oscillates faster than alone, because its own force moves it. With this factor,
+            // the measured error is 0.1 %.
             frequency = frequency.max(SPOOL * elements.paths.valve_hysteresis.per_time);
         }
         let (damping, impedance) = (least_derivative(elements), libm::sqrt(stiffness * mass));
         let swings = (SLACK * impedance / damping).clamp(0.25, 10.0);
-        // The damping of the series spring also damps the oscillation, but makes no force nonlinear.
+        // The series damping also damps the oscillation, but does not make any force nonlinear.
         let damped = damping + elements.paths.series_compliance.damping;
         let rings_at = if elements.has_series() && SLACK * impedance >= RINGS * damped { alone } else { 0.0 };
         let quiets_at = if elements.paths.has_column() || elements.paths.has_cavitation() { 0.0 } else { rings_at };
@@ -179,7 +183,7 @@ impl Integration {
 
     /// Chooses the cheapest integration whose error is below a thousandth in a step of 1 ms.
     fn automatic(elements: &Elements, frequency: f64, swings: f64) -> Integration {
-        // Elements of the paths are as nonlinear with a mass that does not overshoot.
+        // Elements of the paths are equally nonlinear if the mass does not overshoot.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
         let three = |times: f64| Integration::new(Method::ThreeStage, 0, even(times, frequency, swings), many);
@@ -211,7 +215,7 @@ impl Integration {
         Integration::new(method, substeps.max(1), 0.0, 0.0).ringing_at(0.0, 0.0)
     }
 
-    /// Sets the frequency of a ringing mass, or 0 for none, and the values that depend on it.
+    /// Sets the frequency of a ringing mass, or 0 without such a mass, and the values that depend on this frequency.
     fn ringing_at(self, rings_at: f64, quiets_at: f64) -> Integration {
         let longest = |most: f64, per_time: f64| if per_time > 0.0 { most / per_time } else { LONGEST };
         let one_up_to = match self.substeps {
@@ -246,14 +250,14 @@ impl Integration {
         }
     }
 
-    /// Returns the longest host step, s, whose substeps resolve a ringing mass at the stiffness of rest; infinite if no
-    /// mass rings.
+    /// Returns the longest host step, s, whose substeps resolve a ringing mass. The spring has its stiffness at rest.
+    /// Infinite if no mass rings.
     pub fn longest_that_follows(&self) -> f64 {
         let substeps = if self.substeps > 0 { self.substeps } else { MOST_SUBSTEPS };
         if self.rings_at > 0.0 { FOLLOWED * f64::from(substeps) / self.rings_at } else { f64::INFINITY }
     }
 
-    /// Returns whether steps that do not resolve a ringing mass remove its energy ([`Integration::method_of`]).
+    /// Returns whether steps too long to resolve a ringing mass remove its energy ([`Integration::method_of`]).
     pub fn quiets(&self) -> bool {
         self.quiets_at > 0.0
     }
@@ -264,8 +268,8 @@ impl Integration {
         dt <= self.one_up_to
     }
 
-    /// Returns the number of substeps in a host step of `dt`. It depends on the model and `dt` alone, never on the
-    /// motion.
+    /// Returns the number of substeps in a host step of `dt`. The number depends on the model and `dt` alone, never on
+    /// the motion.
     #[inline(always)]
     pub fn substeps(&self, dt: f64) -> u32 {
         if self.is_one(dt) {
@@ -283,13 +287,14 @@ impl Integration {
         n
     }
 
-    /// Returns the method of a host step of `dt` with this number of substeps. It is backward Euler for a ringing mass
-    /// that is not resolved.
+    /// Returns the method of a host step of `dt` with this number of substeps. The result is backward Euler if the
+    /// substeps do not resolve a ringing mass.
     ///
-    /// A method of higher order shifts the frequency of such a mass. It may shift it onto that of the drive, with
-    /// several times the force of short steps. Backward Euler removes the energy instead. Within a substep it uses only
-    /// the velocity at the end, which is harmless for a spring. An oil column or a void moved at that velocity for so
-    /// long would make a hundred times the force. The method therefore does not change with these elements.
+    /// A method of higher order shifts the frequency of such a mass. The shifted frequency may coincide with the
+    /// excitation and give several times the correct force. Backward Euler removes the energy instead. It uses the
+    /// velocity at the end of a substep for the whole substep, which is harmless for a spring. With an oil column or a
+    /// void, that velocity would give a hundred times the correct force. The method therefore does not change with
+    /// these elements.
     ///
     /// `stiffer` returns the ratio of the spring's stiffness in the step to that at rest.
     #[inline(always)]
@@ -301,21 +306,21 @@ impl Integration {
     }
 }
 
-/// Returns whether this number of substeps is too small for a mass that rings through an angle, rad.
+/// Returns whether this number of substeps is too small for a ringing mass with phase angle `angle` per host step, rad.
 #[inline(always)]
 fn is_beyond(angle: f64, substeps: u32) -> bool {
     angle > FOLLOWED * f64::from(substeps)
 }
 
-/// Computes the squared substeps per second by [`EVEN`], times the factor of the elements.
+/// Computes n² per second by the limit [`EVEN`], times the factor of the elements.
 fn even(times: f64, frequency: f64, swings: f64) -> f64 {
     times * EVEN * frequency * libm::pow(swings, 1.6)
 }
 
 /// Returns the least mean derivative of the FV curve from rest to fractions of its range, N s/m.
 ///
-/// It is the damping of the mass at the velocities of its oscillation. The mean over the whole range alone would
-/// overestimate the damping of a curve that is level about rest.
+/// This derivative measures the damping of the oscillating mass. The mean over the whole range alone would overestimate
+/// the damping of a curve that is horizontal around rest.
 fn least_derivative(elements: &Elements) -> f64 {
     let curve = &elements.paths.fv_curve;
     let (low, high) = curve.range();

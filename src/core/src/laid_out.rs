@@ -7,7 +7,7 @@ use crate::state::State;
 use crate::tables::Tables;
 
 impl<T: Tables> Model<T> {
-    /// Returns whether the internal states of a state have the layout of this model.
+    /// Returns whether a state has the layout of this model.
     #[inline(always)]
     pub(crate) fn has_laid_out(&self, state: &State) -> bool {
         state.layout == self.layout
@@ -37,8 +37,8 @@ impl<T: Tables> Model<T> {
 impl Model {
     /// Converts a state to this model's layout.
     ///
-    /// Internal states follow their elements, and an element that was off begins in equilibrium at the moving end. A
-    /// state without a layout counts as one of this model.
+    /// Each internal state moves to the new index of its element. An element that was off begins in equilibrium at the
+    /// moving end. A state without a layout counts as a state of this model.
     #[cold]
     #[inline(never)]
     pub fn laid_out(&self, state: &State) -> State {

@@ -1,16 +1,16 @@
 //! Layout of the internal states, so that a state survives when elements are switched on or off.
 //!
 //! The internal states of the elements that are on are stored consecutively, in an order that never changes. A layout
-//! has one bit for each kind of state. The index of a state is the number of set bits below its own.
+//! has one bit for each kind of state. The index of a state is the number of set bits below its own bit.
 
 use crate::assembly::Elements;
 use crate::paths::place;
 use crate::state::MAX_INTERNAL;
 
-/// Bit that every layout contains, to detect uninitialized numbers. Above all kinds, and exactly representable in a
-/// double.
+/// Bit that every layout contains, to detect uninitialized numbers. The bit exceeds every code of a kind, and a double
+/// represents it exactly.
 pub(crate) const MARK: u64 = 1 << 40;
-/// Number of kinds of states of the paths: places, of which two have several kinds, one for each form.
+/// Number of kinds of path states. Two of the states have several kinds, one for each form of their element.
 const IN_PATHS: u32 = 11;
 
 /// Kind of the actuator's lag state in a family, above all others.

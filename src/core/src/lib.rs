@@ -13,9 +13,9 @@
 //! ```
 //!
 //! Free play and bushing in the series compliance extend F_s; oil, air, voids and valves before the FV curve extend
-//! F_d: see [`paths`]. In an eye or a mount the compliance carries the whole force. With `series_load` friction and gas
-//! then act on the mass, at x_m and v_m. F is then F_s plus the forces of a mass at the moving end, of the lagged
-//! polynomial and of the stops.
+//! F_d: see [`paths`]. The compliance of an eye or a mount carries the whole force. The parameter `series_load` selects
+//! this case: friction and gas act on the mass, at x_m and v_m. F is then F_s plus the forces of the moving mass, the
+//! lagged polynomial and the stops.
 //!
 //! [`evaluate()`] returns force, state rates and partial derivatives at one instant; [`step()`] advances by one host step.
 

@@ -12,10 +12,11 @@
 //!
 //! Internal states are stored in [`crate::State::internal`] in the order of the list, only for elements that are on.
 //!
-//! `T` is the owner of an element's tables ([`crate::tables`]); it must be in scope where the list is expanded.
+//! `T` is the owner of an element's tables ([`crate::tables`]). `T` must be in scope where the list is expanded.
 //!
-//! Code that needs the list passes the name of a macro to [`each_element!`], which calls it with all blocks. The table
-//! makes its groups from them ([`crate::parameter::groups`]), the model its prepared set ([`crate::assembly`]).
+//! Code that needs the list passes the name of a macro to [`each_element!`], which calls that macro with all blocks. In
+//! this way [`crate::parameter::groups`] makes the groups of the table, and [`crate::assembly`] the prepared set of the
+//! model.
 
 /// Calls the macro `then!` with the list.
 macro_rules! each_element {

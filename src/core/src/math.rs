@@ -1,12 +1,13 @@
-//! Elementary functions, so that every platform computes the same digits at a known, branch-free cost.
+//! Elementary functions with the same digits on every platform, and with a known, branch-free cost.
 //!
-//! `exp` and `tanh` are accurate to a few units in the last place. For `exp` this error is relative. For `tanh` it is
-//! absolute, because `tanh` multiplies a friction level.
+//! `exp` and `tanh` are accurate to a few units in the last place. For `exp` this error is relative. For `tanh` the
+//! error is absolute, because `tanh` multiplies a friction level.
 
-/// Largest argument magnitude of [`exp`]; beyond it the result is that at the bound (no infinity, no subnormal).
+/// Largest argument magnitude of [`exp`]. Larger arguments give the result at the bound, so no result is infinite or
+/// subnormal.
 const EXP_BOUND: f64 = 700.0;
 
-/// 2^(j/32) for j = 0..32, to rounding.
+/// 2^(j/32) for j = 0..32, correctly rounded.
 #[allow(clippy::approx_constant)]
 const ROOTS: [f64; 32] = [
     1.0,
@@ -52,7 +53,7 @@ pub fn exp(x: f64) -> f64 {
 
 /// Computes e^x for x ≤ 700: x log2(e) = n + (j + f)/32, e^x = 2^n 2^(j/32) 2^(f/32) with |f| ≤ 1/2.
 ///
-/// The rounding of the product makes the relative error grow as 1e-16 |x|. This is harmless: for negative x the
+/// Because of rounding in the product, the relative error grows as 1e-16 |x|. This is harmless: for negative x the
 /// absolute error stays below 1e-16.
 #[inline(always)]
 pub fn exp_below_bound(x: f64) -> f64 {
@@ -63,14 +64,14 @@ pub fn exp_below_bound(x: f64) -> f64 {
     const C3: f64 = C2 * LN2 / 3.0;
     const C4: f64 = C3 * LN2 / 4.0;
     const C5: f64 = C4 * LN2 / 5.0;
-    // Adding 1.5·2^52 rounds to an integer and leaves it in the low mantissa bits.
+    // Adding 1.5·2^52 rounds the product to an integer, which is then in the low mantissa bits.
     const ROUND: f64 = 6_755_399_441_055_744.0;
     let x = max(-EXP_BOUND, x);
     let scaled = x * PER_LN2;
     let shifted = scaled + ROUND;
     let f = scaled - (shifted - ROUND);
     let bits = shifted.to_bits();
-    // 2^n goes into the exponent of the root.
+    // The factor 2^n is added to the exponent of 2^(j/32).
     let j = bits & 31;
     let scale = f64::from_bits(ROOTS[j as usize].to_bits().wrapping_add(bits.wrapping_sub(j) << 47));
     scale + scale * (f * (LN2 + f * (C2 + f * (C3 + f * (C4 + f * C5)))))
@@ -103,11 +104,12 @@ pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
 
 /// Computes the moments of exponential relaxation toward a polynomial target.
 ///
-/// They are e^-r and ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0. A state relaxes toward Σ p_k
-/// s^k with the rate r per step. Its end value is e^-r times its start plus the sum of these moments times p_k.
+/// The moments are e^-r and ∫ r e^{-r (1-s)} s^k ds over s from 0 to 1, k = 0 to 3, for r ≥ 0. A state relaxes toward Σ
+/// p_k s^k with the rate r per step. Its end value is e^-r times its start value, plus the sum of p_k times the k-th
+/// integral.
 #[inline(always)]
 pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
-    // Below this the recurrence would lose more digits than the truncation of the series.
+    // For smaller r, the recurrence would lose more digits than the truncated series.
     const SMALL: f64 = 0.5;
     if r > SMALL {
         let kept = exp_below_bound(-r);
@@ -126,8 +128,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         }
         per
     };
-    // Below this the last five factors suffice: their truncation error, 1e-3^5 · 3!/8!, is below rounding (this holds
-    // up to 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
+    // For smaller r, the last five factors suffice. Their truncation error, 1e-3^5 · 3!/8!, is below rounding (up to r
+    // = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
     const FEW: f64 = 1e-3;
     let (late, early) = PER.split_at(7);
     let mut sum = 1.0;
@@ -140,14 +142,14 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         sum = 1.0 - r * per * sum;
     }
     let fourth = 0.25 * r * sum;
-    // Downward the recurrence loses no digits.
+    // In the direction of decreasing k, the recurrence loses no digits.
     let third = r * (1.0 - fourth) * (1.0 / 3.0);
     let second = r * (1.0 - third) * 0.5;
     let first = r * (1.0 - second);
     (1.0 - first, [first, second, third, fourth])
 }
 
-/// Computes ln x for normal x > 0, with an absolute error of about 1e-16 in addition to that of n ln 2.
+/// Computes ln x for normal x > 0. The absolute error is about 1e-16, plus the rounding error of n ln 2.
 ///
 /// x = 2^n m, √½ ≤ m < √2, ln m = 2 artanh s with s = (m − 1)/(m + 1).
 #[inline(always)]

@@ -9,27 +9,27 @@ use crate::tables::{ForceLaw, Owned, Tables};
 
 use crate::{element, number};
 
-/// Displacements up to which the springs on the mass must be softer than the series spring, m.
+/// Largest displacement, m, up to which the springs on the mass must be softer than the series spring.
 const STROKE: f64 = 0.1;
-/// Positions on each side at which the springs' derivative is checked: one every half millimeter.
+/// Number of positions on each side at which the springs' derivative is checked: one every half millimeter.
 const PLACES: i32 = 200;
 
-/// Units of the internal states of the parallel elements; "-" for all others.
+/// Units of the internal states of parallel elements. All elements that are not listed have the unit "-".
 const MEMORY_UNITS: [(Element, &str); 3] =
     [(element!("lagged_polynomial"), "N"), (element!("presliding_friction"), "m"), (element!("moving_mass"), "m/s")];
 
-/// A prepared damper. Constant while it runs; one model serves any number of states.
+/// A prepared damper. It is constant during a run and serves any number of states.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Model<T: Tables = Owned> {
     pub(crate) elements: Elements<T>,
     pub(crate) integration: Integration,
-    /// Layout of the states: the set of internal states that they contain.
+    /// Layout of the states: the set of internal states that a state contains.
     pub(crate) layout: f64,
 }
 
 impl Model {
-    /// The value without a damper, the initial value for [`Model::set`].
+    /// A model without elements, the initial value for [`Model::set`].
     pub const OFF: Model = Model { elements: Elements::OFF, integration: Integration::OFF, layout: 0.0 };
 
     /// Checks the parameters and prepares all that stays constant in a run.
@@ -51,7 +51,7 @@ impl Model {
         Elements::check(params)?;
         crate::proportion::check(params)?;
         // A step uses the tangent of the springs on the mass at the predicted position. This is stable only if the
-        // series spring, and not these springs, determines the position of the mass.
+        // series spring determines the position of the mass, not the springs on the mass.
         let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));
         let too_stiff = |stiffness: f64| Elements::steepest_inner(params, places).map(|steepest| steepest > stiffness);
         let stiffness = number!("series_stiffness");
@@ -66,7 +66,7 @@ impl Model {
         Elements::memories_of(params)
     }
 
-    /// Prepares the model in place, because it is too large for the stack of a small thread.
+    /// Prepares the model in place, because a model is too large for the stack of a small thread.
     ///
     /// # Errors
     /// Returns the parameter at fault and the reason; the model then stays unchanged.
@@ -88,7 +88,7 @@ impl Model {
 impl<T: Tables> Model<T> {
     /// Returns the number of states that a solver of the host integrates.
     ///
-    /// They are those of the internal mass and the internal states of the elements that are on.
+    /// These are the states of the internal mass, and the internal states of the elements that are on.
     pub fn states(&self) -> usize {
         2 + self.elements.memories()
     }
@@ -137,7 +137,7 @@ mod tests {
     use crate::list;
     use crate::parameter::Number;
 
-    /// The counts of states before and after preparation agree for any set of elements.
+    /// The numbers of states counted before and after preparation agree for any set of elements.
     #[test]
     fn states_are_counted_alike_before_and_after() {
         let all: std::vec::Vec<_> = Element::all().collect();
@@ -205,15 +205,15 @@ mod tests {
         assert_eq!(fault(&[k, (number!("spring_linear"), 0.99e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_linear"), 1e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_linear"), 1.01e5)], None), softer);
-        // 2 k |x| at 0.1 m.
+        // The derivative is 2 k |x|, at 0.1 m.
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 4.9e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 5.1e5)], None), softer);
-        // Steep on one side only.
+        // The spring is steep on one side only.
         let (x, f) = ([-0.2, -0.06, -0.05, 0.2], [-20e3, -2e3, 0.0, 0.0]);
         assert_eq!(fault(&[k], Some((&x, &f))), softer);
         let (x, f) = ([-0.2, 0.05, 0.06, 0.2], [0.0, 0.0, 2e3, 20e3]);
         assert_eq!(fault(&[k], Some((&x, &f))), softer);
-        // Steep at displacements beyond a damper of 200 mm stroke.
+        // The spring is steep only at displacements that a damper of 200 mm stroke cannot reach.
         let (x, f) = ([-0.2, 0.12, 0.13, 0.2], [0.0, 0.0, 2e3, 16e3]);
         assert_eq!(fault(&[k], Some((&x, &f))), None);
         // Without the series spring there is no internal mass to drive.

@@ -1,4 +1,4 @@
-//! The model file: flat `name = value` lines, a subset of TOML that hosts without a TOML library can read too.
+//! The model file: flat `name = value` lines. Hosts without a TOML library can also read this subset of TOML.
 //!
 //! ```toml
 //! format = 1
@@ -22,11 +22,12 @@
 //!
 //! A value is a number, a word in quotes, or a list, which may extend over several lines. Parameters that the file does
 //! not name keep their defaults. Reading ends at the first `[table]`: all further text is for people and tools, not for
-//! the damper. A table with the name of an element is an error, because its author meant parameters of the damper.
+//! the damper. A table with the name of an element is an error, because its author probably meant parameters of the
+//! damper.
 //!
-//! All files that dashpot writes announce the first table in a comment (`# The lines up to [end] are the damper`). Such
-//! a file that ends before the table was truncated, which is an error: its missing parameters would silently have their
-//! defaults.
+//! All files that dashpot writes announce the first table in a comment (`# The lines up to [end] are the damper`). If
+//! such a file ends before the table, it is truncated. This is an error, because missing parameters would silently have
+//! their defaults.
 
 use crate::family::Axis;
 use crate::family::axis::{ENTRIES, can_vary, check_entry, check_grid, check_text, check_values, index_of};
@@ -36,7 +37,7 @@ use crate::number;
 use crate::parameter::values::check;
 use crate::parameter::{COUNT, Element, GROUPS, List, Number, Params, Row, Shape, table};
 
-/// Required number of the key `format`.
+/// Required value of the key `format`.
 pub const FORMAT: f64 = 1.0;
 
 /// Error of reading a model file.
@@ -55,11 +56,11 @@ pub struct ReadError {
 pub enum Problem {
     /// The line is not `name = value`.
     Syntax,
-    /// A value is neither a number nor a word in quotes nor a list of one of them.
+    /// A value is invalid: it must be a number, a word in quotes, or a list of numbers or words.
     Value,
     /// The key appears twice.
     Repeated,
-    /// `format` is missing or has another number than this library reads.
+    /// `format` is missing or has a number that this library cannot read.
     Format,
     /// `elements` is missing.
     NoElements,
@@ -75,7 +76,7 @@ pub enum Problem {
     Parameter(Fault),
     /// A number of the setting is invalid.
     Setting(Reason),
-    /// The damper depends on a setting, but the caller needs one that does not.
+    /// The damper depends on a setting, but the caller needs an ordinary damper.
     Family,
 }
 
@@ -112,14 +113,14 @@ impl Problem {
 /// A name that is not in the table.
 const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
 
-/// Begin of the comment that announces the table after the damper.
+/// Beginning of the comment that announces the table after the damper.
 pub const ANNOUNCES: &str = "# The lines up to [";
 
-/// Largest number of values in one list. The text of [`Problem::TooLong`] contains it too.
+/// Largest number of values in one list. The text of [`Problem::TooLong`] also contains this number.
 const LONGEST: usize = 64;
 
-/// Reads a model file into `params`, which start from the defaults. A damper that depends on a setting is rejected: see
-/// [`read_family`].
+/// Reads a model file into `params`; parameters that the file does not name have their defaults. Rejects a damper that
+/// depends on a setting: see [`read_family`].
 ///
 /// # Errors
 /// Returns the first error with its line; `params` then stays unchanged.
@@ -141,8 +142,8 @@ pub fn check_family(text: &[u8]) -> Result<(), ReadError> {
     read_into(text, &mut Params::BLANK.clone(), None)
 }
 
-/// Reads a model file of an ordinary or an adjustable damper. `params` are those at the start setting. `axis` has no
-/// grid for an ordinary damper.
+/// Reads a model file of an ordinary or an adjustable damper. `params` are the parameters at the start setting. For an
+/// ordinary damper, `axis` has no grid.
 ///
 /// # Errors
 /// Returns the first error with its line; `params` and `axis` then stay unchanged.
@@ -152,7 +153,7 @@ pub fn read_family(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result<
     read_checked(text, params, axis)
 }
 
-/// Reads a text that [`check_family`] accepted, directly into the caller's memory.
+/// Reads a text that passed [`check_family`], directly into the caller's memory.
 ///
 /// # Errors
 /// Returns the errors of [`read_family`]; the caller's data may then be incomplete.
@@ -167,7 +168,8 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
     Ok(())
 }
 
-/// Finds the grid in a text. Returns its values, their number, and the line; no line if the text names no setting.
+/// Finds the grid in a text. Returns its values, their number, and its line. The line is `None` if the text names no
+/// setting.
 fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
     let mut reader = Reader { rest: text, line: 1, announced: false };
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
@@ -201,9 +203,9 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     }
 }
 
-/// Reads the text into `read`, which an error may leave changed.
+/// Reads the text into `read`. After an error, `read` may be partly changed.
 ///
-/// Values that depend on a setting go to the `axis`, if there is one, and are only checked otherwise.
+/// Values that depend on a setting are written to the `axis`, or only checked if there is no axis.
 #[inline(never)]
 fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Result<(), ReadError> {
     let (_, settings, _) = grid_of(text)?;
@@ -311,9 +313,9 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
 
 /// Returns the name at fault in the file, if the error is about a name.
 ///
-/// It is an unknown parameter or element, or an element named twice.
+/// This is the name of an unknown parameter or element, or of an element named twice.
 ///
-/// The search uses bytes, because the text searches of the standard library contain panics that cannot be removed.
+/// The search uses bytes, because the text searches of the standard library can panic.
 pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
     let (from, to) = line_at(text, error.line)?;
     let line = text.get(from..to)?;
@@ -418,7 +420,7 @@ impl<'a> Reader<'a> {
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
         let wrong = |fault: Fault| at(Problem::Setting(fault.reason));
         if index == ENTRIES.len() {
-            // The grid was read and checked before all else.
+            // The grid was already read and checked before all other entries.
             self.skip_value();
             return Ok(());
         }
@@ -438,7 +440,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the values of a parameter for each setting. `varying` is its number among the parameters that depend on
+    /// Reads the values of a parameter for each setting. `varying` is the parameter's index among those that depend on
     /// the setting.
     fn over_setting(
         &mut self,
@@ -500,7 +502,7 @@ impl<'a> Reader<'a> {
             }
             points = count;
             if index == 0 {
-                // These forces apply until the axis has all of them.
+                // These forces apply until the axis has the forces at all settings.
                 read.set_list(list, forces).map_err(of_table).map_err(of_line)?;
             }
             if let Some(axis) = axis.as_deref_mut() {
@@ -602,7 +604,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// Skips blanks and comments, and line ends if `lines`.
+    /// Skips blanks and comments; also skips line ends if `lines` is true.
     fn blank(&mut self, lines: bool) {
         while let Some(c) = self.peek() {
             match c {
@@ -628,14 +630,14 @@ impl<'a> Reader<'a> {
         run
     }
 
-    /// Reads to the end of the text and rejects tables with the name of a group of parameters: their parameters would
-    /// silently keep their defaults.
+    /// Reads to the end of the text and rejects tables with the name of a group of parameters. Without this check, the
+    /// parameters of such a table would silently keep their defaults.
     fn refuse_element_tables(&mut self) -> Result<(), ReadError> {
         loop {
             self.blank(true);
             let line = self.line;
             let is_heading = self.take(b'[');
-            // The heading of a list of tables has two brackets.
+            // The heading of an array of tables has two brackets.
             self.take(b'[');
             self.blank(false);
             if is_heading
@@ -729,17 +731,17 @@ mod tests {
         assert_eq!(axis.forces(2), Some(&[-1900.0, 0.0, 3300.0][..]));
         let actuator = axis.actuator();
         assert_eq!((actuator.time, actuator.hysteresis), ([0.008, 0.0], 0.05));
-        // The parameters are those at the start setting.
+        // The parameters have their values at the start setting.
         assert_eq!(params.number(number!("gas_force")), 82.5);
         assert_eq!(params.list(list!("fv_force")), [-1500.0, 0.0, 2500.0]);
         crate::family::Family::check(&params, &axis).unwrap();
-        // A reader of ordinary dampers rejects it and reads nothing.
+        // The reader of ordinary dampers rejects the file and changes nothing.
         let mut plain = Params::new();
         let error = read(OVER_CURRENT.as_bytes(), &mut plain).unwrap_err();
         assert_eq!((error.line, error.problem), (9, Problem::Family));
         assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
         assert_eq!(plain, Params::new());
-        // An ordinary damper leaves the axis empty.
+        // After reading an ordinary damper, the axis is empty.
         read_family(SMALL.as_bytes(), &mut params, &mut axis).unwrap();
         assert!(!axis.is_some() && axis.numbers().is_empty() && !axis.has_forces() && axis.name().is_empty());
         assert_eq!(params.number(number!("gas_force")), 12.5);
@@ -819,7 +821,7 @@ mod tests {
                      gas_force = 151.93 # N\n\n[end]\n";
         let end = whole.find("[end]\n").unwrap();
         assert!(read(whole.as_bytes(), &mut Params::new()).is_ok());
-        // Begin where the parameters begin. A file cut inside the first value would otherwise be a valid damper.
+        // Truncate the file at every position from the first parameter on.
         for cut in whole.find("format").unwrap()..whole.len() {
             let refused = read(&whole.as_bytes()[..cut], &mut Params::new()).is_err();
             assert_eq!(refused, cut <= whole.rfind('[').unwrap(), "{cut} of {end}: {:?}", &whole[..cut]);
@@ -841,7 +843,7 @@ mod tests {
             let error = refused(&format!("{head}{rest}"));
             assert_eq!((error.line, error.problem), (line, Problem::ElementTable), "{rest}");
         }
-        // This error comes before all others: a file with its elements in tables has nothing above them.
+        // This error precedes all others, because a file with its elements in tables has no lines above them.
         assert_eq!(refused("[fv_curve]\n").problem, Problem::ElementTable);
         for rest in ["[fv_curves]\n", "# [fv_curve]\n", "[notes]\nwhy = \"[fv_curve]\"\n"] {
             assert!(read(format!("{head}{rest}").as_bytes(), &mut Params::new()).is_ok(), "{rest}");

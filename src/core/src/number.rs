@@ -1,12 +1,12 @@
 //! Conversion of decimal text to a number, correctly rounded, without the locale of the host and without a panic path.
 //!
 //! `strtod` depends on the locale (a German workstation expects a decimal comma), and `str::parse` contains panic
-//! paths. The model file therefore has its own parser. It is exact for up to 19 significant digits and drops further
-//! digits.
+//! paths. The model file therefore has its own parser. The parser is exact for up to 19 significant digits and ignores
+//! further digits.
 
 /// Number of 32-bit limbs that hold every intermediate integer: 19 digits times 2^1300.
 const LIMBS: usize = 48;
-/// Largest decimal exponent; larger ones are rejected, because no damper needs them.
+/// Largest decimal exponent. Larger exponents are rejected, because no damper needs them.
 const EXPONENT_BOUND: i32 = 300;
 
 /// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if `text` as a whole is not a number.
@@ -80,7 +80,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     let mut binary = 0i32;
     let mut sticky = false;
     if exponent < 0 {
-        // Shift left far enough that 64 bits remain after the division.
+        // The left shift is large enough for 64 significant bits after the division.
         binary = exponent.wrapping_neg().wrapping_mul(10) / 3 + 70;
         place(&mut big, mantissa, binary as usize);
         let mut left = exponent.wrapping_neg();
@@ -102,7 +102,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
         }
     }
     let limb = |i: usize| u128::from(big.get(i).copied().unwrap_or(0));
-    // The three highest limbs contain at least 65 significant bits; the lower limbs only break ties.
+    // The three highest limbs contain at least 65 significant bits. The lower limbs only decide ties.
     let high = limb(top) << 64 | limb(top.wrapping_sub(1)) << 32 | limb(top.wrapping_sub(2));
     for (i, limb) in big.iter().enumerate() {
         sticky |= i + 2 < top && *limb != 0;
@@ -196,7 +196,7 @@ mod tests {
             if value.is_finite() && value.abs() > 1e-280 && value.abs() < 1e280 {
                 same(&format!("{value:e}"));
             }
-            // A halfway case: 2^53 + odd, and numbers of ordinary magnitude.
+            // Halfway cases, 2^53 plus an odd number, and numbers of ordinary magnitude.
             same(&format!("{}", (seed >> 10) as f64 * 1e-6));
             same(&format!("{}", seed >> 9));
         }

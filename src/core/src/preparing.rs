@@ -1,4 +1,4 @@
-//! Preparation of the elements from a parameter set, in one way for all.
+//! Preparation of the elements from a parameter set, common to all elements.
 
 use crate::element::Prepare;
 use crate::fault::Fault;
@@ -11,7 +11,7 @@ pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), F
     E::check(&params.view(place))
 }
 
-/// Prepares an element that [`checked`] accepted.
+/// Prepares an element whose parameters passed [`checked`].
 #[inline(never)]
 pub(crate) fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, place: usize) {
     if !on || element.set(&params.view(place)).is_err() {

@@ -1,10 +1,9 @@
 //! Check whether the numbers of a damper are in proportion to each other.
 //!
-//! Let all forces, stiffnesses, masses and heats be s times as large, and lengths, speeds and times unchanged. The
-//! damper then moves as before and its force is s times as large, because each term of every equation contains one
-//! force. The guarantees are tested within the bounds of passenger car dampers. They therefore hold for dampers of any
-//! size, if all their numbers are in proportion. A set is allowed if one s scales every number that grows with the
-//! damper into the bounds of a car.
+//! Multiply all forces, stiffnesses, masses and heats by s, with lengths, speeds and times unchanged. The damper then
+//! moves as before with s times the force, because each term of every equation contains one force. The guarantees are
+//! tested within the bounds of passenger car dampers. They therefore hold for dampers of any size whose numbers are in
+//! proportion. A set is allowed if one factor s scales every size-dependent number into the bounds of a car.
 
 use crate::curve::STEEPEST;
 use crate::fault::{Fault, Reason};
@@ -17,8 +16,8 @@ use crate::parameter::{Params, table};
 /// Returns the number that is too large or too small compared with another.
 #[inline(never)]
 pub fn check(params: &Params) -> Result<(), Fault> {
-    // Smallest damper that allows numbers this large, largest damper that allows numbers this small, and the rows that
-    // set them.
+    // The smallest size that allows the large numbers, the largest size that allows the small numbers, and the rows
+    // that determine both.
     let (mut least, mut most) = (0.0f64, f64::INFINITY);
     let (mut too_large, mut too_small) = (None, None);
     for row in table().filter(|row| row.parameter.grows && params.counts(row)) {
@@ -48,7 +47,7 @@ pub fn check(params: &Params) -> Result<(), Fault> {
     if least <= most * (1.0 + 1e-9) {
         return Ok(());
     }
-    // The number that no car damper has is at fault; if both are such numbers, the large one is reported.
+    // The number outside the bounds of a car is at fault. If both are outside, the function reports the large number.
     let at_fault = if least > 1.0 { too_large } else { too_small };
     at_fault.map_or(Ok(()), |row| Err(row.fault(Reason::OutOfProportion)))
 }

@@ -1,6 +1,6 @@
-//! Definition of a parameter, and of the description that each element gives of its parameters.
+//! Definition of a parameter, and of each element's description of its parameters.
 //!
-//! This is the lowest layer: it depends on no element and not on the table of all rows ([`crate::parameter`]).
+//! This is the lowest layer. It depends neither on the elements nor on the table of all rows ([`crate::parameter`]).
 
 pub mod kind;
 pub mod own;
@@ -12,17 +12,16 @@ pub use own::{Own, View};
 pub enum Shape {
     /// One number.
     Scalar,
-    /// One of these words; its number is its index.
+    /// One of these words; the value is the index of the word.
     Choice(&'static [&'static str]),
     /// A list of up to this many numbers.
     List(usize),
 }
 
-/// Strength of the smallest and the largest damper whose parameters are allowed, as a multiple of a passenger car's.
+/// Size of the smallest and the largest allowed damper, as the ratio of its forces to those of a car damper.
 ///
-/// They range from a damper of an instrument, of some newtons, to the strut of an airplane or a lock, of some hundred
-/// kilonewtons. Wider bounds would only allow dampers that are scaled copies of these. An error of units would then be
-/// rejected later.
+/// The sizes range from instrument dampers of some newtons to struts of airplanes or canal locks of some hundred
+/// kilonewtons. Wider bounds would detect fewer errors of units.
 pub const SIZES: (f64, f64) = (1e-3, 100.0);
 
 /// One row of the parameter table.
@@ -32,7 +31,7 @@ pub struct Parameter {
     pub name: &'static str,
     /// SI unit as text; "-" for a pure number.
     pub unit: &'static str,
-    /// Kind of its value.
+    /// Kind of the value.
     pub shape: Shape,
     /// Default value or values.
     pub default: &'static [f64],
@@ -40,12 +39,13 @@ pub struct Parameter {
     pub low: f64,
     /// Largest allowed value.
     pub high: f64,
-    /// Smallest and largest value in a damper of the size of a passenger car's. A number with a force in its unit may
-    /// be smaller or larger ([`SIZES`]), if all others of the set are in proportion ([`crate::proportion`]).
+    /// Smallest and largest value in a damper of a passenger car's size. A number with a force in its unit may be
+    /// smaller or larger ([`SIZES`]) if the whole set is in proportion ([`crate::proportion`]).
     pub of_a_car: (f64, f64),
-    /// A choice of the same element and those of its words with which the parameter has an effect; `None`: always.
+    /// A choice of the same element, and the words of that choice for which the parameter has an effect. `None` if the
+    /// parameter always has an effect.
     pub form: Option<(&'static str, &'static [&'static str])>,
-    /// Whether it must be in proportion to the size of the damper: its unit contains a force.
+    /// Whether the value must be in proportion to the size of the damper, because its unit contains a force.
     pub grows: bool,
     /// Meaning in one sentence, for the reader of a report.
     pub meaning: &'static str,
@@ -65,14 +65,14 @@ impl Parameter {
         Parameter { name, unit, shape: Shape::Scalar, default, low, high, of_a_car: bounds, form: None, grows, meaning }
     }
 
-    /// Restricts the parameter to some words of a choice of its element: it has no effect with others.
+    /// Restricts the parameter to some words of a choice of its element. With other words, the parameter has no effect.
     pub const fn in_form(mut self, choice: &'static str, words: &'static [&'static str]) -> Parameter {
         self.form = Some((choice, words));
         self
     }
 
-    /// Marks a parameter whose largest value means that it has no effect, in a damper of any size. It need not be in
-    /// proportion to the others.
+    /// Marks a parameter that has no effect at its largest value, in a damper of any size. Such a parameter need not be
+    /// in proportion to the others.
     pub const fn none_at_most(mut self) -> Parameter {
         self.high = self.of_a_car.1;
         self.grows = false;
@@ -119,7 +119,7 @@ impl Parameter {
         }
     }
 
-    /// Returns the number of its values.
+    /// Returns the number of values of the parameter.
     pub(crate) const fn slots(&self) -> usize {
         match self.shape {
             Shape::List(capacity) => capacity,
@@ -132,12 +132,12 @@ impl Parameter {
     }
 }
 
-/// Returns whether a unit is one of force or contains one: stiffness, damping, mass (kg is N s²/m), heat.
+/// Returns whether a unit contains a force, as those of force, stiffness, damping, mass (kg is N s²/m) and heat do.
 pub const fn has_force(unit: &str) -> bool {
     matches!(unit.as_bytes(), [b'N' | b'J' | b'W', ..] | [b'k', b'g', ..])
 }
 
-/// Widens the bounds in a car to dampers of any size, for a number in proportion to the size.
+/// Widens the bounds of a car to dampers of any size, for a number that is proportional to the size.
 const fn of_any_size((low, high): (f64, f64)) -> (f64, f64) {
     (if low > 0.0 { low * SIZES.0 } else { low * SIZES.1 }, high * SIZES.1)
 }

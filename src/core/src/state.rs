@@ -5,8 +5,8 @@ use crate::element::ForceComponent;
 /// Largest number of internal states of a model.
 pub const MAX_INTERNAL: usize = 8;
 
-/// State of one damper: plain numbers, owned and copied by the host. Hysteresis is always one of these continuous
-/// states, never a stored reversal point. A rejected step or a saved run therefore needs only a copy.
+/// State of one damper: plain numbers, which the host owns and copies. Hysteresis is always a continuous state, never a
+/// stored reversal point. To repeat a rejected step or save a run, the host therefore only copies the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct State {
@@ -22,7 +22,7 @@ pub struct State {
     pub internal: [f64; 8],
     /// Layout of the internal states: see [`crate::layout`]; 0 if no code has set it.
     pub layout: f64,
-    /// Always 0. Makes fourteen numbers: seven pairs, which processors load two at a time.
+    /// Always 0. With this number, the state has seven pairs of numbers, which processors load pair by pair.
     pub reserved: f64,
 }
 
@@ -57,9 +57,10 @@ impl State {
 pub struct Output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// dF/dx over the displacement of the input, N/m. From a step: the total derivative of that step's force.
+    /// Derivative of the force with respect to the input's displacement, N/m. After a step, the total derivative of
+    /// that step's force.
     pub d_force_d_displacement: f64,
-    /// dF/dv over the velocity of the input, N s/m.
+    /// Derivative of the force with respect to the input's velocity, N s/m.
     pub d_force_d_velocity: f64,
     /// Force of the primary damper (FV curve), N.
     pub primary_force: f64,
@@ -102,7 +103,7 @@ impl Output {
 }
 
 impl Output {
-    /// Adds the force of a parallel element to its component of the output, besides the total.
+    /// Adds the force of a parallel element to the output of its component. The total force does not change.
     pub(crate) fn count(&mut self, component: ForceComponent, force: f64) {
         match component {
             ForceComponent::Total => {}

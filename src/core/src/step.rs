@@ -1,4 +1,5 @@
-//! One host step at a fixed cost: a diagonally implicit Runge–Kutta method over a few substeps, without side effects.
+//! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a fixed cost and without side
+//! effects.
 //!
 //! In every stage the internal velocity u solves one scalar equation. With the stage's known parts X, V of displacement
 //! and velocity and g = γh,
@@ -8,10 +9,10 @@
 //! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + F_p') + g² (k_s + F_p'),
 //! ```
 //!
-//! The springs on the mass are linearized about the predicted x_m, because they are soft compared with k_s. A spring of
-//! a table or of a higher power is linearized again about the solution if its line does not hold there. The left side
-//! rises strictly with u, so the solution is unique for any stiffness. The FV curve finds it in a fixed number of
-//! operations ([`crate::curve::Curve::solve`]). All methods are L-stable and stiffly accurate.
+//! The springs on the mass are linearized about the predicted x_m, because they are soft compared with k_s. A spring
+//! with a table or a higher power is linearized again about the solution if its tangent is too inaccurate there. The
+//! left side rises strictly with u, so the solution is unique for any stiffness. [`crate::curve::Curve::solve`] finds
+//! the solution in a fixed number of operations. All methods are L-stable and stiffly accurate.
 //!
 //! The cheap step is a separate method: see [`cheap`].
 
@@ -40,17 +41,16 @@ use mass::{Drive, Mass, move_mass, move_mass_at_once};
 use primary::{Any, Faded, Plain, Primary};
 use tableau::{EULER, THREE_STAGE, Tableau};
 
-/// Longest step, s, that resolves fast motion: a wheel hops in a tenth of a second.
+/// Longest step, s, that resolves fast motion. For example, the period of wheel hop is a tenth of a second.
 pub const LONG_STEP: f64 = 0.01;
 
 /// Advances `from` to the end of the step, where the host's input is `to`.
 ///
-/// Returns the new state and the force there with its exact derivatives over the displacement and the velocity of
+/// Returns the new state and the force there, with its exact derivatives with respect to displacement and velocity of
 /// `to`.
 ///
-/// With `dt = 0` it evaluates the equilibrium: the state does not change and the force is that of the damper at
-/// equilibrium. If the host gives only a velocity, the derivative over velocity includes the displacement integrated
-/// from it.
+/// With `dt = 0`, the state does not change and the force is that of the damper at equilibrium. If the host gives only
+/// a velocity, the derivative with respect to velocity includes the effect of the integrated displacement.
 #[inline]
 pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output) {
     let (mut state, mut output) = (State::ZERO, Output::ZERO);
@@ -60,7 +60,7 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
 
 /// Advances a state and writes the new state and the output to the caller's variables.
 ///
-/// Returns false, and leaves both unchanged, if the output is not finite.
+/// Returns false if the output is not finite. The state is then `from`, and the output stays unchanged.
 #[inline]
 pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) -> bool {
     *state = *from;
@@ -69,8 +69,8 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 
 /// Advances a state in place.
 ///
-/// Returns false, and leaves state and output unchanged, if the output is not finite. Only an input or a state far
-/// outside the range of dampers causes this.
+/// Returns false if the output is not finite; state and output then stay unchanged. Only inputs or states far outside
+/// the range of dampers cause this.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     move_on(model, state, to, dt, output, true)
@@ -83,7 +83,7 @@ pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> 
     move_on(model, state, to, dt, &mut output, false).then_some(output.force)
 }
 
-/// Advances one step; without `derivatives` those of the output have no meaning.
+/// Advances one step. Without `derivatives`, the derivatives of the output have no meaning.
 #[inline(always)]
 fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
     if !model.has_laid_out(state) {
@@ -93,14 +93,15 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-        // The solution is in closed form, from numbers whose fourth powers do not overflow.
+        // The result is always finite, because the solution has a closed form and the inputs have fourth powers without
+        // overflow.
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, derivatives)
 }
 
-/// Steps from a state of other elements, which is first converted. If the output is not finite, the state does not
-/// change.
+/// Steps from a state with the layout of other elements, after converting this state. If the output is not finite, the
+/// state does not change.
 #[cold]
 #[inline(never)]
 fn move_on_laid_out(
@@ -119,7 +120,7 @@ fn move_on_laid_out(
     done
 }
 
-/// Steps in place a damper whose tables are borrowed, from a state in its layout.
+/// Steps a damper with borrowed tables in place, from a state in the damper's layout.
 #[inline(always)]
 pub(crate) fn step_borrowed(
     model: &Model<impl Tables>,
@@ -152,8 +153,8 @@ fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &
     finite
 }
 
-/// Takes a step that is not a single cheap one. The input comes by value, so that cheap steps keep theirs in registers.
-/// The cost of the call is negligible here.
+/// Takes any step other than a single cheap step. The input is passed by value, so that the caller can keep its own
+/// copy in registers. The cost of this call is negligible.
 #[cold]
 #[inline(never)]
 fn step_of_any_kind(
@@ -200,9 +201,9 @@ fn step_by_its_method(
     }
 }
 
-/// Returns whether a step is a single step of three stages, as most are, which has its own compiled code. All other
-/// steps share the code around their stages. Steps of five stages, with nonlinear springs or with a fading curve also
-/// share the code of the stages ([`mass`]). Separate code for each made up a third of the library.
+/// Returns whether a step is a single step of three stages. Most steps are, so this case has its own compiled code. All
+/// other steps share the code around their stages. Steps with five stages, nonlinear springs or a fading curve also
+/// share the code of the stages ([`mass`]). Separate code for each case would be a third of the library.
 #[inline(always)]
 fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
@@ -218,7 +219,7 @@ fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
 /// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor is known
 /// before the step.
 ///
-/// The cheap step differs from the method through the force path and does not use this function.
+/// The cheap step does not use this function, because its result differs from that of the force path.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,
@@ -319,7 +320,7 @@ fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     e.paths.bushing.stiffer(from.displacement - from.mass_displacement, s.mass / s.stiffness * (speed * speed))
 }
 
-/// Repeats a cheap step in which an element needs a costly evaluation, or whose linearization does not hold.
+/// Repeats a cheap step if an element needs a costly evaluation, or if the linearization is too inaccurate.
 #[cold]
 #[inline(never)]
 fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, dt: f64, output: &mut Output) {
@@ -328,10 +329,10 @@ fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, 
     }
 }
 
-/// Takes one cheap step of a damper whose only internal state is its mass, at the highest speed.
+/// Takes one cheap step of a damper without states other than those of its mass, as fast as possible.
 ///
-/// Returns false without a change if the linearization does not hold. With `AT_ONCE` it also does so unless every
-/// element has a direct solution. Then no function is called, and all values stay in registers.
+/// Returns false and changes no state if the linearization is too inaccurate. With `AT_ONCE`, also returns false unless
+/// every element has a direct solution. With direct solutions, no function is called and all values stay in registers.
 #[inline(always)]
 fn cheap_step<const AT_ONCE: bool>(
     model: &Model<impl Tables>,
@@ -343,7 +344,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let elements = &model.elements;
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
-    // Evaluate and store first all that does not depend on the mass.
+    // First evaluate and store everything that does not depend on the mass.
     let outer = Motion { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
     let before = cheap::Before {
         x: state.mass_displacement,
@@ -355,7 +356,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let at = before.springs_at(&end);
     let (friction, springs, preload);
     if AT_ONCE {
-        // Friction is the most likely to have no direct solution.
+        // Friction comes first, because it most often has no direct solution.
         match elements.friction_at_once(&outer) {
             Some(answer) => friction = answer,
             None => return false,
@@ -378,7 +379,7 @@ fn cheap_step<const AT_ONCE: bool>(
         (friction.d_force_d_x + preload.d_force_d_x, friction.d_force_d_v + preload.d_force_d_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
-    // A spring with a direct solution is linear.
+    // With `AT_ONCE`, all springs are linear.
     if !(after.holds() && (AT_ONCE || after.springs_hold(elements, &end, before.side))) {
         return false;
     }
@@ -393,7 +394,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let deflection = end.x - after.x;
     output.series_deflection = deflection;
     output.force = (s.stiffness * deflection + s.damping * (end.v - after.v)) + beside;
-    // The mass yields by dt k_s and dt c_s to displacement and velocity of the moving end.
+    // The motion of the mass reduces the derivatives of the series force.
     let follows = s.damping + dt * s.stiffness;
     let per_impulse = dt * after.by_impulse;
     let by_x = s.stiffness - follows * (s.stiffness * per_impulse) + by_x_beside;
@@ -444,8 +445,8 @@ fn answer_by_table(
     answer_by::<Any, false, true>(method, model, state, to, dt, output, derivatives);
 }
 
-/// Takes a step by one variant. Without a displacement from the host, the displacement at the end depends on the
-/// velocity there.
+/// Takes a step by one variant. If the host gives no displacement, the displacement at the end depends on the velocity
+/// at the end.
 #[inline(always)]
 fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
@@ -465,16 +466,16 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 
 /// Advances a state in place and passes every stage to `follow`.
 ///
-/// The derivatives of the output treat the internal mass as fixed, and the internal states too unless `follow` asks for
-/// derivatives. The function is for dampers without elements in the series or hydraulic path: their stages differ, see
-/// [`advance_paths`].
+/// The derivatives of the output treat the internal mass as fixed. Unless `follow` requests derivatives, they also
+/// treat the internal states as fixed. For dampers with elements in the series or hydraulic path, use
+/// [`advance_paths`], because their stages differ.
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
 }
 
-/// Advances a state in place by one method. `COMMON`: [`is_common`] is true; the springs may then be nonlinear only
-/// with `BENT`.
+/// Advances a state in place by one method. `COMMON` means that [`is_common`] is true. With `COMMON`, the springs may
+/// be nonlinear only if `BENT` is true.
 #[inline(always)]
 fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
@@ -528,7 +529,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
         by_x = inner.d_force_d_x;
         by_v = inner.d_force_d_v + primary.derivative;
     }
-    // Inline these calls in the most frequent step, and call them elsewhere.
+    // The most frequent step inlines these functions; all other steps call them.
     let Outer { friction, preload } = if COMMON && !BENT {
         Outer { friction: e.friction(&outer), preload: e.preload(&outer) }
     } else {
@@ -540,7 +541,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     by_x += friction.d_force_d_x + preload.d_force_d_x;
     by_v += friction.d_force_d_v + preload.d_force_d_v;
     if e.has_beside() {
-        // Copies, so that only this branch keeps them in memory.
+        // These are copies, so that only this branch stores the values in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras(
             (method, substeps),
@@ -575,7 +576,7 @@ mod tests {
         (0..rows.stages).map(|i| (0..rows.stages).map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns the largest residual of the order conditions up to an order.
+    /// Returns the largest residual of all order conditions up to a given order.
     fn misses(method: Method, order: usize) -> f64 {
         let a = matrix(Tableau::for_method(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
@@ -611,12 +612,12 @@ mod tests {
         assert!(misses(Method::Fourth, 4) < 1e-13);
     }
 
-    /// Returns the largest growth of an oscillation of any frequency, and the residual fraction of an infinitely stiff
-    /// motion.
+    /// Returns two numbers: the largest growth factor over all frequencies of an oscillation, and the factor of an
+    /// infinitely stiff motion.
     fn growth(method: Method) -> (f64, f64) {
         let a = matrix(Tableau::for_method(method));
         let after = |y: f64| {
-            // Complex numbers by hand: z = iy, k_i = 1 + z Σ a_ij k_j.
+            // Complex numbers as pairs: z = iy, k_i = 1 + z Σ a_ij k_j.
             let mut stages: Vec<(f64, f64)> = Vec::new();
             for (i, row) in a.iter().enumerate() {
                 let sum = row.iter().zip(&stages).fold((0.0, 0.0), |s, (a, k)| (s.0 + a * k.0, s.1 + a * k.1));
@@ -632,8 +633,8 @@ mod tests {
         (most, after(1e9))
     }
 
-    /// On the imaginary axis. All poles lie to its right, because every γ is positive; so it holds in the whole left
-    /// half-plane.
+    /// The test evaluates the imaginary axis. Every γ is positive, so all poles lie to its right. Therefore the bound
+    /// holds in the whole left half-plane.
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in

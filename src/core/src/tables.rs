@@ -1,13 +1,14 @@
 //! The large tables that elements read, and their owners.
 //!
 //! A model owns its tables. A model at a setting between two grid values exists for one step. It borrows the tables
-//! from the family and stores nothing large: see [`crate::family`]. The formulas of the elements are the same for both.
+//! from the family and stores nothing large: see [`crate::family`]. The formulas of the elements are the same for both
+//! kinds of model.
 
 use crate::curve::{Above, Value};
 use core::fmt::Debug;
 use core::ops::{Deref, DerefMut};
 
-/// A non-decreasing law of force over velocity: the FV curve.
+/// A force that does not decrease with velocity: the FV curve.
 pub trait ForceLaw: Copy + Debug {
     /// Returns force and derivative at a velocity.
     fn evaluate(&self, u: f64) -> Value;
@@ -42,16 +43,16 @@ pub struct Conducted {
     pub by_h: f64,
 }
 
-/// Conductance of a valve passage over the force.
+/// Conductance of a valve passage as a function of the force.
 pub trait Conduction: Copy + Debug {
-    /// Returns g at the force h along a stroke; `stroke` is its sign.
+    /// Returns g at the force h along a stroke; `stroke` is the sign of the stroke.
     fn conducted(&self, curve: &impl ForceLaw, h: f64, stroke: f64) -> Conducted;
 }
 
 /// Owner of the tables of a model.
 pub trait Tables: Copy + Debug {
-    /// Whether each common set of elements has its own compiled stages. Otherwise all share one, which makes the
-    /// library smaller and a step slower.
+    /// Whether each common set of elements has its own compiled stages. Otherwise all sets share one compiled stage,
+    /// which makes the library smaller and the steps slower.
     const HAS_STAGES_OF_ITS_OWN: bool;
     /// The FV curve.
     type Fv: ForceLaw;

@@ -34,7 +34,7 @@ fn a_millisecond_step_is_within_a_thousandth() {
     }
 }
 
-/// More substeps would be as accurate, at a cost that differs from the book's figures.
+/// More substeps would also be accurate, but their cost would differ from the figures in the book.
 #[test]
 fn the_automatic_choice_takes_no_more_substeps_than_it_needs() {
     for (changes, substeps) in [(DEFAULT, 1), (SOFT, 1), (STIFF, 2)] {
@@ -60,9 +60,9 @@ fn velocity_alone_is_within_half_a_percent() {
     }
 }
 
-/// Masses and springs of every size, and curves with a third of the default damping.
+/// The accuracy holds for masses and springs of every size, and for curves with a third of the default damping.
 ///
-/// The automatic choice of method and substeps was fitted to them.
+/// The automatic choice of method and substeps was fitted to these dampers.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
     let mut table = String::new();
@@ -86,7 +86,7 @@ fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
             let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| scale * force).collect();
             params.set_list(list!("fv_force"), &forces).unwrap();
             let model = dashpot_core::Model::new(&params).unwrap();
-            // Short enough for the explicit reference method to be stable with the steepest of the curves.
+            // The reference steps are so short that the explicit method is stable with the steepest curve.
             let rate = (scale * 7e3 / mass).max((stiffness / mass).sqrt());
             let parts = 200 + (1.5e-3 * rate) as usize;
             for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {

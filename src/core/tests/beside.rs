@@ -66,7 +66,7 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
         &["gas_spring"],
         &[("gas_stiffness", k), ("gas_length", length), ("gas_adiabatic_index", index), ("gas_thermal_time", time)],
     );
-    // Slow: p V is constant. Fast: p V^γ is constant.
+    // In slow motion p V is constant, in fast motion p V^γ.
     for (frequency, e) in [(1e-4, 1.0), (30.0, index)] {
         let points = run(&model, &sine(0.05, frequency), 1.0 / frequency / 400.0, 400);
         let cold = (1.0 - 0.05 / length).powf(e - 1.0);
@@ -78,7 +78,8 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
             assert!((force - exact).abs() < 0.015 * k * 0.05, "{frequency} Hz at {x}: {force} for {exact}");
         }
     }
-    // Between the two, heat through the wall dissipates energy, most when the period matches the thermal time.
+    // Between these frequencies, heat through the wall dissipates energy, most where the period matches the thermal
+    // time.
     let area = |f: f64| loop_area(&model, 0.05, f, 4);
     let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
     assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
@@ -169,7 +170,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         }
         force
     };
-    // A contact that creeps has less friction at low speed, even after a long motion.
+    // A creeping contact has less friction at low speed, even after a long motion.
     let creeping = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_creep", 1e-3)]);
     for v in [3e-4, 1e-3, 0.1] {
         let settled = creeping.steady_state(&Input::motion(0.0, v));
@@ -177,7 +178,8 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
         assert!((moved.internal[0] / settled.internal[0] - 1.0).abs() < 1e-9);
     }
-    // Back from sliding, Dahl's contact relaxes twice as fast as it deflected; an elastic return is equally fast.
+    // After sliding, the force of Dahl's contact decreases twice as fast as it increased. With an elastic return, both
+    // rates are equal.
     for (back, derivative) in [(0.0, 2.0), (1.0, 1.0)] {
         let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
         let v = -0.01;
@@ -195,7 +197,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
         assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
-    // At half the length it is a spring, at two lengths it slides.
+    // At half the length, the elastic contact is a spring; at two lengths it slides.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
     assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);
@@ -247,13 +249,13 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
             assert_eq!(force(-0.1, v), 0.0);
             assert_eq!(at(0.05, v).force, at(0.05, v).stop_force);
         }
-        // At standstill: the stiffening spring, minus the soft onset of the contact.
+        // The force at standstill is that of the stiffening spring, reduced by the soft onset of the contact.
         let static_force = |d: f64| 4e4 * d * (1.0 + d / 0.02);
         let d = 0.02;
         let soft = d * d / (d + 5e-4);
         assert!((force(0.03 + d, 0.0) - static_force(soft)).abs() < 1e-6);
         assert!((force(0.03 + d, 0.0) / static_force(d) - 1.0).abs() < 0.04);
-        // The force is larger on the way in than on the way out: the loss acts both ways, the oil only on the way in.
+        // The loss acts in both directions, the oil only on the way in.
         assert!((force(0.05, -1.0) / force(0.05, 0.0) - 0.8).abs() < 1e-9);
         assert!(force(0.05, 1.0) > 1.2 * force(0.05, 0.0) + 0.9 * 3e3);
         let mut last = 0.0;
@@ -302,19 +304,19 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     }
 }
 
-/// Smooth elements show the order of the method.
+/// With smooth elements, the step converges with the order of the method.
 ///
-/// Presliding has a kink of |v| at every reversal; its order between reversals is 2.
+/// The presliding law has a kink of |v| at every reversal. Between reversals, the order is 2.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [
         (&["gas_spring"][..], &[("gas_stiffness", 3e3), ("gas_thermal_time", 0.05)][..], [0.9, 1.9, 3.5, 2.8, 1.8]),
-        // The order is 2 if the growth of the acceleration, which lags by τ, has another sign than the acceleration.
+        // The order is 2 where the limit of the curvature, which lags by τ, has the opposite sign of the curvature.
         (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 1.9, 1.9, 1.8]),
         (&["presliding_friction"], &[("presliding_length", 5e-3)], [0.9, 1.9, 3.0, 2.8, 1.8]),
     ] {
         let model = only(elements, changes);
-        // There is no reversal inside.
+        // The motion has no reversal.
         let motion = |t: f64| (0.3 * t + 0.01 * (20.0 * t).sin(), 0.3 + 0.2 * (20.0 * t).cos());
         let exact = reference_forces(&model, &motion, 8e-3, 30, 2000);
         for (method, order) in METHODS.into_iter().zip(orders) {
@@ -326,7 +328,7 @@ fn order_of_the_step_with_each_element() {
             };
             let (coarse, fine) = (error(1), error(2));
             let derivative = (coarse / fine).log2();
-            // At most order 4, because the motion is a cubic inside each step.
+            // The order is at most 4, because the motion is a cubic inside each step.
             assert!(derivative > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {derivative}");
         }
     }

@@ -29,7 +29,8 @@ proptest! {
         }
     }
 
-    /// The cheap step uses the short form of elements. Where it exists, it equals the full form bitwise.
+    /// The cheap step uses the short form of the elements. Where an element has a short form, it equals the full form
+    /// bitwise.
     #[test]
     fn a_quick_answer_is_the_full_answer(params in any_params(), x in -0.05..0.05f64, v in (-6.0..0.5f64).prop_map(|d| 10f64.powf(d)), sign in any::<bool>()) {
         let at = Motion { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
@@ -38,7 +39,7 @@ proptest! {
             let mut p = params;
             p.disable_all();
             p.enable(Element::find(element).unwrap(), true);
-            // The random set need not suit an element that was off in it.
+            // The random parameters of an element that was off may be invalid.
             let Ok(model) = Model::new(&p) else { continue };
             let e = model.elements();
             for (at_once, full) in [
@@ -72,7 +73,7 @@ proptest! {
                     Shape::Scalar => p.set(Number::find(row.parameter.name).unwrap(), row.parameter.high).unwrap(),
                 }
             }
-            // The integration chooses its substeps from stiffness and mass even where they are off.
+            // Without this setting, stiffness and mass of an element that is off would affect the number of substeps.
             p.set(number!("substeps"), 1.0).unwrap();
             let after = Model::new(&p).unwrap();
             let one = Integration::fixed(Method::Fourth, 1);
@@ -112,7 +113,7 @@ proptest! {
         prop_assert!((top - peak).abs() < 1e-3 * peak, "peak {top} for {peak}");
         prop_assert!((at / v - 1.0).abs() < 0.02, "peak at {at} for {v}");
         prop_assert!((force(&model, 30.0 * v) - coulomb).abs() < 1e-9 * peak);
-        // The force does not jump where the exponentials are dropped.
+        // The force does not jump at the velocity above which the exponentials are omitted.
         let edge = v * (2.0f64 * 40.0).sqrt();
         prop_assert!((force(&model, edge * 1.000_001) - force(&model, edge * 0.999_999)).abs() < 1e-9 * peak);
     }
@@ -125,7 +126,7 @@ proptest! {
             ("stribeck_breakaway_velocity", 1e-4), ("stribeck_velocity", 0.1),
         ]);
         prop_assert_eq!(force(&model, 0.0), 0.0);
-        // Between the scales of rise and fall, the force reaches the peak up to tanh and exp of their ratio.
+        // At a velocity between the scales of rise and fall, the force is close to the peak.
         prop_assert!((force(&model, 1e-3) - peak).abs() < 2e-4 * peak);
         prop_assert!((force(&model, 1.0) - level).abs() < 1e-9 * peak);
         let top = (1..10_000).map(|i| force(&model, i as f64 * 1e-4)).fold(0.0, f64::max);
@@ -161,7 +162,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     let target = 3000.0 * 0.2;
     for (method, tolerance) in [(Method::Euler, 0.05), (Method::Second, 2e-3), (Method::Fourth, 2e-5)] {
         let model = Model::new(&p).unwrap().with_integration(Integration::fixed(method, 1));
-        // From rest, at a velocity that is constant from the first step on.
+        // The motion starts from rest, with a constant velocity from the first step on.
         let mut state = State { velocity: 0.2, ..model.steady_state(&Input::motion(0.0, 0.0)) };
         for i in 1..=20 {
             let t = i as f64 * 1e-3;
@@ -177,7 +178,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     }
 }
 
-/// Returns the distance of a slow sine over which the force is almost zero.
+/// Returns the travel with almost zero force during a slow sine.
 fn travel_without_force(model: &Model) -> f64 {
     let (steps, dt) = (8000, 2.5e-4);
     let motion = sine(3e-3, 0.5);
@@ -210,7 +211,7 @@ fn play_in_an_eye_is_where_the_force_is_nothing() {
     assert!(hydraulic < 0.3 * whole, "{hydraulic} beside {whole}");
 }
 
-/// With a very stiff series spring, it does not matter whether an element acts behind it or in parallel.
+/// With a very stiff series spring, an element has the same effect behind this spring as in parallel.
 #[test]
 fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
     let forces = |load: f64| {
@@ -223,13 +224,13 @@ fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
     let (whole, beside) = (forces(1.0), forces(0.0));
     let top = beside.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     for (i, (a, b)) in whole.iter().zip(&beside).enumerate().skip(200) {
-        // Except where friction reverses.
+        // Samples near a reversal of the friction are excluded.
         let turns = (i % 2500) < 40 || (i % 2500) > 2460;
         assert!(turns || (a - b).abs() < 2e-3 * top, "{i}: {a}, {b}");
     }
 }
 
-/// A parameter of a form that is not chosen changes no force.
+/// A parameter of a form that is not chosen does not change the force.
 #[test]
 fn numbers_of_other_forms_do_not_count() {
     for row in table().filter(|row| row.parameter.form.is_some()) {
@@ -263,7 +264,8 @@ fn numbers_of_other_forms_do_not_count() {
                         let values: Vec<f64> = params.list(list).iter().map(|v| (1.0 + share) * v).collect();
                         other.set_list(list, &values).unwrap();
                     }
-                    // A value near the default: the mean of the bounds fits no damper's derivatives and knees.
+                    // Use a value near the default. The means of the bounds would be invalid together for the
+                    // derivatives and knees.
                     Shape::Scalar => {
                         let number = Number::find(row.parameter.name).unwrap();
                         let near = number.default() * (0.5 + share);

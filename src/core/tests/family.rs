@@ -1,6 +1,6 @@
-//! At every setting a family equals the ordinary damper of the interpolated numbers, for all elements.
+//! At every setting, a family equals the ordinary damper with the interpolated parameters, for all elements.
 //!
-//! Its actuator moves it between the settings.
+//! The actuator changes the setting over time.
 
 mod common;
 use common::{any_params, params, paths, sine, told};
@@ -20,7 +20,7 @@ fn forces(params: &Params, size: f64) -> Vec<f64> {
     v.iter().zip(f).map(|(v, f)| f * (1.0 + size * (0.3 + v.abs() / (0.2 + v.abs())))).collect()
 }
 
-/// Makes an axis over which the forces and these numbers grow, with unequal intervals.
+/// Makes an axis with unequal intervals, over which the forces and these numbers grow.
 fn over(params: &Params, numbers: &[Number]) -> Axis {
     let mut axis = Axis::NONE;
     axis.set_grid(&GRID).unwrap();
@@ -50,11 +50,11 @@ fn family(params: &Params, axis: &Axis) -> Result<Box<Family>, dashpot_core::Fau
     Ok(family)
 }
 
-/// Returns the largest difference between the forces of a family at a constant setting and of the ordinary damper
-/// there, and the largest force.
+/// Returns the largest difference between the forces of a family at a constant setting and the forces of the ordinary
+/// damper. Also returns the largest force.
 ///
-/// With `begins_anew` every step begins from the ordinary damper's state. Otherwise rounding errors may grow without
-/// bound in an almost undamped damper.
+/// With `begins_anew`, every step begins from the ordinary damper's state. Otherwise rounding errors may grow without
+/// bound if the damper is almost undamped.
 fn apart(family: &Family, model: &Model, setting: f64, dt: f64, begins_anew: bool) -> (f64, f64) {
     let model = model.with_integration(family.model().integration());
     let motion = sine(0.02, 4.0);
@@ -119,7 +119,7 @@ fn a_constant_setting_is_the_ordinary_damper_of_the_interpolated_numbers() {
             let mut axis = over(&params, &numbers);
             let curve = params.is_on(element!("fv_curve")) && params.number(number!("fv_form")) == 0.0;
             if !curve {
-                // Forces of an unused table are no part of the damper.
+                // Forces of an unused table do not belong to the damper.
                 let mut without = Axis::NONE;
                 without.set_grid(&GRID).unwrap();
                 for number in &numbers {
@@ -194,7 +194,7 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
                 (before - after).abs() < 0.02 * (before.abs() + after.abs()) + 0.1,
                 "{before} {after} at {setting}, {v}"
             );
-            // The force is not level on the grid, so that a controller finds a gain there.
+            // The derivative with respect to the setting is nonzero on the grid, so a controller has a gain there.
             assert!(v.abs() < 0.1 || derivative(setting).abs() > 10.0, "{} at {setting}, {v}", derivative(setting));
         }
     }
@@ -234,8 +234,8 @@ proptest! {
         prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", told(&params));
     }
 
-    /// Any changes of the setting during the motion only dissipate energy, if no parameter that depends on it stores
-    /// energy.
+    /// If no parameter that depends on the setting stores energy, the damper only dissipates energy, for any changes of
+    /// the setting.
     #[test]
     fn changes_of_the_setting_return_no_energy(
         params in any_params(),
@@ -249,7 +249,7 @@ proptest! {
             params.enable(dashpot_core::parameter::Element::find(element).unwrap(), kept);
         }
         let (v, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
-        // The curve is odd: with a force at rest the setting would store energy in it.
+        // The curve is odd. With a force at rest, the curve would store energy that depends on the setting.
         let positive: Vec<f64> = v.iter().copied().filter(|v| *v > 0.0).collect();
         let symmetric: Vec<f64> = positive.iter().rev().map(|v| -v).chain([0.0]).chain(positive.iter().copied()).collect();
         let odd: Vec<f64> = symmetric.iter().map(|at| 0.5 * (between(&v, &f, *at) - between(&v, &f, -at))).collect();
@@ -269,13 +269,13 @@ proptest! {
         let (mut work, mut gross, mut last) = (0.0, 0.0, 0.0);
         for i in 1..=4 * per_cycle {
             let (x, v) = motion(f64::from(i) * dt);
-            // Random changes, or the worst case of a controller: soft while the damper resists, firm when the force
-            // assists the motion.
+            // The setting changes at random, or as with the worst controller: soft while the damper resists, firm while
+            // the force assists the motion.
             let setting = if follows { if v * last > 0.0 { 0.0 } else { 1.6 } } else { changes[i as usize % 64] };
             let before = state.displacement;
             let mut output = Output::ZERO;
             prop_assert!(family.step_in_place(&mut state, &mut delay, &Input::motion(x, v), Some(setting), dt, &mut output, true));
-            // The force of a switched damper jumps, and its value at the end of the step does the work.
+            // The force of a switched damper jumps, so the work is computed with its value at the end of the step.
             let done = output.force * (state.displacement - before);
             work += done;
             gross += done.abs();
@@ -336,7 +336,7 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     }
 }
 
-/// A run that continues from a copy repeats the first bitwise, including dead time and hysteresis.
+/// A run that continues from a copied state repeats the original run bitwise, including dead time and hysteresis.
 #[test]
 fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     let params = params(&[]);
@@ -484,7 +484,8 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     assert!(near(output.force, force(0.7), 1.0));
 }
 
-/// A running model may become a family and an ordinary damper again: the internal states follow their elements.
+/// A state survives the change from an ordinary damper to a family and back. Each internal state stays with its
+/// element.
 #[test]
 fn a_state_of_the_ordinary_damper_is_one_of_the_family() {
     let mut p = params(&[]);
@@ -530,7 +531,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(reason(axis.set_forces(1, &[0.0, 1.0, 2.0])), Reason::CurveLengths);
     assert_eq!(axis.check().unwrap_err(), list!("fv_force").fault(Reason::SettingCount));
     axis.set_forces(1, &[0.0, 1.0]).unwrap();
-    // The table has another number of velocities than of forces.
+    // The table has different numbers of velocities and forces.
     assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::CurveLengths));
     axis.set_grid(&[0.0, 1.0]).unwrap();
     let mut falling = forces(&p, 1.0);
@@ -552,7 +553,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(Family::check(&p, &Axis::NONE).unwrap_err().reason, Reason::SettingGrid);
 }
 
-/// Interface for code with one damper per setting, such as a fit.
+/// A family made from one damper per setting, for example by a fit, equals each damper at its setting.
 #[test]
 fn a_family_through_dampers_is_each_of_them_at_its_setting() {
     let grid = [0.0, 0.5, 1.6];

@@ -9,7 +9,8 @@ use dashpot_core::{list, number};
 
 /// A model with smooth elements of both force paths.
 ///
-/// The damping uses the temperature of the previous stage. This error is of first order and far below the others.
+/// The damping uses the known part of the temperature. The resulting error is of first order but far below the other
+/// errors.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {
@@ -22,8 +23,8 @@ fn smooth_paths() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// A damper without kinks: a linear FV curve, a cubic spring, no dry friction. Its stiff motion is slow enough for
-/// steps of a millisecond to show their order.
+/// A damper without kinks: a linear FV curve, a cubic spring, no dry friction. Its fast motion is slow enough that
+/// steps of a millisecond show their order.
 fn smooth() -> Model {
     Model::new(&smooth_params()).unwrap()
 }
@@ -55,7 +56,7 @@ fn error_falls_with_the_order_of_the_method_through_the_paths() {
 
 fn falls(model: Model) {
     let motion = sine(0.02, 4.0);
-    // Short enough to show the order of each method for the stiffest part, the bushing.
+    // The steps are short enough to show the order of each method with the stiffest element, the bushing.
     let (coarse, steps) = (5e-4, 500);
     let exact = reference_forces(&model, &motion, coarse, steps, 200);
     let methods = [

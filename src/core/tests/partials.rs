@@ -10,13 +10,13 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::held;
 use proptest::prelude::*;
 
-/// Computes the central difference with Richardson's correction: its own error is far below 1e-6.
+/// Computes the central difference with Richardson extrapolation. Its error is far below 1e-6.
 fn difference(f: impl Fn(f64) -> f64, h: f64) -> f64 {
     let central = |h: f64| (f(h) - f(-h)) / (2.0 * h);
     (4.0 * central(0.5 * h) - central(h)) / 3.0
 }
 
-/// Computes the one-sided differences of f, with Richardson's correction.
+/// Computes the one-sided differences of f with Richardson extrapolation.
 fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
     let at = f(0.0);
     [-h, h].map(|h| {
@@ -27,8 +27,8 @@ fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
 
 /// Checks whether a value is the derivative of f.
 ///
-/// It must equal the difference at one of the widths. If f has a knee or jump inside all of them, it may be a one-sided
-/// difference or lie between the two. `near` compares the value with a difference.
+/// The value must equal the central difference of one width. If f has a knee or jump within all widths, the value may
+/// equal a one-sided difference or lie between both. `near` compares the value with a difference.
 fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: &[f64], near: impl Fn(f64) -> bool) -> Result<(), String> {
     let central: Vec<f64> = widths.iter().map(|h| difference(&f, *h)).collect();
     if central.iter().any(|wanted| near(*wanted)) {
@@ -108,8 +108,8 @@ fn near(value: f64, places: &[f64], distance: f64) -> bool {
 }
 
 proptest! {
-    // The seed is fixed. One seed in two dozen finds a void with gas, nanometers wide, whose derivatives are wrong by
-    // up to a twentieth (of 1 to 70 and 1001 to 1080: 16, 22, 29, 35, 1050, 1053).
+    // The seed is fixed. One seed in two dozen finds a void with gas, of a few nanometers, with derivatives that are
+    // wrong by up to a twentieth. Among the seeds 1 to 70 and 1001 to 1080, these are 16, 22, 29, 35, 1050 and 1053.
     #![proptest_config(held(60, 1))]
 
     #[test]
@@ -123,22 +123,22 @@ proptest! {
                     let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
                     let (x1, v1) = (from.displacement + dt * v + dx * dt / 1e-3, v + dv * dt / 1e-3);
                     let (end, output) = step(&model, &from, &input(Some(x1), v1), dt);
-                    // Any stage may cross a knee, because the stages lie between and around the ends.
+                    // Any stage may cross a knee, because stages may lie beyond both ends of the step.
                     let reach = 0.02 + 2.0 * (end.mass_velocity - from.mass_velocity).abs() + 2.0 * (v1 - v).abs();
                     if near(end.mass_velocity, &knees, reach) || near(v1, &knees, 0.005) || near(v1, &ramp, 0.05 + (v1 - v).abs()) || near(x1, &[-0.04, 0.0, 0.03], 5e-3) {
                         continue;
                     }
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
-                    // A bushing's friction sets in over millimeters per second, which a short step reaches with
-                    // micrometers.
+                    // A bushing's friction sets in over a few millimeters per second. In a short step, micrometers of
+                    // displacement cause such a velocity.
                     let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
-                    // Several widths, so that a knee of an element inside the wider difference does not count. A wide
-                    // difference also steps over the effect of a void of nanometers.
+                    // With several widths, a knee inside the widest difference does not matter. A wide difference also
+                    // covers the effect of a void of nanometers.
                     let widths = |size: f64| [fine * size, 0.03 * fine * size, 1e-3 * fine * size];
                     let alone = step(&model, &from, &input(None, v1), dt).1.d_force_d_velocity;
                     let k = params.number(number!("series_stiffness"));
-                    // The solver leaves an error of the square of its last step, which limits a difference over so
-                    // small a width. A void with gas is solved by separate iterations inside each evaluation.
+                    // The error of the solver is the square of its last step, which limits the accuracy of a difference
+                    // over a small width. A void with gas has its own iterations inside each evaluation.
                     let share = match model.elements().has_paths() {
                         true if params.is_on(element!("cavitation")) => 1e-3,
                         true => 1e-4,
@@ -171,11 +171,12 @@ proptest! {
                 continue;
             }
             let mut state = State { displacement: x, velocity: v, mass_displacement: x - e, mass_velocity: u, ..State::ZERO };
-            // Internal states of any magnitude: the derivatives must be exact for millimeters, fractions and forces.
+            // Internal states of different units and magnitudes: millimeters, dimensionless fractions, newtons. The
+            // derivatives must be exact for each.
             state.internal = [z, 1e-3 * z, 1e-2 * z, 0.3 * z, 0.0, 0.0, 0.0, 0.0];
             let paths = model.elements().has_paths();
             if paths {
-                // Deflections, fractions and kelvins in the range of an oil column, a void and a valve.
+                // Deflections, dimensionless fractions and kelvins in the range of an oil column, a void and a valve.
                 state.internal = [1e-6, 0.7e-6, 1.2e-6, 0.9e-6, 1e-6, 1.1e-6, 0.8e-6, 1e-6].map(|m| m * z);
             }
             let p = partials(&model, &state, &input(Some(x), v));
@@ -198,8 +199,8 @@ proptest! {
                 row.extend(rate.internal);
                 row
             };
-            // For the paths the smallest width is that of the smallest states: wider differences step over a void of
-            // nanometers.
+            // For the paths, the smallest width suits the smallest states, because wider differences would cover a void
+            // of nanometers.
             let widths = [1.0, 0.1, if paths { 1e-3 } else { 0.1 }];
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {

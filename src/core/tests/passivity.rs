@@ -1,4 +1,4 @@
-//! Friction, series compliance and FV curve together only dissipate energy.
+//! A damper of friction, series compliance and FV curve only dissipates energy.
 
 mod common;
 use common::*;
@@ -17,8 +17,8 @@ proptest! {
 
     /// Over closed cycles the work done on the damper is not negative.
     ///
-    /// The test allows for the initial energy of series spring and mass, and for the error of measuring work at the
-    /// ends of steps.
+    /// The tolerance covers the initial energy of series spring and mass, and the error of computing work from values
+    /// at the ends of steps.
     #[test]
     fn no_cycle_returns_more_than_it_took(
         params in any_params(),
@@ -28,12 +28,13 @@ proptest! {
     ) {
         let mut params = params;
         for element in dashpot_core::parameter::names() {
-            // Further elements with states would exceed the number of states, so these stay as they were drawn.
+            // With further stateful elements, the model would have too many states. Therefore the stateful elements
+            // stay as drawn.
             let drawn = WITH_STATES.contains(&element) && params.is_on(Element::find(element).unwrap());
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
             params.enable(Element::find(element).unwrap(), keep && (drawn || !WITH_STATES.contains(&element)));
         }
-        // A bushing that hardens within a millimeter oscillates too fast for its work to be measured at the steps.
+        // A bushing that hardens within a millimeter oscillates too fast to compute its work from values at the steps.
         params.set(number!("bushing_hardening"), 1.0).unwrap();
         // An FV curve through the origin only dissipates energy; an offset would be a preload.
         let (u, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
@@ -63,8 +64,8 @@ proptest! {
                 (cycle_work, held) = (work, stored(&model, &params, &state));
             }
         }
-        // The trapezoidal rule for the work has an error quadratic in the step per cycle. Where the FV curve jumps by
-        // tens of kilonewtons, oil and air accelerate the mass strongly between two samples.
+        // The trapezoidal rule for the work has an error quadratic in the step length relative to the cycle. Where the
+        // FV curve jumps by tens of kilonewtons, oil and air accelerate the mass strongly between two samples.
         let thrown = if model.elements().has_paths() { 0.05 } else { 0.0 };
         let blur = (40.0 / (per_cycle * per_cycle) as f64 + thrown) * gross;
         prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
@@ -75,7 +76,7 @@ proptest! {
 
 /// Computes the energy in the springs and masses.
 ///
-/// They are the series spring with its gap and bushing, the oil column, and all masses that move with the piston or the
+/// These are the series spring with gap and bushing, the oil column, and all masses that move with the piston or the
 /// moving end.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
@@ -110,7 +111,8 @@ fn under(force: impl Fn(f64) -> f64, to: f64) -> f64 {
     (0..PIECES).map(|k| force(to * (f64::from(k) + 0.5) / f64::from(PIECES)) * to / f64::from(PIECES)).sum()
 }
 
-/// Computes the force of the oil column at a deflection including air: y of q = y/k + d y/(y + F_a) by bisection.
+/// Computes the force y of the oil column, including air, at a deflection q. Solves q = y/k + d y/(y + F_a) by
+/// bisection.
 fn column(params: &dashpot_core::Params, q: f64) -> f64 {
     let number = |id| params.number(id);
     let side = |share: f64| if q < 0.0 { share } else { 1.0 };
@@ -159,15 +161,15 @@ fn free_motion_dies_with_every_method() {
     }
 }
 
-/// Energy supplied at the moving end, as the method itself sums it.
+/// Energy supplied at the moving end, summed with the weights of the method.
 ///
-/// It is the force of each stage times the stroke of the moving end in that stage. These strokes sum to the stroke of
-/// the step.
+/// The energy is the sum over the stages of force times stroke of the moving end. The strokes of the stages sum to the
+/// stroke of the step.
 struct PutIn {
     work: f64,
     /// Displacement of the moving end before the substep.
     from: f64,
-    /// For each stage: its stroke and its force.
+    /// Stroke and force of each stage.
     stages: Vec<(f64, f64)>,
 }
 
@@ -188,14 +190,14 @@ impl Follow for PutIn {
     }
 }
 
-/// Drives an undamped mass back and forth near its natural frequency, by steps that hardly resolve it.
+/// An undamped mass, excited near its natural frequency, never has more energy than the moving end supplied.
 ///
-/// Its amplitude depends on the step, because a method shifts its frequency. The energy of its oscillation is at most
-/// the energy that the moving end has supplied. This holds for the algebraically stable methods. The others have no
-/// such bound, but free motion decays with them too.
+/// The steps hardly resolve the oscillation. Its amplitude depends on the step, because the method shifts its
+/// frequency. The bound holds for the algebraically stable methods. The other methods have no such bound, but free
+/// motion also decays with them.
 ///
-/// The first spring is that of a case found by the search (seed 1001, case 5001). The second-order method gave 76 kN
-/// there, and steps of 1/32 gave 40 kN.
+/// The first spring comes from a case of the search (seed 1001, case 5001). In that case, the second-order method gave
+/// 76 kN, and with steps of 1/32 of the length 40 kN.
 #[test]
 fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
     let (speed, mass) = (0.875_444_094_218_036, 0.5);
@@ -228,8 +230,8 @@ fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
             }
         }
     }
-    // It does oscillate: with more energy than the mass has at twice the speed of the moving end, the effect of one
-    // reversal.
+    // The mass must oscillate at resonance. One reversal alone gives the energy at twice the speed of the moving end;
+    // the mass must have much more.
     let throw = 2.0 * mass * speed * speed;
     assert!(furthest > 20.0 * throw, "{furthest} J");
 }

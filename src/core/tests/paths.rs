@@ -23,7 +23,7 @@ fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize
         .collect()
 }
 
-/// Makes a model of a linear FV curve, 2000 N s/m, and these elements alone.
+/// Makes a model that consists of a linear FV curve, 2000 N s/m, and these elements.
 fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p: Params = params(changes);
     p.disable_all();
@@ -37,7 +37,8 @@ fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 const C: f64 = 2000.0;
 
-/// Computes the first harmonic of the force over that of the motion: in phase with velocity, and with displacement.
+/// Computes the ratio of the force's first harmonic to that of the motion: in phase with velocity, and in phase with
+/// displacement.
 fn gain(model: &Model, amplitude: f64, frequency: f64) -> (f64, f64) {
     let w = TAU * frequency;
     let n = 1000;
@@ -72,8 +73,8 @@ fn air_softens_small_forces_alone() {
     assert!(small > 0.2 && large < 0.05, "{small} {large}");
 }
 
-/// The soft stroke belongs to the chamber under pressure: without air in compression, that stroke is as stiff as oil
-/// alone.
+/// The soft stroke belongs to the chamber under pressure. Without air in compression, the compression stroke is as
+/// stiff as with oil alone.
 #[test]
 fn air_in_the_rebound_chamber_softens_rebound_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
@@ -98,7 +99,7 @@ const PLAY: f64 = 4e-4;
 const PLAY_STIFFNESS: f64 = 3e6;
 const PLAY_FORCE: f64 = 10.0;
 
-/// Makes a spring of 1e5 N/m in series with an eye with play under a load.
+/// Makes a spring of 1e5 N/m in series with an eye that has play around a load.
 fn with_play(load: f64) -> Model {
     let mut p = params(&[
         ("free_play_gap", PLAY),
@@ -152,7 +153,7 @@ fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
 
 #[test]
 fn friction_in_a_bushing_loses_the_same_at_any_rate() {
-    // With the mass fixed: the energy lost in a deflection cycle, at ten times the rate.
+    // Energy lost in a deflection cycle with a fixed mass. The rate is ten times as high.
     let loss = |frequency: f64| {
         let model = with(
             &["bushing"],
@@ -204,21 +205,20 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
         for kept in [0.0, 1.0] {
             let changes = [("cavitation_force", 1000.0), ("cavitation_side", side), ("cavitation_return", kept)];
             let model = straight(&["cavitation"], &changes);
-            // 1 m/s: 2000 N without the cap.
+            // At 1 m/s the force would be 2000 N without the cap.
             let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), 2e-4, 1600);
             let most = points.iter().map(|p| sign * p.2.force).fold(0.0, f64::max);
             assert!(most > 999.0 && most < 1012.0, "{most}");
-            // The void at the reversal is the integral of the excess of the speed over that which the cap drives: 0.5
-            // m/s.
+            // At the cap, the valves pass 0.5 m/s. The void at the reversal is the integral of the speed above 0.5 m/s.
             let (mut void, mut lost, dt) = (0.0f64, 0.0, 2e-4);
-            // The capped stroke and the one after it.
+            // Evaluate the capped stroke and the stroke after it.
             let first = if side == 1.0 { 1 } else { 315 };
             for (_, v, output) in points.iter().skip(first).take(626) {
                 let (speed, pull) = (sign * v, sign * output.force);
                 if speed > 0.0 {
                     void = (void + (speed - 0.5) * dt).max(0.0);
                 } else if speed < -0.02 && pull > speed * C + 20.0 {
-                    // The void closes: with zero force, or with the cap against the motion.
+                    // While the void closes, the force is zero or equals the cap, which then assists the motion.
                     let held = kept * 1000.0;
                     assert!((pull - held).abs() < 25.0 || lost > 0.9 * void, "at {v}: {pull}");
                     lost += (kept * 0.5 - speed) * dt;
@@ -227,8 +227,7 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             assert!(void > 1e-3 && (lost / void - 1.0).abs() < 0.05, "void {void}, dead stroke {lost}");
         }
     }
-    // A cap above all forces changes nothing. The method is fixed, because the automatic choice depends on the
-    // elements.
+    // A cap above all forces has no effect. The method is fixed, because the automatic choice depends on the elements.
     let by = ("method", 4.0);
     let (free, capped) = (
         with(&["oil_compressibility"], &[by]),
@@ -244,7 +243,7 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
 
 /// Returns the force of a linear damper at speed v with a parallel passage of this flow at 1 kN: F/C + q √(F/1 kN) = v.
 fn beside_a_passage(flow: f64, v: f64) -> f64 {
-    // A quadratic in √F.
+    // The equation is quadratic in √F.
     let (a, b) = (1.0 / C, flow / 1000f64.sqrt());
     let root = (-b + (b * b + 4.0 * a * v.abs()).sqrt()) / (2.0 * a);
     (root * root).copysign(v)
@@ -262,7 +261,7 @@ fn a_groove_adds_flow_where_it_is() {
     let model = straight(&["position_dependent_damping"], &groove);
     let force = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(x, v)).0.force;
     for v in [0.2, 0.5, 1.0] {
-        // Below 20 N the orifice is linear; at these forces the effect is one part in some thousands.
+        // Below 20 N the orifice is linear. At these forces, the effect is below two thousandths.
         assert!((force(0.0, v) / beside_a_passage(0.2, v) - 1.0).abs() < 2e-3, "{v}: {}", force(0.0, v));
         assert!((force(0.05, v) / (C * v) - 1.0).abs() < 1e-6);
         assert!((force(0.0, -v) / (C * -v) - 1.0).abs() < 1e-9);
@@ -277,13 +276,13 @@ fn an_oil_column_is_softer_where_it_is_longer() {
             &["oil_compressibility"],
             &[("oil_stiffness", k), ("oil_shortening", shortening), ("oil_chambers", chambers)],
         );
-        // The stroke about 20 mm of extension is so short that the displacement hardly changes. Before the valves
-        // follow, the derivative of force over displacement is k/ℓ in both strokes.
+        // The stroke around 20 mm of extension is so short that the displacement hardly changes. Before the valves
+        // respond, the stiffness is k/ℓ in both strokes.
         for (sign, length) in [1.0, -1.0].into_iter().zip(at_rebound_end) {
             let x0 = 0.02;
             let start = State { displacement: x0, ..model.steady_state(&Input::motion(x0, 0.0)) };
             let (dt, v) = (1e-5, sign * 0.5);
-            // First build up some force, so that the chamber under pressure is known.
+            // First build up some force, so that one chamber is under pressure.
             let mut state = State { velocity: v, ..start };
             let mut before = 0.0;
             let mut derivative = 0.0;
@@ -351,7 +350,7 @@ fn gas_in_a_void_gives_way_as_it_expands() {
         let (mut void, mut largest) = (0.0f64, 0.0f64);
         for (_, v, output) in &points {
             let pull = sign * output.force;
-            // Flow that the valves do not pass at that force enters or leaves the void.
+            // The flow that the valves do not pass at this force changes the void.
             void = (void + (sign * v - pull / C) * dt).max(0.0);
             largest = largest.max(void);
             if void > 1e-4 {
@@ -379,7 +378,7 @@ fn viscosity_follows_vogel() {
         let viscosity = (b / (temperature + offset) - b / (reference + offset)).exp();
         assert!((force / (0.5 * C) / viscosity - 1.0).abs() < 1e-9);
     }
-    // Far below the reference the law has no meaning, but the force stays finite.
+    // Far below the reference temperature the law has no meaning, but the force stays finite.
     let at = Input { temperature: -200.0, ..Input::motion(0.0, 0.5) };
     assert!(step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force < 0.5 * C * 21.0);
 }
@@ -394,12 +393,12 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
         assert!((output.force / (0.5 * C) - (-a * (temperature - 20.0)).exp()).abs() < 1e-9);
         assert_eq!(output.oil_temperature, temperature);
     }
-    // If half of a force is laminar, only half fades.
+    // If half of a force is laminar, only that half fades.
     let half = straight(&["temperature_fade"], &[("fade_coefficient", a), ("fade_laminar_force", 0.5 * C)]);
     let at = Input { temperature: 90.0, ..Input::motion(0.0, 0.5) };
     let force = step(&half, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
     assert!((force / (0.5 * C) - 0.5 * (1.0 + (-a * 70.0).exp())).abs() < 1e-9);
-    // Constant speed: C dϑ/dt = P − h ϑ with the power of the faded force.
+    // At constant speed, C dϑ/dt = P − h ϑ, with the power P of the faded force.
     let changes = [("fade_source", 1.0), ("fade_coefficient", a), ("heat_capacity", 500.0), ("heat_transfer", 50.0)];
     let own = straight(&["temperature_fade"], &changes);
     let (v, dt) = (0.5, 1e-3);
@@ -427,7 +426,7 @@ fn frequency_selective_damping_is_firm_when_slow_and_soft_when_fast() {
     let at = |frequency: f64| gain(&stroke, 0.3 / TAU / frequency, frequency).0 / C;
     let (slow, fast) = (at(0.2), at(15.0));
     assert!(slow > 0.95 && fast < 1.0 - 0.8 * a, "{slow} {fast}");
-    // A passage that is closed in slow strokes and open in fast ones.
+    // This passage is closed in slow strokes and open in fast strokes.
     let passage = straight(
         &["frequency_selective_damping"],
         &[("fsd_form", 2.0), ("fsd_flow", 0.1), ("fsd_time", tau), ("fsd_force", 20.0)],
@@ -454,7 +453,7 @@ fn a_late_valve_takes_more_while_speed_rises() {
                 ("valve_hysteresis_share", 0.2),
             ],
         );
-        // Speed rises and falls through the opening force, at two frequencies.
+        // The speed rises and falls through the opening force, at two frequencies.
         let difference = |frequency: f64| {
             let n = 2000;
             let amplitude = 0.6 / (TAU * frequency);
@@ -469,8 +468,8 @@ fn a_late_valve_takes_more_while_speed_rises() {
         };
         let (slow, fast) = (difference(0.2), difference(8.0));
         assert!(fast > 30.0, "{ratio}: {fast}");
-        // The effect of the time constant vanishes in slow motion. A valve that closes at a lower force than it opens
-        // keeps a part.
+        // The loop that the time constant causes vanishes in slow motion. A valve with a lower closing than opening
+        // force keeps part of its loop.
         assert!(if ratio == 1.0 { slow < 0.1 * fast } else { slow > 20.0 }, "{ratio}: {slow}");
     }
 }
@@ -494,15 +493,15 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
             let i = (from..to).min_by(|a, b| (points[*a].1 - v).abs().total_cmp(&(points[*b].1 - v).abs()));
             points[i.unwrap()].2.force
         };
-        // Speed rises in the first quarter of a cycle and falls in the second. Below the opening force there is no
-        // loop.
+        // The speed rises in the first quarter of a cycle and falls in the second quarter. Below the opening force,
+        // there is no loop.
         let (up, down) = ((n, n + n / 4), (n + n / 4, n + n / 2));
         [0.3, 0.05].map(|v| at(up.0, up.1, v) - at(down.0, down.1, v))
     };
     for frequency in [0.05, 1.0] {
         let [above, below] = loops(frequency);
-        // On a linear curve F_h p = F². F_h is half the play above F while speed rises, and half the play below while
-        // it falls. The play at 600 N is P F/(F + P).
+        // On a linear curve, F_h p = F². F_h is above F by half the play while speed rises, and below F by half the
+        // play while speed falls. The play at 600 N is P F/(F + P).
         assert!((above - 85.7).abs() < 5.0, "{frequency} Hz: {above}");
         assert!(below.abs() < 3.0, "{frequency} Hz: {below}");
     }
@@ -523,8 +522,7 @@ fn series_elements_without_series_are_refused_and_too_many_states_too() {
     assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
 }
 
-/// The steady state is an equilibrium: its state derivatives are zero, except for moving masses and states without a
-/// rest.
+/// In the steady state, all state derivatives are zero. Excluded are moving masses and states that have no equilibrium.
 #[test]
 fn settled_states_rest() {
     for (name, params) in paths() {
@@ -544,7 +542,8 @@ fn settled_states_rest() {
     }
 }
 
-/// A copied state continues bitwise equal, and the output of a step agrees with the evaluation at its end.
+/// A run continues bitwise equal from a copied state. The output of a step agrees with the evaluation at the end of the
+/// step.
 #[test]
 fn a_step_ends_where_evaluation_finds_it() {
     for (name, params) in paths() {
@@ -559,8 +558,8 @@ fn a_step_ends_where_evaluation_finds_it() {
                 assert_eq!((next, output), again);
                 let direct = evaluate(&model, &next, &Input::motion(x, v)).0;
                 let force = output.force.abs().max(100.0);
-                // Without an oil column, one equation determines the force and the closing of a void; it is sensitive
-                // to micrometers.
+                // Without an oil column, one equation determines the force and the closing of a void. Its solution is
+                // sensitive to micrometers.
                 let void = params.is_on(element!("cavitation"));
                 assert!(
                     void || (output.force - direct.force).abs() < 1e-6 * force,
@@ -574,7 +573,8 @@ fn a_step_ends_where_evaluation_finds_it() {
     }
 }
 
-/// A valve or a control chamber that the method would move beyond its range is clamped, with exact derivatives.
+/// If the method would move a valve or a control chamber beyond its range, the state is clamped, with exact
+/// derivatives.
 #[test]
 fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
@@ -595,7 +595,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         let mut ends = 0;
         for i in 0..400 {
-            // Back and forth at irregular speeds.
+            // The motion is irregular, back and forth.
             let v = 0.6 * (1.7 * f64::from(i)).sin();
             let input = |x: f64, v: f64| Input::motion(x, v);
             let x = 0.003 * (0.9 * f64::from(i)).sin();
@@ -604,7 +604,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
             // A state that was beyond its range before the last stage ends near the limit.
             ends += usize::from(at > 0.9 || at < least + 0.1);
-            // Where two differences agree, the derivative must equal them.
+            // If two differences agree, the derivative must equal them.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
             let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
             let (coarse, fine) = (central(1e-6), central(5e-7));
@@ -625,8 +625,7 @@ impl FollowPaths for Nobody {
     fn paths_stage(&mut self, _: &dyn StageDerivatives) {}
 }
 
-/// A damper that fades as a whole uses the plain step. The step through the paths agrees, because its equation is the
-/// same.
+/// A damper that fades as a whole uses the plain step. The step through the paths has the same equation and agrees.
 #[test]
 fn a_fading_damper_steps_as_through_the_paths() {
     let (mut apart, mut steps) = (0, 0);
@@ -651,8 +650,8 @@ fn a_fading_damper_steps_as_through_the_paths() {
                     let mut wanted = Output::ZERO;
                     advance_paths(&model, &mut through, &input, dt, &mut Nobody, &mut wanted);
                     let off = (got.force - wanted.force).abs() / (1.0 + wanted.force.abs());
-                    // The difference is larger after a substep that the paths repeated in pieces because of an apparent
-                    // overshoot.
+                    // The difference is larger if the step through the paths repeated a substep in pieces, because of
+                    // an apparent overshoot.
                     assert!(off < 1e-2, "{method:?} {substeps} {dt} {series}: {} for {}", got.force, wanted.force);
                     apart += usize::from(off > 1e-8);
                     steps += 1;

@@ -18,7 +18,7 @@ fn a_millisecond_step_is_within_a_thousandth_on_the_other_paths() {
     check_millisecond_step(1);
 }
 
-/// Checks every other path, so that both halves run in parallel.
+/// Checks half of the models, so that two tests run in parallel.
 fn check_millisecond_step(half: usize) {
     let mut table = String::new();
     let mut missed = 0;
@@ -27,7 +27,8 @@ fn check_millisecond_step(half: usize) {
         let mut worst = (0.0f64, 0.0f64);
         for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {
             let motion = sine(amplitude, peak / (TAU * amplitude));
-            // The explicit solution cannot follow a void that closes; steps of a hundredth of a millisecond can.
+            // The explicit method cannot resolve a closing void. In this case the reference uses kernel steps of a
+            // hundredth of a millisecond.
             let exact =
                 if params.is_on(element!("cavitation")) || name == "aeration" || name == "less air in compression" {
                     let fine = model.with_integration(Integration::fixed(Method::Fourth, 1));
@@ -107,11 +108,11 @@ fn pairs_beyond(stiffness: f64, mass: f64) -> (usize, Vec<(f64, String)>) {
 #[test]
 fn pairs_of_elements_are_within_it_behind_the_default_spring() {
     let (_, beyond) = pairs_beyond(3e6, 0.5);
-    // The exception is air in an oil that is softer than the default series spring: 1.3 thousandths.
+    // The one exception is air in an oil that is softer than the default series spring: its error is 1.3 thousandths.
     assert!(beyond.iter().all(|(share, _)| *share < 1.3) && beyond.len() <= 1, "{beyond:#?}");
 }
 
-/// Measures the figures of the book.
+/// Measures the figures that the book states.
 #[test]
 #[ignore = "a measurement: prints which pairs of elements miss the promise behind four springs"]
 fn pairs_behind_four_springs() {

@@ -1,7 +1,7 @@
 //! Hosts whose displacement is not the integral of their velocity.
 //!
-//! They advance it with the velocity of one end of the step: the new one (semi-implicit: MuJoCo's Euler, game engines)
-//! or the old one. Every element behaves as in a host that samples a motion.
+//! They advance the displacement with the velocity at one end of the step: the new velocity (semi-implicit: MuJoCo's
+//! Euler, game engines) or the old velocity. Every element behaves as in a host that samples a motion.
 
 mod common;
 use common::*;
@@ -35,7 +35,7 @@ fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, s
         .collect()
 }
 
-/// 2 kg act as 2 kg for either host: the component of the force along the acceleration, over whole cycles.
+/// In both kinds of host, 2 kg act as 2 kg, by the force component in phase with the acceleration over whole cycles.
 #[test]
 fn two_kilograms_act_as_two_kilograms() {
     for (inside, time) in [(0.0, 2e-4), (1.0, 2e-4), (0.0, 1e-4), (0.0, 1e-3)] {
@@ -86,14 +86,14 @@ fn cases() -> Vec<(String, Params)> {
 
 /// Tolerance of the force for all elements except the spool without series compliance.
 ///
-/// The spool responds immediately to the mean velocity of the displacement, so it has the second tolerance. Half a step
-/// of lag determines its opening and the peak of the force.
+/// The spool has the second tolerance, because it responds immediately to the mean velocity of the displacement. A lag
+/// of half a step changes its opening and thus the peak of the force.
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// The force in such a host lies between the extremes of the sampled motion within one and a half steps.
+/// The force in such a host lies within the extremes of the exact force, one and a half steps before and after.
 ///
-/// Its displacement leads or lags by half a step, and the force may do so too.
+/// The displacement in the host leads or lags by half a step, so the force may also lead or lag.
 #[test]
 fn every_element_is_no_more_than_a_step_early_or_late() {
     const FINER: usize = 50;

@@ -1,8 +1,8 @@
-//! A damper of another size, in proportion, has forces of that size.
+//! If a damper is scaled in proportion, its forces scale by the same factor.
 //!
-//! The other tests check dampers within the bounds of a passenger car's, so their results hold for all allowed dampers.
-//! Oil, voids and valves contain small forces (a leakage, a laminar flow, a contact) that do not scale. With those
-//! elements, the search of the C interface draws dampers of all sizes.
+//! The other tests check dampers within the bounds of a passenger car, so their results hold for all allowed dampers.
+//! Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a contact) that do not scale. For
+//! these elements, the search of the C interface draws dampers of all sizes.
 
 mod common;
 
@@ -16,7 +16,7 @@ use proptest::prelude::*;
 fn of_size(params: &Params, size: f64) -> Option<Params> {
     let mut other = *params;
     for row in table() {
-        // Its largest value means no limit and is not scaled.
+        // The largest value of this parameter means "no limit" and is not scaled.
         let laminar = row.parameter.name == "fade_laminar_force" && params.get(&row)[0] < row.parameter.high;
         if !row.parameter.grows && !laminar {
             continue;
@@ -36,7 +36,8 @@ proptest! {
     #[test]
     fn a_damper_of_another_size_moves_alike(
         params in any_params(),
-        // Powers of four, so that rounding is equal in both, and every difference comes from the model.
+        // The factors are powers of four, so rounding is equal in both dampers and every difference comes from the
+        // model.
         size in prop::sample::select(vec![1.0 / 256.0, 1.0 / 16.0, 4.0, 64.0]),
         amplitude in 0.0005..0.05f64,
         frequency in 0.5..20.0f64,
@@ -95,7 +96,7 @@ fn a_number_of_another_size_is_named() {
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }
 
-/// These numbers may be too small for a spring or in a wrong order, but they are not out of proportion.
+/// Numbers within a car damper's bounds may violate other conditions, but they are in proportion to each other.
 #[test]
 fn what_a_car_may_have_goes_together() {
     for low in [true, false] {
@@ -111,7 +112,7 @@ fn what_a_car_may_have_goes_together() {
     }
 }
 
-/// Parameters of a form that is not chosen do not count for the proportion.
+/// The check of proportion ignores the parameters of forms that are not chosen.
 #[test]
 fn numbers_of_other_forms_have_no_part_in_it() {
     let mut params = of_size(&Params::new(), 1.01e-3).unwrap();

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 ///
 /// With H = m u²/2 + k_s e²/2 + ∫F_p, √H grows at most in proportion to the speed of the moving end. The deflection e
 /// is thus at most the length of the path, plus a part from the parallel spring and the FV curve's offset. The test
-/// allows twice that.
+/// allows twice that length.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -28,7 +28,7 @@ fn run(
     for (x, v) in motion {
         let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
-        // Upper bound of the length of the cubic path.
+        // This increment is an upper bound for the length of the cubic path.
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
         prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
@@ -43,7 +43,7 @@ fn run(
             );
         }
     }
-    // With a fixed end the motion decays; afterwards the force is the static one.
+    // With a fixed end the motion decays. Afterwards the force equals the static force.
     let hold = Input::motion(state.displacement, 0.0);
     for _ in 0..1000 {
         state = step(&model, &state, &hold, 1e-2).0;
@@ -76,10 +76,10 @@ proptest! {
         dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
         velocity_only in any::<bool>(),
     ) {
-        // With velocity alone, the total displacement must not exceed the length of a damper.
+        // If the input is a velocity alone, the total displacement must not exceed the length of a damper.
         let travel: f64 = motion.iter().map(|(_, v)| v.abs() * dt).sum();
         let scale = if velocity_only { (0.1 / travel).min(1.0) } else { 1.0 };
-        // A jump to which the series spring responds with 100 kN is the largest plausible error in a damper's input.
+        // The largest jump gives 100 kN in the series spring, which is the largest plausible error of an input.
         let jump = (1e5 / params.number(number!("series_stiffness")) / 0.2).min(1.0);
         let motion: Vec<_> = motion.iter().map(|(x, v)| (x * jump, v * scale)).collect();
         run(&params, &motion, dt, velocity_only)?;
@@ -132,10 +132,11 @@ fn steps_of_any_length_stay_finite() {
     }
 }
 
-/// Two chambers behind an FV curve with 19 kN at rest; the chamber that takes over is twenty times as long.
+/// The test has two chambers and an FV curve with 19 kN at rest. After the reversal, the chamber under pressure is
+/// twenty times as long.
 ///
-/// With the column's deflection as its state, the step at the reversal of the force returned -24 kN instead of 9 kN.
-/// Eight steps later it returned 0.6 GN.
+/// An earlier version used the column's deflection as its state. The step at the reversal of the force then returned
+/// -24 kN instead of 9 kN, and eight steps later 0.6 GN.
 #[test]
 fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     let mut p = params(&[
@@ -177,7 +178,8 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     }
 }
 
-/// A distant first guess on a hardening spring: oil that stores 10 kJ at rest lets the mass follow any jump.
+/// The first guess is far from the solution on a hardening spring. The oil stores 10 kJ at rest, so the mass follows
+/// any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     let mut p = params(&[
@@ -200,10 +202,10 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     }
 }
 
-/// A column with one chamber forty times as long as the other, behind a strongly damped series path.
+/// The test has a strongly damped series path and a column with one chamber forty times as long as the other.
 ///
-/// The damping masks the effect of the column and of a delayed valve. The fourth-order method combined its stages to
-/// 1325 m of oil, and four steps later the mass had 18 km/s.
+/// The damping masks the effect of the column and of a lagging valve in the total force. In an earlier version, the
+/// fourth-order method combined its stages to 1325 m of oil. Four steps later, the mass had 18 km/s.
 #[test]
 fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     let mut p = params(&[
@@ -255,11 +257,10 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// A column under 15 kN in strokes of 60 mm between two instants of rest, in which its length falls to a tenth and
-/// returns.
+/// A column under 15 kN in strokes of 60 mm from rest to rest. In each stroke, its length falls to a tenth or returns.
 ///
-/// With the velocities of the stages, the cheapest method did not move the column at all, and its force rose with its
-/// load. The fourth-order method reached 9 MN.
+/// An earlier version used the velocities at the stages. With the cheapest method, the column then did not deflect at
+/// all; with the fourth-order method, the force reached 9 MN.
 #[test]
 fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves() {
     for (shortening, chambers) in [(10.0, 0.0), (-50.0, 0.0), (10.0, 1.0), (-15.0, 1.0)] {
@@ -290,7 +291,7 @@ fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves()
 
 /// The table of the valve's conductance ends 12 octaves above the opening force.
 ///
-/// Its last cubic overshot there, and the force grew without bound.
+/// In an earlier version, the last cubic of the table overshot there, and the force grew without bound.
 #[test]
 fn a_valve_with_play_stays_finite_where_the_table_of_its_conductance_ends() {
     let mut p = params(&[

@@ -1,4 +1,4 @@
-//! A run needs no data but its state: copied, restored, repeated, or in a pause.
+//! A state contains all data of a run, so a run can be copied, restored, repeated and paused.
 
 mod common;
 use common::*;
@@ -81,15 +81,15 @@ proptest! {
     }
 }
 
-/// A user interface that switches an element must not pass its state to another element.
+/// If an element is switched on or off, no internal state may become the state of another element.
 ///
-/// An earlier version interpreted 0.3 mm of a contact as newtons, which made 24 MN.
+/// An earlier version interpreted a contact's deflection of 0.3 mm as newtons and returned 24 MN.
 #[test]
 fn a_state_outlives_a_switch_of_elements() {
     for switched in WITH_STATES {
         let mut p = params(&[("fade_source", 1.0)]);
         p.enable(Element::find(switched).unwrap(), true);
-        // As many other elements as there is room for.
+        // Switch on as many other elements as a state can store.
         for element in WITH_STATES {
             let on = p.is_on(Element::find(element).unwrap());
             p.enable(Element::find(element).unwrap(), true);
@@ -118,7 +118,7 @@ fn a_state_outlives_a_switch_of_elements() {
         let back = with.laid_out(&there);
         let kept = named(&with, &back).iter().zip(&before).filter(|(a, b)| a == b).count();
         assert!(kept >= named(&without, &there).len(), "{switched}: {before:?} {back:?}");
-        // The run then continues with no force that neither damper would make.
+        // The run then continues with a force close to that of either damper.
         let (x, v) = motion(0.071);
         let to = Input::motion(x, v);
         let (with_it, without_it) = (step(&with, &state, &to, 1e-3).1.force, step(&without, &state, &to, 1e-3).1.force);
@@ -127,8 +127,7 @@ fn a_state_outlives_a_switch_of_elements() {
     }
 }
 
-/// A host that pauses with steps of zero length must keep the friction, and must not see a derivative that no motion
-/// has.
+/// Steps of zero length must keep the friction state, and return the derivative at standstill.
 #[test]
 fn a_pause_keeps_the_friction_of_a_bent_contact() {
     for elements in [&["presliding_friction"][..], &["presliding_friction", "oil_compressibility"]] {
@@ -139,7 +138,7 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         p.enable(element!("stribeck_friction"), false);
         let model = Model::new(&p).unwrap();
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
-        // Ten millimeters with smooth ends, then standstill.
+        // The motion covers ten millimeters with smooth ends, followed by standstill.
         let motion = |t: f64| {
             let share = (t / 0.2).min(1.0);
             (5e-3 * (1.0 - (PI * share).cos()), if share < 1.0 { 5e-3 * PI / 0.2 * (PI * share).sin() } else { 0.0 })
@@ -154,7 +153,8 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         let (same, output) = step(&model, &state, &here, 0.0);
         assert_eq!(same, state);
         assert!((output.force - held).abs() < 1e-3 && output.friction_force > 39.0, "{elements:?}: {held} {output:?}");
-        // The derivatives are the contact's mean stiffness over both directions, and that of the FV curve at rest.
+        // The displacement derivative is the contact's mean stiffness over both directions, the velocity derivative
+        // that of the FV curve at rest.
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
         assert!((output.d_force_d_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
@@ -178,14 +178,14 @@ fn static_derivatives_are_those_of_the_static_force() {
 
 #[test]
 fn the_run_has_these_digits_on_every_platform() {
-    // This does not judge the model: it sums the bits of a run with every method, which must be equal on every
+    // This test does not check the model. It sums the bits of a run with every method, which must be equal on every
     // platform.
     let mut sum = 0u64;
     for method in METHODS {
         let model = model(&[]).with_integration(Integration::fixed(method, 2));
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         for i in 0..500 {
-            // Triangular velocity, because it needs no sine of a library.
+            // The velocity is triangular, because a sine would depend on a library.
             let phase = (i % 100) as f64 / 100.0;
             let v = if phase < 0.5 { phase } else { phase - 1.0 };
             let (next, output) = step(&model, &state, &Input::velocity(v), 1e-3);
@@ -198,7 +198,7 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// The series spring balances the rest force of a curve, both at rest and in steady motion, for every method.
+/// With every method, the series spring balances a curve's force at zero velocity, both at rest and in steady motion.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);
@@ -224,17 +224,18 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
             let (after, output) = step(&model, &state, &Input::motion(0.01 + 1e-3 * v * f64::from(k), v), 1e-3);
             (state, force) = (after, output.force);
         }
-        // The mass follows: curve, spring and friction sum as without the series spring, apart from the spring's
-        // deflection.
+        // In steady motion, curve, spring and friction sum as without the series spring. Only the displacement of the
+        // mass differs, by the deflection.
         let at = Input::motion(state.mass_displacement, v);
         let wanted = dashpot_core::evaluate(&stiff, &State::ZERO, &at).0.force;
         assert!((force - wanted).abs() < 5e-3 * wanted, "{method:?}: {force} of {wanted} at {v} m/s");
     }
 }
 
-/// Behind a groove, a nearly closed valve has so much more force that its state once oscillated forever.
+/// With a groove, the force of a nearly closed valve rises so steeply that an earlier iteration for its state
+/// oscillated forever.
 ///
-/// The static force was 83 kN, with valves that made 0.3 kN.
+/// The static force was then 83 kN, although the valves had 0.3 kN.
 #[test]
 fn a_static_answer_is_balanced_where_a_state_overshoots_what_it_is_drawn_to() {
     let mut p = params(&[

@@ -1,6 +1,7 @@
 //! Derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
 //!
-//! There the position about which a step linearizes a spring depends on the inputs, and so does the slope of that line.
+//! In such steps, the position about which a spring is linearized depends on the inputs. The tangent's derivative also
+//! depends on them.
 
 mod common;
 use common::METHODS;
@@ -10,13 +11,14 @@ use dashpot_core::{list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Largest error of a derivative, relative to its value plus a small part of a stiff step's scale.
+/// Largest error of a derivative, relative to its value plus a small fraction of the largest derivative in a stiff
+/// step.
 const ALLOWED: f64 = 5e-3;
 
 /// Series stiffness, N/m: about as large as the stiffness of the springs on the mass.
 const SERIES: f64 = 3e5;
 
-/// Computes one-sided differences with Richardson's correction.
+/// Computes one-sided differences with Richardson extrapolation.
 fn one_sided(f: &dyn Fn(f64) -> f64, width: f64) -> [f64; 2] {
     let at = f(0.0);
     [-width, width].map(|h| {

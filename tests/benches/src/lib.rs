@@ -13,7 +13,7 @@ use tempfile::TempDir;
 /// Number of steps per call of [`Steps::run`].
 pub const STEPS: usize = 1000;
 
-/// A damper, and a motion at 1 ms over the whole FV curve, equal to that of `tests/hosts/cost.c`.
+/// A damper, and a motion in steps of 1 ms over the whole FV curve. The motion equals that of `tests/hosts/cost.c`.
 pub struct Steps {
     model: Model,
     state: State,
@@ -50,7 +50,7 @@ impl Steps {
         Steps { state: model.steady_state(&Input::motion(0.0, 0.0)), model, inputs }
     }
 
-    /// Advances by [`STEPS`] steps. Returns the sum of the forces, so that the compiler omits none.
+    /// Advances by [`STEPS`] steps. Returns the sum of the forces, so that the compiler cannot omit a step.
     pub fn run(&mut self) -> f64 {
         let mut sum = 0.0;
         for k in 0..STEPS {
@@ -99,7 +99,8 @@ pub fn fit(campaign: &Campaign, family: Family) -> Fit {
     dashpot_identification::fit(&records, &FitOptions { family, ..Default::default() }, |_| {}).expect("a fit")
 }
 
-/// Keeps all work on this thread, because callgrind counts only its instructions, and two runs then count equally.
+/// Keeps all work on this thread, because callgrind counts only this thread's instructions. Two runs then give equal
+/// counts.
 ///
 /// # Panics
 /// If threads were started before.

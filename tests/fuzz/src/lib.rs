@@ -1,5 +1,5 @@
-//! Targets of the fuzzer: every reader of files, and the processing of its output. A reader may accept or reject a
-//! file. A panic, an access out of bounds, a gibibyte of memory or ten seconds are failures.
+//! Targets of the fuzzer: every reader of files, and the processing of the reader's output. A reader may accept or
+//! reject a file. A panic, an access out of bounds, a gibibyte of memory or ten seconds are failures.
 
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};

@@ -1,6 +1,6 @@
 //! Random numbers from a seed.
 
-/// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
+/// Random number generator SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 pub struct Random(pub u64);
 
 impl Random {

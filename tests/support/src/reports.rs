@@ -1,4 +1,4 @@
-//! Inputs of situations that users reported. They are stored next to the checkout, not in it.
+//! Inputs of situations that users reported. The inputs are stored next to the checkout, not inside.
 
 use super::skips::skipped;
 use std::path::{Path, PathBuf};

@@ -25,8 +25,8 @@ pub fn drawn(cases: u32) -> Config {
     with(cases, asked().unwrap_or_else(of_the_code))
 }
 
-/// Returns the settings of a property that does not hold everywhere: a fixed seed, unless [`VARIABLE`] sets another
-/// one.
+/// Returns the settings of a property test that some cases violate. The seed is fixed, unless [`VARIABLE`] sets another
+/// seed.
 ///
 /// A comment at each use states the results of other seeds.
 ///
@@ -48,7 +48,7 @@ fn with(cases: u32, seed: u64) -> Config {
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
-/// Returns the seed from the sources, for a search that draws and prints by itself.
+/// Returns the hash of the sources as a seed, for a search that draws its own cases and prints its own messages.
 ///
 /// # Panics
 /// If the sources are not readable.

@@ -9,7 +9,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// Age of notes after which their run has certainly ended.
+/// Age of a run's notes after which the run has certainly ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
 /// Returns the file of this run's skips, below the target directory and named by the parent process, which is cargo.

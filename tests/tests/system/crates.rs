@@ -1,8 +1,8 @@
 //! Checks the dependencies of the project.
 //!
 //! cargo-deny checks licenses, sources and security advisories against `deny.toml`. Without the tool these tests are
-//! counted as skipped. If advisories cannot be fetched, the tests use those of the checkout (`tests/advisories`), and
-//! report if they are old.
+//! counted as skipped. If advisories cannot be fetched, the tests use the copy in the checkout (`tests/advisories`),
+//! and report if this copy is old.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::root;
@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
-/// Age from which the advisories of the checkout are old, days: RustSec publishes several a week, and cargo-deny has
-/// the same limit.
+/// Age, in days, from which the advisories of the checkout are old. RustSec publishes several a week, and cargo-deny
+/// has the same limit.
 const OLD: i64 = 90;
 
 /// Runs cargo-deny in the project's folder. Returns `None` if it is not installed.
@@ -50,8 +50,8 @@ fn run(program: &str, args: &[&str], at: &Path) {
     assert!(out.status.success(), "{program} {args:?}: {}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// Runs cargo-deny on the advisories of the checkout. It reads them from a repository below its own folder, which is
-/// created here.
+/// Runs cargo-deny with the advisories of the checkout. cargo-deny reads advisories from a repository below a folder of
+/// its own. This function creates that folder.
 fn by_the_checkout(configuration: &str) -> Output {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -81,7 +81,7 @@ fn by_the_checkout(configuration: &str) -> Output {
     deny(&check).expect("cargo-deny")
 }
 
-/// Runs one kind of check, and reports it as skipped if it cannot run.
+/// Runs one kind of check, and reports the check as skipped if it cannot run.
 fn holds(kind: &str) {
     let Some(out) = deny(&["--color", "never", "check", kind]) else {
         skipped(WITHOUT);
@@ -137,8 +137,8 @@ fn nothing_is_known_against_a_crate() {
     assert!(out.status.success(), "cargo deny check advisories:\n{}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// The advisories of the checkout are used: without the exceptions of `deny.toml`, cargo-deny reports the crates of
-/// these exceptions.
+/// cargo-deny really uses the advisories of the checkout. Without the exceptions in `deny.toml`, it reports the crates
+/// of these exceptions.
 #[test]
 fn the_advisories_of_the_checkout_are_used() {
     if deny(&[]).is_none() {

@@ -1,4 +1,4 @@
-//! Diagnosis on data from the kernel: the missing effect is known exactly, and no other effect is missing.
+//! Diagnosis of data from the kernel. The missing effect is known exactly, and no other effect is missing.
 
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
@@ -15,7 +15,8 @@ fn tests() -> Vec<Sine> {
     with_others(strokes_and_speeds())
 }
 
-/// Returns every second stroke and velocity, for half the time if a test does not verify the magnitude of effects.
+/// Returns every second stroke and velocity. They take half the time and suffice if a test does not verify the
+/// magnitude of effects.
 fn fewer_tests() -> Vec<Sine> {
     with_others(strokes_and_speeds().into_iter().skip(1).step_by(2).collect())
 }
@@ -122,16 +123,16 @@ fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }
 
-/// The thermal state lasts longer than a cycle, so its comparison with a mean cycle must start from the state on the
-/// rig.
+/// The thermal state changes more slowly than a cycle. A simulation that is compared with a mean cycle must therefore
+/// start from the state on the rig.
 #[test]
 fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     let gap = names("gas_spring", &[("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)]);
     assert!(gap > 0.95, "{gap}");
 }
 
-/// With few tests, a gas spring without the parallel spring is ten times as probable as both. The intervals include the
-/// gas spring's values with the parallel spring.
+/// With few tests, a gas spring alone is ten times as probable as a gas spring plus a parallel spring. The intervals
+/// also contain the gas spring's values with a parallel spring.
 #[test]
 fn an_interval_holds_what_a_less_probable_structure_says() {
     let mut truth = base();
@@ -167,7 +168,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     };
     let found = against(&worn);
     assert_eq!(found.verdict, Verdict::Changed, "{}", told(&found));
-    // The smallest explanation is one factor of the rebound curve.
+    // The simplest explanation is one factor on the rebound curve.
     let change = &found.changes[0];
     assert_eq!(change.name, "rebound_curve", "{}", told(&found));
     let rest: Vec<&Change> =
@@ -193,9 +194,9 @@ fn late(record: &Record, delay: f64) -> Record {
     Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
 }
 
-/// Effects of the rig are in no damper, but in the improved model's file.
+/// The file of the improved model contains the effects of the rig, but its damper does not.
 ///
-/// Otherwise the next evaluation of the same records with this file would attribute the effects to the model.
+/// Without these entries, the next evaluation of the same records would attribute the effects to the model.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -258,7 +259,7 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     assert!(answers[0].0.contains(&"bump_stop"), "{answers:?}");
 }
 
-/// The diagnosis reports the status of each effect: a stop replaces a spring that approximated it.
+/// The diagnosis reports the status of each effect. Here a stop replaces a spring that approximated the stop.
 #[test]
 fn a_spring_that_stood_for_a_stop_is_replaced() {
     let mut truth = base();

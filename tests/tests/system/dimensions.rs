@@ -71,7 +71,7 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
     );
     assert_eq!(contradiction["parameter"], "gas_force");
     assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");
-    // What was computed with an entry in doubt says so.
+    // Quantities that were computed with a doubtful entry have a note.
     let quantities = found["quantities"].as_array().unwrap();
     let pressure = quantities.iter().find(|of| of["name"] == "gas_pressure").unwrap();
     assert!(pressure["note"].as_str().unwrap().contains("uses rod_mm as drawn"), "{found}");
@@ -115,7 +115,7 @@ fn motions(dir: &Path) -> [&'static str; 3] {
     sines.map(|(name, _)| name)
 }
 
-/// A damper that depends on a current by its curve and its friction.
+/// A damper whose FV curve and friction depend on a current.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
      setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 150.0\ncoulomb_force = [20.0, 60.0]\n\
      fv_velocity = [-1.0, -0.1, 0.0, 0.1, 1.0]\n\
@@ -168,7 +168,7 @@ fn a_family_is_fitted_and_diagnosed_with_dimensions() {
     assert!(told.contains("cannot read the dimensions absent.toml"), "{told}");
 }
 
-/// A short campaign is fitted with dimensions. The model file states the priors, and the contradiction of wrong
+/// A short campaign is fitted with dimensions. The model file states the priors, and the contradiction by wrong
 /// dimensions.
 #[test]
 fn a_fit_says_what_the_dimensions_made_it_expect_and_what_its_records_contradict() {

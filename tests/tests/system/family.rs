@@ -26,8 +26,9 @@ use std::sync::LazyLock;
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
 
-/// Error limits on one small campaign of a semi-active damper. They apply to the random current, and to the lag at all
-/// steps but one and at the worst step. For the whole protocol, the book has 19 % at the worst step.
+/// Error limits on one small campaign of a semi-active damper. The first applies to the random current, the second to
+/// the lag at all steps except the worst, the third to the worst step. For the whole protocol, the book states 19 % at
+/// the worst step.
 const RANDOM: f64 = 0.03;
 const LAG: f64 = 0.1;
 const WORST_LAG: f64 = 0.2;
@@ -50,8 +51,8 @@ fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
 
 /// Makes a damper whose force and knee velocity grow with the current; its friction depends on the current if given.
 ///
-/// Its FV table has the velocities that a fit of its records chooses. A table at other velocities would be another
-/// curve between them.
+/// Its FV table has the velocities that a fit of its records chooses. A table at other velocities would interpolate to
+/// another curve.
 fn truth(friction: Option<[f64; 4]>) -> Definition {
     let mut params = kernel_campaign::base();
     let any = kernel_campaign::campaign(&params, &matrix(), 1, 0.0);
@@ -94,7 +95,7 @@ fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
     found.dependences.iter().find(|of| of.name == name).map(|of| of.varies)
 }
 
-/// Counts the intervals of a family that contain the true value, and all intervals.
+/// Counts two numbers for a family: the intervals that contain the true value, and all intervals.
 fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     let (mut held, mut all) = (0, 0);
     for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
@@ -144,7 +145,7 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     assert!(apart < 0.03, "{apart}");
     for of in &found.settings {
         assert!(of.family.error_percent < 1.5, "{of:?}");
-        // Between 0 and 0.8 A the knee moves by more than a cubic can follow.
+        // Between 0 and 0.8 A, the knee moves too far for an accurate cubic interpolation.
         assert!(of.left_out.is_none_or(|error| error.error_percent < 2.0), "{of:?}");
     }
     let ends: Vec<bool> = found.settings.iter().map(|of| of.left_out.is_some()).collect();
@@ -202,14 +203,14 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
     let changed = ModelFile::new(file.params, axis, file.identification.clone(), file.specified.clone());
     assert!(changed.was_changed() && changed.edited.contains(&"coulomb_force@1.2".to_owned()), "{:?}", changed.edited);
-    // The file keeps the FV curve alone at each setting, and interpolates between the settings.
+    // The file contains the FV curve alone at each setting. Between the settings, the curve is interpolated.
     let curve = |setting: f64| at_setting(&file, setting).identification.fv_only.unwrap();
     let (soft, middle, hard) = (curve(0.4), curve(0.6), curve(0.8));
     let top = |curve: &FvOnly| *curve.force.last().unwrap();
     assert!(top(&soft) < top(&middle) && top(&middle) < top(&hard));
 }
 
-/// Reads records from a folder of data next to the project; `None` if it is not on this machine.
+/// Reads records from a folder of data next to the project; `None` if this machine lacks the folder.
 fn measured(folder: &str) -> Option<Vec<Record>> {
     let path = dashpot_tests::measured::records(folder)?;
     let options = Options { subfolders: true, ..Options::default() };
@@ -239,7 +240,7 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
     for of in &found.settings {
         // The limits are figures of the book with a margin for changes of the search. The ratio of the left-out error
-        // to the own fit's error has no limit, because it grows when the own fit improves.
+        // to the error of the setting's own fit has no limit, because a better own fit increases this ratio.
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
@@ -279,7 +280,8 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// One test with steps identifies both lags and the dead time, although a single lag fits worse than no lag.
+/// One test with steps identifies both lags and the dead time, although a common lag for both directions fits worse
+/// than no lag.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);
@@ -301,8 +303,8 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     let found = found_with(&records);
     for (name, value) in [("setting_time_up", 0.03), ("setting_time_down", 0.018), ("setting_dead_time", 0.004)] {
         let of = found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
-        // The interval covers noise and the sample of the command's change. It does not cover the model error at
-        // intermediate currents.
+        // The interval covers the noise and the uncertainty of the command's change within a sample. The interval does
+        // not cover the model error at intermediate currents.
         assert!((of.value - value).abs() < 0.1 * value && of.standing == Standing::Identified, "{of:?}");
     }
     // Keep the record up to the first fall.
@@ -359,7 +361,7 @@ fn stepped(damper: &Definition) -> Record {
     record
 }
 
-/// A damper that depends on a pilot pressure, with a valve lag of 12 ms up and 20 ms down.
+/// A damper that depends on a pilot pressure. Its valve lag is 12 ms for rising and 20 ms for falling pressure.
 const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [2.0, 10.0]\n\
      setting_name = \"pressure\"\nsetting_unit = \"bar\"\nsetting_time_up = 0.012\nsetting_time_down = 0.020\ngas_force = 150.0\n\
      coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
@@ -367,8 +369,8 @@ const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"
 
 /// Simulates a sine at commanded pressures and writes a record, with a pressure column if the pressure changes.
 ///
-/// The valve gets a command in the step that ends at its time. The column shows the command from `late` s before its
-/// time.
+/// The valve receives a command in the step that ends at the time of the command. The column contains the command
+/// already `late` seconds before that time.
 fn measure_piloted(
     dir: &Path,
     name: &str,
@@ -426,7 +428,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     }
     let steps: Vec<(f64, f64)> = (0..20).map(|k| (0.21 * f64::from(k), if k % 2 == 0 { 2.0 } else { 10.0 })).collect();
     measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 0.0);
-    // Without its column the test has no pressure; a message names a mistake in the column's name.
+    // Without a valid pressure column, the test has no pressure. A message reports a misspelled name of the column.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
     assert!(
@@ -468,7 +470,7 @@ fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
         fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
     };
     let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
-    // Verify rise and fall to 63 %, because dead time and time constant are correlated.
+    // Verify the times of rise and fall to 63 %, because dead time and time constant are correlated.
     let sum = |of: &ActuatorFit, name: &str| {
         let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
         value(name) + value("setting_dead_time")

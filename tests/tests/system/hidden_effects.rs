@@ -1,4 +1,4 @@
-//! Dampers with an injected effect, measured by the virtual rig, whose equations differ from the model's.
+//! Dampers with an injected effect, measured on the virtual rig. The rig's equations differ from the model's.
 //!
 //! The cases are a fixed subset of the benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs
 //! all).
@@ -8,7 +8,8 @@ use dashpot_proving::outcome::{Outcome, judged};
 use dashpot_proving::score;
 use dashpot_severity::case::Case;
 
-/// Diagnoses a case at given strengths: searching for the strengths of its severities takes longer than the diagnosis.
+/// Diagnoses a case at given strengths. Searching for the strengths of its severities would take longer than the
+/// diagnosis.
 fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
     let measured = case.measure_at(strengths.to_vec(), &[]).unwrap();
     judged(block, case.options.seed, &case.effects, &measured, &Options::default()).unwrap().0
@@ -50,7 +51,7 @@ fn what_is_in_no_catalogue_gets_no_name() {
     assert!(o.named.is_empty(), "{o:?}");
 }
 
-/// Neither effect explains half of the disagreement alone.
+/// Neither effect alone explains half of the disagreement.
 #[test]
 #[ignore = "half a minute on two cores; the benchmark has it too"]
 fn two_effects_are_found_together() {

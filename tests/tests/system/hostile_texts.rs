@@ -1,10 +1,10 @@
 //! Damaged or malicious texts, through all readers of texts except those of records.
 //!
-//! Each text is read, or rejected with a message, in bounded time. The result of reading is used too, because an
+//! Each text is read, or rejected with a message, in bounded time. The test also uses the result of reading, because an
 //! accepted file must not break later steps.
 //!
-//! The readers of records are tested in `src/records/tests/hostile.rs`, those in C in
-//! `tests/tests/system/hosts/damaged.rs`. DASHPOT_HOSTILE=100 multiplies the number of texts by a hundred.
+//! `src/records/tests/hostile.rs` tests the readers of records, `tests/tests/system/hosts/damaged.rs` the readers in C.
+//! DASHPOT_HOSTILE=100 multiplies the number of texts by a hundred.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Params, model_file as kernel};
@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 
 /// Number of damaged texts per seed.
 const ROUNDS: usize = 1500;
-/// Longest time per text: the texts have a few kilobytes, and other programs may run in parallel.
+/// Longest time per text. The texts have a few kilobytes, but other programs may run in parallel.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A reader of a file; the error is the user's message.
@@ -96,7 +96,7 @@ fn record(amplitude: f64, frequency: f64) -> Record {
 fn whole_model() -> String {
     let mut params = Params::new();
     for element in Element::all() {
-        // Elements that exclude each other stay unchanged.
+        // An element that excludes another one stays as it was.
         let before = params;
         params.enable(element, true);
         if prepared(&params).is_err() {
@@ -256,7 +256,7 @@ fn files_of_adams() {
     });
 }
 
-/// Of the valid dimension files, one in this number explains a model, which costs more than reading.
+/// One in this number of valid dimension files explains a model, which takes more time than reading.
 const EXPLAINED: usize = 50;
 
 #[test]

@@ -1,4 +1,4 @@
-//! Identification on data from the kernel: the true values are known exactly, which allows a test of the intervals.
+//! Identification on data from the kernel. The true values are known exactly, so the intervals can be tested.
 
 use dashpot_core::parameter::{Element, List, Number};
 use dashpot_core::{Model, Params};
@@ -28,8 +28,8 @@ fn matrix() -> Vec<Sine> {
     tests
 }
 
-/// Simulates the campaign with noise of `noise` times each test's root mean square force; `side` is the side force of
-/// each test.
+/// Simulates the campaign. The noise is `noise` times each test's root mean square force, and `side` is the side force
+/// of each test.
 fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
     let mut tests = matrix();
     for (k, test) in tests.iter_mut().enumerate() {
@@ -41,7 +41,7 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
 /// Makes the default model without the viscous term. Its FV table has the velocities that a fit of this campaign
 /// chooses.
 ///
-/// A free FV curve absorbs the viscous term. A table at other velocities would be another curve between them.
+/// A free FV curve absorbs the viscous term. A table at other velocities would interpolate to another curve.
 fn truth() -> Params {
     let mut params = Params::new();
     params.enable(element!("viscous_friction"), false);
@@ -61,11 +61,11 @@ fn fitted(records: &[Record]) -> Fit {
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,
-    // and all parameters together some two hundred.
+    // and all parameters together have about two hundred.
     const SEEDS: u64 = 13;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
-    // For each parameter: number of intervals, and number of intervals that contain the true value.
+    // Two numbers for each parameter: all intervals, and the intervals that contain the true value.
     let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     for seed in 1..=SEEDS {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
@@ -122,7 +122,8 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
 
 #[test]
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
-    // One seed has too few intervals for a coverage of 95 %: six of eight hold with probability 0.994.
+    // One seed has too few intervals to test a coverage of 95 %. At least six of eight contain the true value with
+    // probability 0.994.
     find_measurement_errors(1..=1, 0.75);
 }
 
@@ -132,10 +133,11 @@ fn intervals_of_measurement_errors_hold_the_truth() {
     find_measurement_errors(2..=4, 0.85);
 }
 
-/// Fits campaigns with each measurement error and with all, and asserts the fraction of intervals that hold the truth.
+/// Fits campaigns with each measurement error and with all of them. Asserts the fraction of intervals that contain the
+/// true value.
 fn find_measurement_errors(seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
     let truth = truth();
-    // The mass is clearly larger than a rod's own mass of about a kilogram.
+    // The mass is much larger than that of a rod, which is about a kilogram.
     let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
     let one = |off: MeasurementError| (off, 1);
     let cases = [
@@ -177,8 +179,8 @@ fn find_measurement_errors(seeds: std::ops::RangeInclusive<u64>, coverage: f64) 
 /// Long strokes at low frequency hardly distinguish a force delay of a third of a millisecond from a softer series
 /// path.
 ///
-/// The fit does not accept the delay there. The interval of the stiffness contains the estimates with and without the
-/// delay.
+/// In this case the fit does not accept the delay. The interval of the stiffness contains both estimates, with and
+/// without the delay.
 #[test]
 fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
     const SEEDS: u64 = 6;
@@ -195,7 +197,7 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
-    // Without such seeds the test would be meaningless.
+    // Without seeds of this kind, the test would be meaningless.
     assert!(unbelieved >= 3 && far >= 3, "{unbelieved} {far}");
 }
 
@@ -273,7 +275,7 @@ fn the_comparison_models_fit_too_and_are_worse() {
     let refs: Vec<&Record> = records.iter().collect();
     let of = |family| fit(&refs, &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();
     let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
-    // The misfit is one if only noise remains.
+    // The misfit is one if the residual is pure noise.
     assert!(thesis.misfit < 1.2, "{}", thesis.misfit);
     assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);
     assert!(fv.params.is_on(element!("fv_curve")) && !fv.params.is_on(element!("series_compliance")));
@@ -311,7 +313,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     }
     tests.extend([0.041, 0.01].map(|frequency| Sine::new(0.01, frequency)));
     let mut sharp = kernel_campaign::base();
-    // The curve is linear up to 0.1 m/s, where a blow-off valve opens.
+    // The curve is linear up to 0.1 m/s. At this velocity, a blow-off valve opens.
     let speeds = [0.03, 0.06, 0.085, 0.095, 0.1, 0.105, 0.115, 0.2, 0.5, 1.2];
     let side = |slopes: [f64; 2]| speeds.map(|v: f64| slopes[0] * v.min(0.1) + slopes[1] * (v - 0.1).max(0.0));
     let both = |compression: [f64; 10], rebound: [f64; 10]| -> Vec<f64> {
@@ -322,7 +324,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     let found = fitted(&kernel_campaign::campaign(&sharp, &tests, 3, 0.01));
     let points = |found: &Fit| found.params.list(list!("fv_velocity")).len();
     let with_a_knee = points(&found);
-    // The error is 60 N with points at fixed ratios alone.
+    // With points at fixed ratios alone, the error would be 60 N.
     let off = off_the_curve(&found, &sharp);
     assert!(off < 25.0, "{off} N, {:?}", found.params.list(list!("fv_velocity")));
     let round = kernel_campaign::base();
@@ -350,7 +352,7 @@ fn a_bump_stop_is_found_as_a_stop_and_hides_no_friction() {
 
 /// Fits dampers with a stop at a displacement, m.
 fn find_stops(stops: &[(&str, f64)]) {
-    // A spring with a table would absorb a stop, and its residual would hide every friction from the selection.
+    // A spring with a table would absorb a stop, and its residual would prevent the selection of any friction.
     let without_stop = fitted(&campaign(&truth(), 11, 0.01, |_| None));
     for (side, at) in stops.iter().copied() {
         let mut truth = truth();

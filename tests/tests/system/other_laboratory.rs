@@ -1,4 +1,4 @@
-//! The second laboratory injects exactly the effects that the diagnosis can name, without use of the kernel or the
+//! The second laboratory injects exactly the effects that the diagnosis can name. It uses neither the kernel nor the
 //! first rig.
 
 use dashpot_diagnosis::EFFECTS;

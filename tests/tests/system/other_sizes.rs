@@ -1,7 +1,7 @@
 //! Dampers of other sizes than those of passenger cars.
 //!
-//! All forces of the records are scaled by 0.01 or 20. The fit must give the same model with scaled forces, the same
-//! choices, the same relative error and the same names.
+//! All forces of the records are scaled by 0.01 or 20. The fit must give the same model with scaled forces, with equal
+//! choices and equal relative error. The diagnosis must give equal names of effects.
 
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Params, element, list};

@@ -65,7 +65,8 @@ fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
     );
 }
 
-/// The checks of an installer on a wheel: its list contains every file with the checksum, and no other file.
+/// Checks a wheel like an installer. The list of the wheel must contain every file with its checksum, and no other
+/// file.
 const INSTALLS: &str = r#"
 import base64, csv, hashlib, io, sys, zipfile
 wheel = zipfile.ZipFile(sys.argv[1])
@@ -106,7 +107,7 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
 }
 
-/// The linker for Windows derives a base address from the path of the library, unless an option forbids it.
+/// The linker for Windows derives a base address from the path of the library, unless an option disables this.
 ///
 /// Every address in the file depends on the base address.
 #[test]
@@ -117,7 +118,8 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    // A library with the kernel's names replaces the kernel, because Rust for Windows is not always installed.
+    // A library that defines the kernel's names replaces the kernel here, because Rust for Windows is not always
+    // installed.
     let header = std::fs::read_to_string(root().join("include/dashpot.h")).unwrap();
     let name = |word: &str| word.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned();
     let names: std::collections::BTreeSet<String> =
@@ -145,7 +147,7 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
 }
 
-/// An unreviewed license of a crate stops the build of a package; this test detects it earlier.
+/// An unreviewed license of a crate stops the build of a package. This test detects such a license earlier.
 #[test]
 fn every_licence_may_be_shipped() {
     if !has("python3") {

@@ -1,6 +1,6 @@
 //! Campaigns reported by users, from the files to the result: the identified effects and measurement errors.
 //!
-//! Some are synthetic, so that they run everywhere; the others are inputs next to the checkout
+//! Some campaigns are synthetic, so their tests run everywhere. The other campaigns are stored next to the checkout
 //! (`../shared/data/reports`).
 
 use dashpot_core::{Params, element, list, number};
@@ -36,7 +36,7 @@ fn is_delay(fit: &Fit, delay: f64, within: f64) {
     assert!(matches!(found[..], [("delay", value)] if (value - delay).abs() < within), "{delay}: {found:?}");
 }
 
-/// Writes records like a logger and reads them again.
+/// Writes records in the form of a logger's files and reads them again.
 fn through_files(records: &[Record]) -> Campaign {
     let folder = tempfile::tempdir().unwrap();
     for record in records {
@@ -125,15 +125,16 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
 fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
     let Some(path) = reported("staircase_pair") else { return };
     let [good, worn] = ["a", "b"].map(|name| read(&path.join(name)));
-    // Constant velocities do not separate friction from the curve, but a gas force that pulls the rod in is impossible.
+    // Tests at constant velocity cannot separate friction from the FV curve, but a gas force that pulls the rod in is
+    // impossible.
     let gas = fitted(&good).params.number(number!("gas_force"));
     assert!(gas > -60.0, "{gas}");
     let records: Vec<&Record> = worn.records.iter().collect();
     let options = DiagnosisOptions { reference: good.records.clone(), ..DiagnosisOptions::default() };
     let found = diagnose(&records, &[], &fitted(&good).params, &options, &|_, _| ()).unwrap();
     assert!(found.findings.is_empty(), "{}", found.summary);
-    // The friction is 190 N before and 135 N after; constant velocities leave the split between friction and bleed
-    // uncertain by some newtons.
+    // The friction is 190 N before and 135 N after the change. With constant velocities, the split between friction and
+    // bleed flow is uncertain by some newtons.
     let friction = found.changes.iter().find(|change| change.name.ends_with("_force")).unwrap();
     let (before, after) = (friction.reference, friction.value);
     assert!((before - 190.0).abs() < 6.0 && (after - 135.0).abs() < 6.0, "{before} {after}");

@@ -22,7 +22,7 @@ fn without_reason(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_comment = |k: usize| lines[k].trim_start().starts_with("//");
     let unreasoned = |k: usize| {
-        // A statement may have several lines, several of which begin unsafe code.
+        // A statement may have several lines, and more than one of them may begin unsafe code.
         let mut above = k;
         while above > 0 && !is_comment(above) && k - above < 4 {
             above -= 1;
@@ -67,14 +67,14 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// unsafe { in words }").is_empty());
 }
 
-/// Runs the tests of the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which is required
-/// for memory checks.
+/// Runs the tests of the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which memory checks
+/// require.
 ///
-/// Returns `None` if the compiler lacks the components in `asks_for`.
+/// Returns `None` if the compiler lacks a component in `asks_for`.
 fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
     let cargo = |args: &[&str]| {
         let mut command = Command::new("cargo");
-        // These variables select the compiler that runs this test; the checks need another one.
+        // These variables select the compiler of this test run. The checks need another compiler.
         for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER"] {
             command.env_remove(name);
         }

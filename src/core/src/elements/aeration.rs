@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// q(F) = F/k_o + d F/(|F| + F_a) for the oil column of `oil_compressibility`; k_o is 3e7 N/m where that is off.
+/// q(F) = F/k_o + d F/(|F| + F_a) for the oil column of `oil_compressibility`. If that element is off, k_o is 3e7 N/m.
 ///
 /// The air is in the chamber under pressure: d = d_a in rebound, r_a d_a in compression.
 #[derive(Clone, Copy, Debug)]

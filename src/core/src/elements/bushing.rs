@@ -11,13 +11,13 @@ use crate::schema::{Describe, Parameter, View};
 /// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The relaxing
 /// branches below follow the deflection of the whole path.
 ///
-/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is the part of the deflection d beyond the stop at L, which adds the
+/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is the part of the deflection d beyond the stop at L. The stop adds the
 /// stiffness k_e.
 ///
-/// *Losses*: two branches are parallel to the spring. One of stiffness k_1 relaxes in time (Maxwell) and with
-/// deflection, like friction in the filler (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
-/// other, of stiffness k_2, relaxes in a longer time, dy/dt = dd/dt − y/τ_2, because rubber relaxes over decades of
-/// time.
+/// *Losses*: two branches are parallel to the spring. One of stiffness k_1 relaxes with time (Maxwell) and with
+/// deflection, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
+/// other, of stiffness k_2, relaxes more slowly: dy/dt = dd/dt − y/τ_2. Two branches are necessary, because the
+/// relaxation times of rubber span several decades.
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
     /// 1/d_h.
@@ -38,8 +38,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// The relaxing branches after an implicit stage: z and y with their derivatives over the rate of the deflection and
-/// over their known parts.
+/// The relaxing branches after an implicit stage: z and y, with their derivatives with respect to the rate of the
+/// deflection and the known parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],
@@ -51,7 +51,7 @@ impl Relaxed {
     pub const NONE: Relaxed = Relaxed { at: [0.0; 2], by_rate: [0.0; 2], by_known: [0.0; 2] };
 }
 
-/// Rate of the deflection up to which the friction sets in gradually, m/s.
+/// Width of the smooth onset of the filler friction, as a rate of the deflection, m/s.
 const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {
@@ -132,7 +132,7 @@ impl Prepare for Bushing {
 }
 
 impl Bushing {
-    /// Computes 1/τ + |dd/dt|/d_f, with a friction that sets in gradually.
+    /// Computes 1/τ + |dd/dt|/d_f, with a smooth onset of the second term.
     #[inline(always)]
     fn gives_way<R: Real>(&self, rate: R) -> R {
         (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
@@ -172,8 +172,9 @@ impl Bushing {
 
     /// Returns the ratio of the rubber's stiffness at its largest deflection to that at rest.
     ///
-    /// The rubber then stores the energy of `deflection` and that of a `moving` mass. `moving` is the mass's kinetic
-    /// energy over ½ k_s, in m². The stop is not included, because its stiffness never exceeds the constant k_e.
+    /// The rubber then stores the energy of the present `deflection` plus the kinetic energy of the mass. `moving` is
+    /// that kinetic energy divided by ½ k_s, in m². The stop is not included, because its stiffness never exceeds the
+    /// constant k_e.
     ///
     /// With d_h as the unit, a deflection d stores ½ k_s (d² + ½ d⁴), and the stiffness ratio is 1 + 3 d².
     pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {
@@ -190,7 +191,7 @@ impl Bushing {
         let square = (deflection * self.per_length) * (deflection * self.per_length);
         let (mut hard, mut factor) = (force * square.plus(1.0), (square * 3.0).plus(1.0));
         if self.stop_share > 0.0 {
-            // (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼ avoids cancellation.
+            // The form (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼ avoids cancellation.
             let x = deflection * (1.0 / self.stop);
             let cube = x * x * x.abs();
             let root = (x.abs() * cube).plus(1.0).sqrt();

@@ -1,7 +1,7 @@
 //! Cavitation: a void that opens in one stroke and closes in the other.
 //!
-//! It opens because the gas pressure limits the force of that stroke, or because the foot valve does not refill the
-//! chamber.
+//! The void opens because the gas pressure limits the force of that stroke, or because the foot valve does not refill
+//! the chamber.
 
 use crate::dual::{Dual, Real};
 use crate::element::Prepare;
@@ -9,9 +9,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// In the capped direction (p = σ F_h, σ = 1 for rebound, −1 for compression) the oil transmits at most the cap C.
+/// In one direction, the capped one, the oil transmits at most the cap C. There p = σ F_h, with σ = 1 for rebound and
+/// −1 for compression.
 ///
-/// The excess of the stroke opens a void. Its depth e is measured as a stroke.
+/// Further stroke opens a void, whose depth e is measured along the stroke.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -19,14 +20,14 @@ use crate::schema::{Describe, Parameter, View};
 /// T = C while the moving end moves in the capped direction, κ C on its return
 /// ```
 ///
-/// R is a ramp. The resistance r is so small that the force keeps to C or T within a hundredth of C at 1 m/s. While a
-/// void lasts, the valves pass the flow that the pressure T drives through them, so flow and motion close the void.
-/// With κ = 1 the gas keeps pushing behind the void; with κ = 0 the rod moves freely on the return. Gas in the void
-/// sets its pressure: the void opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 −
-/// α)/(1 + e/e_1); α = 1 is a void of vapor alone.
+/// R is a ramp. The resistance r is so small that at 1 m/s the force stays within 0.01 C of C or T. While a void lasts,
+/// the valves pass the flow that the pressure T drives through them, so flow and motion close the void. With κ = 1 the
+/// gas pressure still acts on the return; with κ = 0 the rod moves freely. Gas in the void sets its pressure: the void
+/// opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 − α)/(1 + e/e_1); α = 1 is a
+/// void of vapor alone.
 ///
 /// *Foot valve*: the force of the first stroke is not limited. Beyond the speed v_f the valve does not refill the
-/// chamber behind the piston, and the return begins with a dead stroke.
+/// chamber behind the piston completely. The return then begins with a stroke without force.
 ///
 /// ```text
 /// u = w − σ c,   de/dt = a R(σ v − v_f) − c,   c = R(−p)/r · e/(e + e_0)
@@ -55,20 +56,21 @@ pub struct Cavitation {
 
 /// r is C divided by this speed, m/s.
 const SLACK: f64 = 100.0;
-/// Width of the onset of the ramp relative to C; relative to 1 N for a foot valve.
+/// Width of the onset of the ramp, relative to C, or to 1 N for a foot valve.
 const ROUNDING: f64 = 2e-3;
 /// Speed of the moving end over which T changes, m/s.
 const TURNING: f64 = 3e-3;
-/// e_0: a void smaller than this, m, closes more slowly.
+/// e_0, m: a smaller void closes more slowly.
 const CLOSED: f64 = 1e-5;
 /// Width of the onset of the refill deficit, as a speed above v_f, m/s.
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
-/// Longest void at rest, m; no damper has such a stroke. Without the limit a lasting force at the cap would give a void
-/// of 10^12 m, which never closes.
+/// Longest void at rest, m; no damper has such a stroke. Without this limit, a lasting force close to the cap would
+/// open a void of 10^12 m, which never closes.
 const LONGEST: f64 = 1.0;
-/// Largest number of steps for the void at the end of a stage, enough for bisection alone, and the relative tolerance.
+/// Largest number of steps for the void at the end of a stage, sufficient for pure bisection; and the relative
+/// tolerance.
 const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
 
@@ -164,7 +166,7 @@ fn opened<R: Real>(void: R) -> R {
     if void.value() > 0.0 { void } else { R::constant(0.0) }
 }
 
-/// Returns x where it is positive and 0 elsewhere, with a smooth onset over a width.
+/// Computes max(x, 0) with a smooth onset over a width.
 #[inline(always)]
 fn softly<R: Real>(x: R, width: f64) -> R {
     let at = x.value();
@@ -185,7 +187,7 @@ fn share_open<R: Real>(void: R) -> R {
 }
 
 impl Cavitation {
-    /// Returns the factor of gas in the void on C and T: 1 − (1 − α)/(1 + e/e_1).
+    /// Returns the factor by which gas in the void reduces C and T: 1 − (1 − α)/(1 + e/e_1).
     #[inline(always)]
     fn expanded<R: Real>(&self, void: R) -> R {
         if self.short_at_onset == 0.0 {
@@ -194,7 +196,7 @@ impl Cavitation {
         (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
     }
 
-    /// Returns T/C, the fraction of the cap that remains on the return; `velocity` is that of the moving end.
+    /// Returns T/C, the fraction of the cap that remains on the return. `velocity` is the velocity of the moving end.
     #[inline(always)]
     fn kept<R: Real>(&self, velocity: R) -> R {
         if self.is_foot_valve {
@@ -204,9 +206,9 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// Returns the excess of the pressure over the cap, p − C, and its distance to the closing pressure, T − p.
+    /// Returns the excess p − C of the pressure over the cap, and its deficit T − p below the closing pressure.
     ///
-    /// `expanded` is the factor of the expanded gas on both limits.
+    /// `expanded` is the factor by which the expanded gas reduces both limits.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
@@ -244,8 +246,8 @@ impl Cavitation {
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
-    /// Returns the void under a lasting force: gas in it expands until the cap equals the force. Returns 0 if no void
-    /// forms or none can carry the force.
+    /// Returns the void under a lasting force, where the gas in it has expanded until the cap equals the force. Returns
+    /// 0 if no void opens, or if the gas cannot balance the force.
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {
@@ -255,8 +257,8 @@ impl Cavitation {
         if void < LONGEST { void } else { 0.0 }
     }
 
-    /// Computes the void at the end of an implicit stage from its `known` part E, including the refill deficit: e − g
-    /// de/dt = E.
+    /// Computes the void e at the end of an implicit stage, e − g de/dt = E. The `known` part E includes the refill
+    /// deficit.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
         let (pressure, kept) = (force * self.sign, self.kept(velocity));
@@ -277,17 +279,17 @@ impl Cavitation {
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
     }
 
-    /// Solves the stage for a cap that grows with the void.
+    /// Solves the stage of an implicit step if the cap grows with the void.
     ///
-    /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. It is negative at the
-    /// lower end of the bracket and positive at the upper, so there is one root. Newton steps that do not halve the
-    /// previous step are replaced by bisection (rtsafe: Press et al., *Numerical Recipes*, 9.4).
+    /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. Its difference from E is
+    /// negative at the lower end of the bracket and positive at the upper end, so there is one root. A Newton step
+    /// longer than half the previous step is replaced by bisection (rtsafe: Press et al., *Numerical Recipes*, 9.4).
     fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
         let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
         let opens = softly(p.value - self.cap * (1.0 - self.short_at_onset), self.rounding) * self.per_resistance * g;
         let (mut low, mut high) = (target.min(0.0), target.max(0.0) + opens);
-        // Where the ramps are linear and nothing closes, y = 1 + e/e_1 satisfies y² − b y = c.
+        // The initial guess assumes a linear ramp and no closing flow. Then y = 1 + e/e_1 satisfies y² − b y = c.
         let b = 1.0 + self.per_expansion * (target + g * self.per_resistance * (p.value - self.cap));
         let c = g * self.per_resistance * self.cap * self.short_at_onset * self.per_expansion;
         let root = libm::sqrt(0.25 * b * b + c);
@@ -313,7 +315,7 @@ impl Cavitation {
                 break;
             }
         }
-        // One more step with derivatives of the solution over the inputs.
+        // A further Newton step adds the derivatives of the solution with respect to the inputs.
         let end = R::constant(void);
         let missed = end - self.rate_at(pressure, kept, end) * g - known;
         end - missed * (1.0 / derivative)

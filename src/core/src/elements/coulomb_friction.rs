@@ -36,7 +36,7 @@ impl Force for CoulombFriction {
     }
 }
 
-/// Computes level · tanh(steepness · v), the dry friction of all elements with a friction level.
+/// Computes level · tanh(steepness · v), the law of dry friction that several elements use.
 #[inline(always)]
 pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
     let t = tanh(steepness * v);

@@ -1,17 +1,17 @@
-//! The law of a stop at one end of the stroke, rubber or hydraulic; `bump_stop` and `rebound_stop` are its two ends.
+//! The law of a rubber or hydraulic stop, used by `bump_stop` and `rebound_stop`.
 
 use crate::element::Response;
 use crate::math::tanh;
 
-/// Force of a stop with the depth d beyond the clearance and the speed s into the stop:
+/// Force of a stop at depth d beyond the clearance and at speed s into the stop:
 ///
 /// ```text
 /// P = k d̃ (1 + d̃/p) (1 + η tanh(s/s_0)) + c ½ (d̃/p) (1 + d̃/p) f(s),   d̃ = d²/(d + d_0)
 /// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
-/// The spring stiffens and returns less energy than it absorbs. Oil is displaced only on the way in. The derivatives
-/// are continuous: d̃ sets in smoothly over d_0, the oil over s_0. v_1 is 1 m/s.
+/// The spring stiffens and returns less energy than it absorbs. Oil is displaced only while the depth grows. The
+/// derivatives are continuous, because d̃ sets in smoothly over d_0 and the oil force over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
     /// Displacement at which the contact begins.
@@ -34,11 +34,11 @@ const CONTACT: f64 = 5e-4;
 const TURNING: f64 = 0.02;
 
 impl EndStop {
-    /// The value without a stop.
+    /// A stop without force.
     pub const OFF: EndStop =
         EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
 
-    /// Computes the force P at displacement `x` toward the stop and speed `s` into it, with its derivatives over both.
+    /// Computes the force P at displacement `x` toward the stop and speed `s` into it, with ∂P/∂x and ∂P/∂s.
     pub fn push(&self, x: f64, s: f64) -> Response {
         let beyond = x - self.clearance;
         if beyond <= 0.0 {

@@ -7,7 +7,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)]: between its contacts the eye moves freely by 2 g.
+/// d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)]. Between its contacts the eye moves freely by 2
+/// g.
 ///
 /// F_1 is the force in the middle of the gap, and d(0) = 0. The series damping is proportional to the current
 /// stiffness, so it vanishes in the gap.

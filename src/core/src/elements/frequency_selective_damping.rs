@@ -1,4 +1,5 @@
-//! Frequency-selective damping: fast strokes are damped less than slow ones of the same speed.
+//! Frequency-selective damping: at equal speed, strokes of high frequency are damped less than strokes of low
+//! frequency.
 
 use crate::dual::Real;
 use crate::element::Prepare;
@@ -7,19 +8,20 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Three forms of the force. F is relative to the force at standstill, which does not change.
+/// Force of a damper whose damping depends on frequency, in three forms. F is relative to the force at standstill,
+/// which the element does not change.
 ///
-/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p: the fraction a follows with a lag.
+/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p. The fraction a of the force lags.
 ///
 /// *Stroke*: a bypass closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)), τ dz/dt =
-/// tanh(w/u_0) − z. Here y is the smooth step of z tanh(w/u_0) from 0 to 1. After a reversal z still has the sign of
-/// the previous stroke, so the bypass is open until z changes sign.
+/// tanh(w/u_0) − z. Here y, the smooth step function of z tanh(w/u_0), rises from 0 to 1. After a reversal z still has
+/// the sign of the previous stroke, so the bypass is open until z changes sign.
 ///
-/// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. Its velocity is q_s (1 − y)
-/// r(F_h)/r(1 kN). The law r is that of a passage that is laminar below F_l (see [`crate::paths::bypass`]). The filling
-/// y = |z| is that of the chamber of the current stroke. It follows τ dz/dt = tanh(F_h/F_0) (1 − |z|), faster at a
-/// higher pressure. The chamber of the other stroke empties through a check valve in τ/10. Below about F_0/20 both
-/// chambers empty.
+/// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. The flow, as a velocity, is q_s (1
+/// − y) r(F_h)/r(1 kN). The law r is that of a passage with laminar flow below F_l (see [`crate::paths::bypass`]). The
+/// filling of the current stroke's chamber is y = |z|. It satisfies τ dz/dt = tanh(F_h/F_0) (1 − |z|): a higher
+/// pressure fills the chamber faster. The chamber of the other stroke empties through a check valve in τ/10. Below
+/// about F_0/20 both chambers empty.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
@@ -104,18 +106,18 @@ impl Prepare for FrequencySelectiveDamping {
     }
 }
 
-/// Ratio of the rate at which the chamber of the other stroke empties to that at which a chamber fills.
+/// Ratio of two rates: that of emptying the chamber of the other stroke, and that of filling a chamber.
 const EMPTIES: f64 = 10.0;
-/// Fraction of F_0 below which the pressure no longer keeps a chamber full.
+/// Fraction of F_0 below which the pressure cannot keep a chamber full.
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Returns whether its state is a force, as in the filter form.
+    /// Returns whether the state is a force, as in the filter form.
     pub(crate) fn holds_force(&self) -> bool {
         !self.is_stroke && !self.is_bypass
     }
 
-    /// Returns the range of its state: a filling between one chamber full and the other full.
+    /// Returns the range of the state. A filling ranges from −1, one chamber full, to 1, the other full.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.holds_force() { (f64::NEG_INFINITY, f64::INFINITY) } else { (-1.0, 1.0) }
@@ -127,7 +129,7 @@ impl FrequencySelectiveDamping {
         (force * self.per_force).tanh()
     }
 
-    /// Bypass form: computes the rate at which z falls toward 0 meanwhile; `z` or any number of its sign.
+    /// Bypass form: computes the rate at which z falls toward 0, times τ. Only the sign of `z` matters.
     #[inline(always)]
     fn falls<R: Real>(&self, force: R, grows: R, z: R) -> R {
         let size = grows.abs();
@@ -157,7 +159,7 @@ impl FrequencySelectiveDamping {
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let grows = self.grows(force);
-        // The sign of z is that of the sum for either chamber.
+        // Whichever chamber fills, z has the sign of this sum.
         let sum = known + grows * per;
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }

@@ -108,7 +108,7 @@ impl FvCurve {
     }
 }
 
-/// Returns the interpolation of a parameter set's FV curve between its points.
+/// Returns the kind of interpolation between the points of a parameter set's FV curve.
 pub fn fv_interpolation(params: &Params) -> Interpolation {
     if params.number(number!("fv_form")) == 1.0 {
         Interpolation::Linear
@@ -117,7 +117,7 @@ pub fn fv_interpolation(params: &Params) -> Interpolation {
     }
 }
 
-/// Returns the value of `fv_interpolation` for an interpolation.
+/// Converts a kind of interpolation to the value of `fv_interpolation`.
 pub fn choice_of_interpolation(interpolation: Interpolation) -> f64 {
     match interpolation {
         Interpolation::MonotoneCubic => 0.0,
@@ -126,7 +126,7 @@ pub fn choice_of_interpolation(interpolation: Interpolation) -> f64 {
     }
 }
 
-/// Returns the interpolation for a value of `fv_interpolation`.
+/// Converts a value of `fv_interpolation` to the kind of interpolation.
 fn interpolation_of_choice(choice: f64) -> Interpolation {
     if choice == 1.0 {
         Interpolation::Linear
@@ -137,14 +137,14 @@ fn interpolation_of_choice(choice: f64) -> Interpolation {
     }
 }
 
-/// Makes the fault of a table.
+/// Makes a fault of the table.
 fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
     p.fault(row, reason)
 }
 
-/// Makes the fault of derivatives and knees. The parameter bounds limit the derivatives, so the only other fault is
-/// that two knees are too close.
+/// Makes a fault of the derivatives and knees. The parameter bounds limit the derivatives, so the only other possible
+/// error is that two knees are too close.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
     p.fault(row, reason)
@@ -176,7 +176,7 @@ impl FvCurve {
         self.0.evaluate(v)
     }
 
-    /// Computes F_d(v) − F_d(0), with derivative and curvature; see [`Curve::above_zero`].
+    /// Computes F_d(v) − F_d(0) with its derivative and curvature; see [`Curve::above_zero`].
     #[inline(always)]
     pub fn above_zero(&self, v: f64) -> Above {
         self.0.above_zero(v)

@@ -1,4 +1,4 @@
-//! Gas spring: change of the gas force with the rod displacement, between isothermal (slow) and adiabatic (fast).
+//! Gas spring: change of the gas force with rod displacement; isothermal in slow motion, adiabatic in fast motion.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -20,15 +20,16 @@ pub struct GasSpring {
     per_length: f64,
     /// γ − 1.
     excess: f64,
-    /// Binomial series of ξ^(γ−1) in a small change of ξ, last term first: ratio of each coefficient to the previous
-    /// one.
+    /// Binomial series of ξ^(γ−1) in a small change of ξ: the ratio of each coefficient to the previous one, last term
+    /// first.
     series: [f64; 4],
     /// 1/τ.
     per_time: f64,
 }
 
-/// Smallest gas volume, as a fraction of that at x = 0. Below it the pressure is extrapolated linearly, so that it
-/// keeps rising. The steady-state temperature stays that of the smallest volume, because gas without volume has none.
+/// Smallest gas volume, as a fraction of that at x = 0. Below this volume the pressure is extrapolated linearly, so
+/// that it rises further. The steady-state temperature remains that of the smallest volume, because the law gives no
+/// temperature for zero volume.
 const SMALLEST: f64 = 0.05;
 
 impl Describe for GasSpring {
@@ -63,15 +64,16 @@ impl Prepare for GasSpring {
     }
 }
 
-/// The gas at one rod displacement: 1/ξ and ξ^(γ−1) with ξ clamped to the smallest volume, and the part below it.
+/// The gas at one rod displacement: 1/ξ and ξ^(γ−1), with ξ clamped to the smallest volume, and the deviation of ξ
+/// below it.
 struct Gas {
     below: f64,
     per_inside: f64,
     value: f64,
 }
 
-/// Largest change of the volume for the series of the power about the other end of the step; the next term is below
-/// 3e-11.
+/// Largest relative change of volume for which the series about the other end of the step is used. The next term is
+/// below 3e-11.
 const NEAR: f64 = 1.0 / 64.0;
 
 impl GasSpring {
@@ -94,12 +96,12 @@ impl GasSpring {
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// Computes [`GasSpring::rests`] at a displacement that is probably close to a known one.
+    /// Computes [`GasSpring::rests`] at a displacement that is probably close to that of `known`.
     #[inline(always)]
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;
         let change = inside * known.per_inside - 1.0;
-        // Near the smallest volume, one of the two may be clamped.
+        // Near the smallest volume, the volume at either end may be clamped.
         if known.per_inside > (1.0 - NEAR) / SMALLEST || change.abs() > NEAR {
             return self.rests(&self.gas(x));
         }
@@ -133,11 +135,12 @@ impl GasSpring {
     }
 }
 
-/// Returns the weights of the target's derivatives at start and end and of its change in the relaxed state.
+/// Returns three weights in the relaxed state: of the target's derivatives at start and end, and of the target's
+/// change.
 ///
-/// The arguments are the moments of a relaxation. The target is a cubic between both ends' values and derivatives, like
-/// the path. Its coefficients p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d. Here d is the difference of the values,
-/// and s and e are the derivatives over the step.
+/// The arguments are the moments of a relaxation. The target, like the path, is the cubic through the values and
+/// derivatives at both ends. Its coefficients p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d. Here d is the difference
+/// of the values. s and e are the derivatives at start and end, times the step length.
 #[inline(always)]
 fn weights([_, first, second, third]: [f64; 4]) -> [f64; 3] {
     let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
@@ -168,7 +171,7 @@ impl StatefulForce for GasSpring {
         true
     }
 
-    /// Exact except for terms of the target beyond the cubic, as along the path of the moving end.
+    /// Exact for a target that is a cubic in time, like [`StatefulForce::propagate`].
     fn propagate_on_mass(&self, from: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;
@@ -190,7 +193,7 @@ impl StatefulForce for GasSpring {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
-    /// Exact except for terms of the target beyond the cubic.
+    /// Exact for a target that is a cubic in time.
     #[inline(always)]
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let h = path.length();
@@ -223,7 +226,8 @@ mod tests {
     fn a_small_change_of_volume_is_as_exact_as_a_power() {
         for excess in [0.01, 0.1, 0.3, 0.4, 0.67] {
             let spring = GasSpring::new(2.5, 0.4, 1.0 + excess, 1.0);
-            // Volumes from far below the smallest to four times the reference, and changes on both sides of `NEAR`.
+            // The volumes range from far below the smallest to four times the reference, with changes on both sides of
+            // `NEAR`.
             for volume in [-0.5, 0.0, 0.049, 0.05, 0.0503, 0.0508, 0.051, 0.06, 0.3, 1.0, 4.0] {
                 for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
                     let place = |volume: f64| (volume - 1.0) / spring.per_length;

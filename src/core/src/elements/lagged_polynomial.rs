@@ -24,7 +24,7 @@ pub struct LaggedPolynomial {
 
 const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
-/// Number of parts of a step with a constant rate in each.
+/// Number of parts of a step; the relaxation rate 1/T is constant in each part.
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
@@ -92,7 +92,7 @@ impl LaggedPolynomial {
             let rate = (first.1 + middle.1 * 4.0 + last.1) * sixth;
             let r = rate.value();
             let (kept, takes) = relaxation(r);
-            // Derivative of a moment: M_k/r − M_k + M_{k+1}.
+            // The derivative of a moment M_k with respect to r is M_k/r − M_k + M_{k+1}.
             let take = |k: usize| rate.chain(takes[k], takes[k] / r - takes[k] + takes[k + 1]);
             let rise = last.0 - first.0;
             let bend = (first.0 + last.0 - middle.0 * 2.0) * 2.0;
@@ -102,7 +102,7 @@ impl LaggedPolynomial {
         y
     }
 
-    /// Returns the time constant and its derivative over velocity.
+    /// Returns the time constant and its derivative with respect to velocity.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
         if speed <= self.v1 {
@@ -134,10 +134,10 @@ impl StatefulForce for LaggedPolynomial {
         self.polynomial(at.velocity).0
     }
 
-    /// Exact in each part for its mean rate and the parabola through its targets.
+    /// Exact in each part of the step, for its mean rate and for the parabola through its target values.
     ///
-    /// However much the time constant changes, y stays between its start value and its targets. (A Runge–Kutta method
-    /// that is stable for every constant rate need not be stable for a rate that changes a thousandfold.)
+    /// For any change of the time constant, y stays between its start value and its target values. (A Runge–Kutta
+    /// method that is stable for every constant rate may be unstable for a rate that changes a thousandfold.)
     fn propagate(&self, path: &Path, y: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let after = if derivatives {

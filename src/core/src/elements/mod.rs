@@ -1,6 +1,6 @@
 //! The physical effects, one file each: equation, parameters, states and partial derivatives.
 //!
-//! [`mod@crate::list`] defines the position of each in the model.
+//! [`mod@crate::list`] defines the position of each effect in the model.
 
 pub(crate) mod aeration;
 pub(crate) mod bump_stop;

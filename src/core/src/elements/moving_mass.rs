@@ -1,6 +1,7 @@
 //! Moving mass between load cell and damper, or oil in a long passage.
 //!
-//! In the first case eye, clamp and tube move with the load cell. In the second the piston accelerates the oil.
+//! In the first case, the eye, clamp and tube move with the load cell. In the second case, the piston accelerates the
+//! oil.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -12,8 +13,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F = M (v − z)/τ, dz/dt = (v − z)/τ.
 ///
-/// Hosts give displacement and velocity but no acceleration. A stiff damper M/τ therefore pulls the mass, which has the
-/// velocity z. The damper only dissipates energy; the force lags that of an ideal mass by τ.
+/// Hosts give displacement and velocity but no acceleration. Therefore a stiff damper M/τ drives the mass, which has
+/// the velocity z. This damper only dissipates energy, and the force lags that of an ideal mass by τ.
 ///
 /// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass. Oil of mass m in a
 /// passage of area a counts as M = m (A/a)². Without a series stiffness the piston moves with the moving end.
@@ -69,19 +70,19 @@ impl MovingMass {
 
     /// Returns the velocity over a step as p_0 + p_1 θ + p_2 θ² between the host's velocities at both ends.
     ///
-    /// Inertia follows from velocities. The displacement sets the curvature p_2 through the mean velocity of the step.
-    /// The curvature is at most the growth of the acceleration since the start of the step, where it was (v_0 − z)/τ. A
-    /// host that samples a motion keeps its order. A semi-implicit host advances displacement with the velocity of one
-    /// end. Its displacement therefore implies a curvature of three times the change of velocity: 2 kg would act as −2
-    /// or as 6 kg.
+    /// Inertia follows from velocities. The displacement over the step gives the mean velocity and thus the curvature
+    /// p_2. The curvature is limited to the change of the acceleration since the start of the step, where the
+    /// acceleration was (v_0 − z)/τ. With a host that samples a motion, the order of accuracy does not decrease. A
+    /// semi-implicit host advances displacement with the velocity of one end. Without the limit, its displacement would
+    /// imply a curvature of three times the change of velocity: 2 kg would act as −2 or as 6 kg.
     ///
-    /// If a displacement of nanometers decides between the cases, derivatives are one-sided. They are those of the
-    /// linear velocity, or of the growth if that is as small.
+    /// If nanometers of displacement decide between the cases, the derivatives are one-sided. They are those of the
+    /// linear velocity, or of the limit if the limit is equally small.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.travel(x1, v1).velocity();
         let change = v1 - start;
-        // The host's displacement is only integrated from the velocity, so it contains no further information.
+        // Here the displacement is the integral of the velocity, so it contains no further information.
         if path.is_integrated() {
             return [start, change, R::constant(0.0)];
         }
@@ -103,7 +104,8 @@ impl MovingMass {
     }
 }
 
-/// Displacements closer than this, m, count as equal: below the precision of a host and the distance of its iterates.
+/// Displacements closer than this, m, count as equal. The value is below the precision of a host and below the distance
+/// between its iterates.
 const NEAR: f64 = 1e-9;
 
 impl StatefulForce for MovingMass {
@@ -124,7 +126,7 @@ impl StatefulForce for MovingMass {
         at.velocity
     }
 
-    /// Exact for the velocity of [`MovingMass::velocity`], a polynomial of second degree.
+    /// Exact for the quadratic velocity of [`MovingMass::velocity`].
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();

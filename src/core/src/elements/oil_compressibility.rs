@@ -6,29 +6,29 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h: the valves see the piston velocity u minus that absorbed by the oil
-/// column.
+/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h. The velocity w at the valves is the piston velocity u minus the
+/// deflection rate of the oil column.
 ///
 /// ℓ is the length of the column relative to that at x = 0. The rebound chamber becomes shorter with extension: ℓ = 1 −
-/// λ x. With two chambers the chamber under pressure yields: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression
+/// λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression
 /// stroke.
 ///
-/// The state of one chamber is q, which stays constant while the chamber moves under constant pressure. The state of
-/// two chambers is the absorbed part of the piston's stroke, s = ∫ ℓ dq from 0 at the displacement x:
+/// With one chamber, the state is q, which stays constant while the chamber moves under constant pressure. With two
+/// chambers, the state is the part of the piston stroke that the oil absorbs, s = ∫ ℓ dq from 0 at displacement x:
 ///
 /// ```text
 /// ds/dt = u − w + v ∂s/∂x
 /// ```
 ///
-/// With q as their state a stage would solve ℓ(q) (q − Q)/g = u − w. That falls with q where the longer chamber takes
-/// over, and has three solutions there. Stages on both sides of rest would also combine to a state that fits neither
-/// side.
+/// With q as the state, a stage would solve ℓ(q) (q − Q)/g = u − w. The left side falls with q where the longer chamber
+/// begins to act, so there are three solutions. Stages on both sides of rest would also combine to a state that is
+/// wrong on both sides.
 ///
-/// In compression k_o is r_o times that in rebound. In a twin tube only the rod's area loads the oil below the piston,
-/// so it yields more to the force than the oil above.
+/// In compression k_o is r_o times that in rebound. In a twin tube the damper force acts on the oil below the piston
+/// through the rod area alone. That oil therefore deflects more under the same force than the oil above.
 ///
-/// The cylinder expansion is included: 1/k_o = 1/k_oil + 1/k_tube; no rig test can separate the two. The series
-/// compliance differs from both: the force of springs on the mass passes through it but not through the oil.
+/// The cylinder expansion is included: 1/k_o = 1/k_oil + 1/k_tube. No rig test can separate the two terms. The series
+/// compliance is separate, because it carries the force of the springs on the mass, which the oil does not.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
     /// 1/k_o in rebound, and in compression.
@@ -78,7 +78,7 @@ impl Describe for OilCompressibility {
 }
 
 impl Prepare for OilCompressibility {
-    /// Ten times stiffer than most oil, so that its effect is small compared with that of the air in it.
+    /// Ten times stiffer than most oil, so that the oil's own effect is small compared with that of its air.
     const OFF: Self =
         OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
@@ -114,7 +114,7 @@ impl OilCompressibility {
         self.shortening != 0.0
     }
 
-    /// Returns ℓ of the rebound chamber and, with two chambers, that of the compression chamber.
+    /// Returns ℓ of the rebound chamber and, with two chambers, ℓ of the compression chamber.
     #[inline(always)]
     fn lengths<R: Real>(&self, x: R) -> [R; 2] {
         let within = |length: R| if length.value() > SHORTEST { length } else { R::constant(SHORTEST) };
@@ -129,7 +129,7 @@ impl OilCompressibility {
         (deflection * deflection).plus(self.changes * self.changes).sqrt().plus(-self.changes)
     }
 
-    /// Returns whether the state is s and not q.
+    /// Returns whether the state is s instead of q.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
         self.has_two_chambers && self.has_length()

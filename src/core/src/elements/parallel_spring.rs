@@ -8,12 +8,13 @@ use crate::schema::kind::{Many, One};
 use crate::schema::{Describe, Own, Parameter, View};
 use crate::tables::{Lookup, Owned, Tables};
 
-/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x); the thesis uses one term at a time and keeps the quadratic.
+/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x). The thesis tries one term at a time and chooses the
+/// quadratic one.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {
     /// For each power of |x|: the coefficients in F_p / x and in F_p', so that both are evaluated in parallel.
     k: [[f64; 2]; 4],
-    /// Whether there is more than the linear and the quadratic term.
+    /// Whether there are terms besides the linear and the quadratic one.
     has_higher: bool,
     lookup: T::Spring,
     has_lookup: bool,
@@ -91,7 +92,7 @@ impl Prepare for ParallelSpring {
     }
 }
 
-/// Makes the fault of a table.
+/// Makes a fault of the table.
 fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
     let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
     p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
@@ -145,7 +146,7 @@ impl<T: Tables> ParallelSpring<T> {
         Response { force: x * secant, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 
-    /// Computes all terms and the table. Not inlined, because most springs have neither.
+    /// Computes all terms and the table. Not inlined, because most springs have neither higher terms nor a table.
     #[inline(never)]
     fn bent(&self, x: f64) -> Response {
         let r = x.abs();

@@ -1,6 +1,6 @@
-//! Flow through a passage parallel to the valves over the force: r = F/(F² + F_l²)^¼.
+//! Flow through a passage parallel to the valves as a function of the force: r = F/(F² + F_l²)^¼.
 //!
-//! It is laminar far below F_l and turbulent far above.
+//! The flow is laminar far below F_l and turbulent far above.
 
 use crate::dual::Real;
 

@@ -6,14 +6,14 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// A zone of the stroke in two forms.
+/// Damping that differs in a zone of the stroke, as a factor on the force or as a bypass groove.
 ///
-/// Its profile is p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] of the moving end's displacement x.
+/// The zone has the profile p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] over the moving end's displacement x.
 ///
 /// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
 ///
-/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN), a square root of the force except for a
-/// few newtons; see [`crate::paths::bypass`].
+/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN). Above a few newtons this is nearly
+/// proportional to √F_h; see [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
     pub(crate) is_groove: bool,
@@ -22,7 +22,7 @@ pub struct PositionDependentDamping {
     centre: f64,
     half_width: f64,
     per_blend: f64,
-    /// Whether the zone acts in compression and in rebound.
+    /// Whether the zone acts in compression, and whether it acts in rebound.
     acts: [bool; 2],
 }
 
@@ -98,7 +98,7 @@ impl PositionDependentDamping {
         if self.acts[usize::from(rebound)] { self.zone(x) * self.flow } else { R::constant(0.0) }
     }
 
-    /// Computes s(x) on a stroke on which it acts.
+    /// Computes s(x) on a stroke on which the zone acts.
     #[inline(always)]
     fn window<R: Real>(&self, x: R) -> R {
         (-(self.zone(x) * self.share)).plus(1.0)

@@ -1,5 +1,5 @@
-//! Presliding friction: contacts that deflect before they slide (Dahl). Seal lip and guide cause it after every
-//! reversal.
+//! Presliding friction: contacts that deflect before they slide (Dahl). The seal lip and the rod guide cause it after
+//! every reversal.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -11,9 +11,9 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
 ///
-/// The force reverses within a displacement of a few z_0 at any velocity. n = 1 is Dahl's contact, which slips from the
-/// start; with a larger n it deflects elastically first. With an elastic return a deflected contact does not slip while
-/// it is released (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²): below the velocity v_c the contact creeps, and the
+/// The force reverses within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the
+/// start; with a larger n it first deflects elastically. With an elastic return, a deflected contact does not slip
+/// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the
 /// friction of a long slow motion is less than F_c.
 #[derive(Clone, Copy, Debug)]
 pub struct PreslidingFriction {
@@ -83,10 +83,11 @@ impl Prepare for PreslidingFriction {
 /// Number of steps of the contact in one stretch of motion if its law has no closed form.
 const PARTS: usize = 4;
 /// Speed relative to the creep velocity above which creep is neglected. The relative error of the slip is half the
-/// inverse square of this.
+/// inverse square of this ratio.
 const FAST: f64 = 1e6;
 
-/// Distance from the level, as a fraction of it, within which the law is linear: its square is the error.
+/// Relative distance from the steady level within which the law is linearized. The error is the square of this
+/// distance.
 const NEAR: f64 = 1e-3;
 
 /// Computes ζ^exponent for ζ ≥ 0.
@@ -111,7 +112,7 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 impl PreslidingFriction {
     /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
     ///
-    /// ζ never crosses its steady state, so the deflection of a contact stays within its law for any slip.
+    /// ζ never crosses its steady state, so the deflection stays bounded for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
         let (mut bent, mut slip) = (bent, slip);
@@ -134,7 +135,7 @@ impl PreslidingFriction {
         };
         // A step without motion has no steady state.
         if level.value() != 0.0 && (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
-            // The contact slips: |level|^(n−1) = r/level.
+            // Near the steady level, the decay rate is constant: |level|^(n−1) = r/level.
             let decay = (r * level.inverse()) * (1.0 + self.power);
             return level + (bent - level) * (-(decay * slip)).exp();
         }
@@ -142,8 +143,9 @@ impl PreslidingFriction {
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
         for _ in 0..PARTS {
-            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. At its start, an undeflected
-            // contact would not decay at all, and the force would jump at n = 1, whose closed form is exact.
+            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. With the rate at the start of the
+            // part, an undeflected contact would not decay. The force would then jump between n = 1, which has an exact
+            // closed form, and larger n.
             let start = bent.abs();
             let halfway = relaxed(bent, r, raised(start, self.power), part * 0.5);
             let middle = if halfway.value().abs() > highest { R::constant(highest) } else { halfway.abs() };
@@ -157,7 +159,8 @@ impl PreslidingFriction {
 
     /// Propagates the state over a stretch of the path in one direction.
     ///
-    /// The arguments are its displacement, the velocities at its start, middle and end, and its time.
+    /// The arguments are the displacement over the stretch, the velocities at its start, middle and end, and its
+    /// duration.
     #[inline(always)]
     fn along<R: Real>(&self, bent: R, moved: R, velocity: [R; 3], time: R) -> R {
         let moved = moved * self.per_length;
@@ -189,7 +192,8 @@ impl PreslidingFriction {
     fn after<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let Travel { moved, v0: first, v1: last, time, .. } = *travel;
         let mean = moved * (1.0 / time);
-        // The velocity lies between these three values (Bézier). If they have the same sign, the end does not reverse.
+        // The velocity lies between these three values (Bézier). If they have the same sign, the moving end does not
+        // reverse.
         let between = (mean * 3.0 - first - last).value();
         let (a, b, c) = (first.value(), last.value(), between);
         if min(min(a, b), c) >= 0.0 || max(max(a, b), c) <= 0.0 {
@@ -210,7 +214,7 @@ impl PreslidingFriction {
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this the motion is negligible, and the derivatives of the roots would overflow.
+        // Below this limit the motion is negligible, and the derivatives of the roots would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -270,8 +274,8 @@ impl StatefulForce for PreslidingFriction {
 
     /// Exact for n = 1.
     ///
-    /// As a function of displacement instead of time, the law of the contact depends on its own state alone. Only the
-    /// reversals of the path inside the step matter.
+    /// With displacement instead of time as the variable, the law of the contact depends on its own state alone. Only
+    /// the reversals of the path inside the step matter.
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let bent = z * self.per_length;
@@ -297,7 +301,7 @@ impl StatefulForce for PreslidingFriction {
         [z, z * self.stiffness]
     }
 
-    /// Returns 0 at rest, where any deflection is an equilibrium: before any motion there is no deflection.
+    /// Returns 0 at rest. Any deflection is an equilibrium there, but before any motion there is no deflection.
     fn equilibrium(&self, at: &Motion) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
@@ -336,8 +340,8 @@ mod tests {
         }
     }
 
-    /// A fit that starts at n = 1 uses the derivative over n there. A jump of the force would keep it there, with an
-    /// interval of zero width.
+    /// A fit that starts at n = 1 uses the derivative with respect to n there. If the force jumped at n = 1, the fit
+    /// would not leave it, and the confidence interval would have zero width.
     #[test]
     fn force_does_not_jump_where_power_is_one() {
         for returns_elastically in [false, true] {
@@ -379,7 +383,7 @@ mod tests {
         {
             for (v0, v1) in [(0.0, 0.1), (0.1, 0.0), (0.2, 0.3), (-0.2, -0.3), (-1.0, -0.01), (1e-5, 2e-5), (0.1, -0.1)]
             {
-                // A mean of less than a third of the sum of both ends' velocities would mean a reversal inside the
+                // A mean velocity below a third of the sum of both end velocities would mean a reversal inside the
                 // step.
                 for share in [0.34, 0.5, 0.8, 1.0] {
                     for bent in [-0.9, -0.01, 0.0, 0.5] {
@@ -416,7 +420,7 @@ mod tests {
             contact.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         };
         let mut turns_seen = [0; 3];
-        // Final displacement in m, and the velocities at start and end: no reversal, one, and two.
+        // Final displacement in m, and the velocities at start and end, for no reversal, one reversal, and two.
         for (x1, v0, v1) in
             [(2e-4, 0.1, 0.3), (1e-4, 0.7, -0.4), (-2e-4, 0.5, -0.9), (0.0, 0.4, 0.4), (1e-4, -0.6, -0.5)]
         {

@@ -7,8 +7,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
 ///
-/// In the thesis friction and gas act in parallel, driven by the moving end. In an eye or a mount the compliance
-/// carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
+/// In the thesis, friction and gas are parallel to the whole damper and move with the moving end. The compliance of an
+/// eye or a mount, however, carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {
     /// k_s, N/m.
@@ -17,7 +17,7 @@ pub struct SeriesCompliance {
     pub damping: f64,
     /// m, kg.
     pub mass: f64,
-    /// Whether friction and gas act on the mass, so that the compliance carries their force too.
+    /// Whether friction and gas act on the mass, so that the compliance also carries their force.
     pub carries_whole: bool,
 }
 

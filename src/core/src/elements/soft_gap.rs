@@ -2,7 +2,8 @@
 
 use crate::dual::Real;
 
-/// d(F) = F/k + g F/(|F| + F_0): for large forces the spring alone plus g on either side; softest at F = 0.
+/// d(F) = F/k + g F/(|F| + F_0). At large forces, the deflection is that of the spring plus g on either side; the law
+/// is softest at F = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct SoftGap {
     /// g, m.
@@ -28,7 +29,8 @@ impl SoftGap {
         let alone = k * d.abs();
         let half = (k * self.gap - alone).plus(self.softness) * 0.5;
         let product = alone * self.softness;
-        // A tiny number, far below all forces squared, avoids the root at 0, where it has no derivative.
+        // A tiny number, far below the square of any force, avoids the square root of 0, which has no finite
+        // derivative.
         let root = (half * half + product).plus(1e-30).sqrt();
         let size = if half.value() > 0.0 { product * (half + root).inverse() } else { root - half };
         let open = size.plus(self.softness).inverse();

@@ -12,10 +12,10 @@ use crate::schema::{Describe, Parameter, View};
 /// *Simplified* (thesis 3.5–3.7, its final form; the sign of its v² term is corrected in `viscous_friction`): `F =
 /// √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`.
 ///
-/// *Full*: equations 3.3–3.4 cannot be right as printed. This is therefore the generalized Stribeck curve of
-/// Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise: `F = sign(v) [F_s + (F_t −
-/// F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. The force approaches F_t at the break-away velocity V_fs. At
-/// velocities far above V_s it approaches F_s.
+/// *Full*: equations 3.3–3.4 of the thesis cannot be correct as printed. This form is therefore the generalized
+/// Stribeck curve of Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise: `F =
+/// sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. The force approaches F_t at the break-away
+/// velocity V_fs. At velocities far above V_s it approaches F_s.
 #[derive(Clone, Copy, Debug)]
 pub enum StribeckFriction {
     /// The thesis's reduced form.
@@ -122,7 +122,7 @@ impl Prepare for StribeckFriction {
 const BELOW_ROUNDING: f64 = 40.0;
 
 impl StribeckFriction {
-    /// Computes the general form. Not inlined: its two powers take many times as long as the simplified form.
+    /// Computes the general form. Not inlined, because its two powers take many times as long as the simplified form.
     #[cold]
     #[inline(never)]
     fn full(&self, v: f64) -> Response {
@@ -182,7 +182,8 @@ fn far_above(coulomb: f64, v: f64) -> Response {
     Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }
 }
 
-/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)². Separate from the faster case.
+/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)². A separate function from the
+/// faster case.
 #[inline(always)]
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);

@@ -8,10 +8,10 @@ use crate::schema::{Describe, Parameter, View};
 
 /// The laminar part of F_d is multiplied by the viscosity relative to that at T_0, exp(−α (T − T_0)/(1 + κ (T − T_0))).
 ///
-/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0 is
-/// an exponential, κ = 1/(T_0 + C) is Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
-/// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise follows C_h dϑ/dt =
-/// F_h (w + b) − h ϑ with the flow b parallel to the valves.
+/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
+/// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
+/// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt
+/// = F_h (w + b) − h ϑ, where b is the flow parallel to the valves.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
@@ -27,11 +27,11 @@ pub struct TemperatureFade {
     pub(crate) heats_itself: bool,
 }
 
-/// Value of F_l from which on the whole force fades.
+/// From this value of F_l on, the whole force fades.
 const ALL: f64 = 1e9;
-/// The exponent is clamped to ±3: a factor of twenty exceeds that of all dampers.
+/// The exponent is clamped to ±3, a factor of twenty, which is more than any damper shows.
 const LARGEST: f64 = 3.0;
-/// Smallest value of 1 + κ (T − T_0): far below T_0 oil is a wax.
+/// Smallest value of 1 + κ (T − T_0): far below T_0, the oil becomes a wax.
 const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
@@ -96,7 +96,7 @@ impl Prepare for TemperatureFade {
 }
 
 impl TemperatureFade {
-    /// Returns whether the whole force fades, however large.
+    /// Returns whether the whole force fades, for any size of the force.
     #[inline(always)]
     pub(crate) fn is_of_all(&self) -> bool {
         self.per_laminar == 0.0

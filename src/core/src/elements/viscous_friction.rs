@@ -5,7 +5,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_v v|v|, odd in v. Thesis 3.5 prints v² without a sign, which would push in compression.
+/// F = F_v v|v|, odd in v. Equation 3.5 of the thesis has v² without a sign. In compression that force would drive the
+/// motion instead of resisting it.
 #[derive(Clone, Copy, Debug)]
 pub struct ViscousFriction {
     coefficient: f64,

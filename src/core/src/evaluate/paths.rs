@@ -14,10 +14,10 @@ use crate::paths::{Paths, STATES, Slots, place};
 use crate::state::{MAX_INTERNAL, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Number of directions in which an instant is differentiated at once.
+/// Number of variables with respect to which one evaluation differentiates.
 ///
-/// All evaluations here are compiled for this one number type, even if they need no derivatives, because hosts call
-/// them rarely. With all thirteen directions at once the code was as long as that of all steps together.
+/// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. With
+/// all thirteen variables at once, the machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
 /// A number with its derivatives.
@@ -119,7 +119,8 @@ fn instant(
 /// Relative tolerance of the oil velocity.
 const TOLERANCE: f64 = 1e-13;
 
-/// Finds the oil velocity w, from a guess, at which the residual `left` of w and the FV curve's force is 0.
+/// Finds the oil velocity w, from a guess, at which the residual `left` is 0. The arguments of `left` are w and the FV
+/// force at w.
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
@@ -156,7 +157,7 @@ fn oil(
 /// Indices of displacement and velocity of the moving end among the variables of an instant, after the states.
 const X: usize = STATES;
 const V: usize = X + 1;
-/// Direction of the oil velocity, which depends on all other variables: the last direction.
+/// Direction of the oil velocity, the last one; the oil velocity depends on all other variables.
 const W: usize = DIRECTIONS - 1;
 
 /// The damper at given states and input, with its oil velocity.
@@ -180,7 +181,7 @@ impl<'a, T: Tables> At<'a, T> {
         At { e, states, internal, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
-    /// Evaluates the instant with its derivatives over the variables at these places.
+    /// Evaluates the instant with its derivatives with respect to the variables with the indices `places`.
     fn along(&self, places: [usize; W]) -> Instant {
         let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
             Some(direction) => Dual::along(value, direction),
@@ -198,7 +199,7 @@ impl<'a, T: Tables> At<'a, T> {
 }
 
 impl Instant {
-    /// Computes the total derivatives of one of its numbers, including the change of the oil velocity.
+    /// Computes the total derivatives of a number of this instant, including the change of the oil velocity.
     fn derivatives(&self, number: &Derivatived) -> [f64; W] {
         let by_w = self.residual.derivative(W);
         let follows = if by_w != 0.0 { -number.derivative(W) / by_w } else { 0.0 };
@@ -212,7 +213,7 @@ impl Instant {
     }
 }
 
-/// The force through both paths, its components, and its derivatives over displacement and velocity of the moving end.
+/// The force through both paths, its components, and its derivatives with respect to the motion of the moving end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,
@@ -233,7 +234,7 @@ pub(super) enum Beside<'a> {
 
 pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, beside: Beside) -> Through {
     let at = At::new(e, state, input);
-    // The last state together with the input, whose derivatives are always needed.
+    // The last state, and the input, whose derivatives are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);
@@ -257,7 +258,7 @@ pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, b
 }
 
 impl Instant {
-    /// Writes the derivatives over the variables at these places to the partials.
+    /// Writes the derivatives with respect to the variables with the indices `places` to the partials.
     #[inline(never)]
     fn put(&self, places: [usize; W], slots: &Slots, p: &mut Partials) {
         for (place, derivative) in places.into_iter().zip(self.derivatives(&self.force)) {
@@ -285,19 +286,20 @@ impl Instant {
     }
 }
 
-/// Largest number of iterations for states and force at equilibrium, and the number of them with full steps of a state.
+/// Largest number of iterations for states and force at equilibrium, and number of the first iterations with full
+/// steps.
 ///
-/// After `DRAWN` iterations an oscillating state is bracketed. Behind a groove, a nearly closed valve takes so much
-/// more force that its state overshoots by more in every iteration. A lagging valve would move the bracket in every
-/// iteration, so there is no bracket with such a valve.
+/// After `DRAWN` iterations the state of the selective damping is bracketed. With a groove, the force of a nearly
+/// closed valve rises so steeply that the state overshoots by more in every iteration. A lagging valve would move the
+/// bracket in every iteration, so models with such a valve use no bracket.
 const TOGETHER: usize = 200;
 const DRAWN: usize = 40;
 
-/// Computes the states and the hydraulic force at equilibrium, where nothing opens or closes any more.
+/// Computes the states and the hydraulic force at equilibrium, where voids and valves no longer move.
 pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
-    // The target of a state depends on the force, and the force on the state; both converge long before the last
-    // iteration.
+    // The target of a state depends on the force, and the force depends on the state. Both converge long before the
+    // last iteration.
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {

@@ -6,13 +6,13 @@
 //! hysteresis  s = y − h z,   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
 //! ```
 //!
-//! z is the state of a Dahl element over the setting: it tends to 1 while y rises and to −1 while y falls. The actual
+//! z is the state of a Dahl element driven by y: it tends to 1 while y rises and to −1 while y falls. The actual
 //! setting s therefore lies h below y while rising and h above it while falling. After a reversal ds/dy begins at 0 and
 //! tends to 1: s never moves against y.
 
 use crate::math::{exp_below_bound, max, min};
 
-/// Shortest time constant of [`Actuator::rates`], s: a shorter or missing lag uses this value there.
+/// Shortest time constant in [`Actuator::rates`], s. It replaces a shorter or missing time constant.
 pub const QUICKEST: f64 = 1e-4;
 
 /// Dynamics of the valve's setting. Rising means toward larger settings.
@@ -73,7 +73,7 @@ impl Actuator {
         stand.lagged - self.hysteresis * stand.turned
     }
 
-    /// Returns the state at rest under a constant u. The hysteresis depends on the change of y from the state `from`.
+    /// Returns the steady state under a constant u. The hysteresis depends on the change of y since the state `from`.
     pub fn at_rest(&self, from: &Stand, u: f64) -> Stand {
         Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
     }
@@ -85,7 +85,7 @@ impl Actuator {
         let (time, rate) = (self.time[falls], self.rate[falls]);
         let (mut left, mut dt) = (way.abs(), dt);
         if rate > 0.0 {
-            // The rate is at its limit until the lag alone is slower.
+            // The rate stays at its limit until the rate of the lag alone is smaller.
             let slow = rate * time;
             let until = max(left - slow, 0.0) / rate;
             let at_limit = min(until, dt);

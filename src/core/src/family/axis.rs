@@ -9,13 +9,13 @@ use crate::parameter::values::check;
 use crate::parameter::{Element, List, Number, Params, Shape, table};
 use crate::{element, list};
 
-/// Largest number of parameters that depend on the setting, besides the forces of the FV table.
+/// Largest number of parameters that may depend on the setting, in addition to the forces of the FV table.
 pub const MAX_NUMBERS: usize = 32;
 /// Largest number of bytes of the setting's name and unit.
 pub const MAX_TEXT: usize = 31;
-/// Largest magnitude of a setting: values in revolutions per minute and pascals are far below.
+/// Largest magnitude of a setting. Even values in revolutions per minute or pascals are far below.
 const LARGEST: f64 = 1e9;
-/// Smallest interval of the grid relative to its range: values that are closer are not distinct.
+/// Smallest interval of the grid relative to its range. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
 /// A number of the axis that is not a parameter of the damper.
@@ -66,7 +66,7 @@ pub struct Varying {
     pub values: [f64; MAX_GRID],
 }
 
-/// The setting that a damper depends on. Without a grid it depends on no setting.
+/// The setting on which a damper depends. Without a grid, the damper depends on no setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Axis {
@@ -78,19 +78,19 @@ pub struct Axis {
     numbers: [Varying; MAX_NUMBERS],
     /// Number of points of the FV table over the grid; 0 without such a table.
     points: u64,
-    /// Grid values at which forces are given, as bits.
+    /// Bit set of the grid values at which forces are given.
     given: u64,
     forces: [[f64; MAX_POINTS]; MAX_GRID],
     name: [u8; MAX_TEXT + 1],
     unit: [u8; MAX_TEXT + 1],
 }
 
-/// A damper as a model file defines it: an ordinary damper, or an adjustable one that depends on a setting.
+/// A damper as defined by a model file: an ordinary damper, or an adjustable damper, which depends on a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Definition {
-    /// Parameters of the damper; those at the start setting if it depends on a setting.
+    /// Parameters of the damper. If it depends on a setting, these are the parameters at the start setting.
     pub params: Params,
-    /// Setting of the damper; without a grid if the damper depends on no setting.
+    /// Setting of the damper. Without a setting, the axis has no grid.
     pub axis: Axis,
 }
 
@@ -101,7 +101,7 @@ impl From<Params> for Definition {
 }
 
 impl Definition {
-    /// Returns the ordinary damper at a setting; the damper does not change if it depends on no setting.
+    /// Returns the ordinary damper at a setting, or the damper unchanged if it depends on no setting.
     pub fn params_at(&self, setting: f64) -> Params {
         self.axis.params_at(&self.params, setting)
     }
@@ -181,13 +181,14 @@ impl Axis {
     }
 
     /// Returns the name of the setting, such as current; empty if none is given.
-    // Inline, so that the library does not contain it: see below.
+    // Inline, so that the library does not contain this function: see below.
     #[inline]
     pub fn name(&self) -> &str {
         core::str::from_utf8(self.name_bytes()).unwrap_or("")
     }
 
-    /// Returns the name in bytes: the UTF-8 check of the standard library contains panics that cannot be removed.
+    /// Returns the name in bytes. The text form is not in the library, because the UTF-8 check of the standard library
+    /// can panic.
     pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
@@ -204,7 +205,7 @@ impl Axis {
         text(&self.unit)
     }
 
-    /// Sets the name. At most [`MAX_TEXT`] bytes.
+    /// Sets the name, of at most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
     /// Returns [`Reason::PointCount`] for a longer text.
@@ -216,7 +217,7 @@ impl Axis {
         keep(&mut self.name, name)
     }
 
-    /// Sets the unit. At most [`MAX_TEXT`] bytes.
+    /// Sets the unit, of at most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
     /// Returns [`Reason::PointCount`] for a longer text.
@@ -274,8 +275,8 @@ impl Axis {
     /// Sets the values of a parameter over the grid.
     ///
     /// # Errors
-    /// Returns an error for a parameter that cannot depend on the setting, and for too few or too many values. A value that
-    /// the table rejects and a missing slot for a further parameter are errors too.
+    /// Returns an error for a parameter that cannot depend on the setting, and for a wrong number of values. Values
+    /// that the parameter table rejects, and more than [`MAX_NUMBERS`] parameters, are errors too.
     pub fn set_values(&mut self, number: Number, values: &[f64]) -> Result<(), Fault> {
         let row = number.row();
         check_values(number, values, self.count as usize)?;
@@ -309,7 +310,7 @@ impl Axis {
         (self.points, self.given) = (0, 0);
     }
 
-    /// Sets a list at grid value `index`: only the forces of the FV table.
+    /// Sets a list at grid value `index`. Only the forces of the FV table can vary.
     ///
     /// # Errors
     /// Returns an error for another list, and the errors of [`Axis::set_forces`].
@@ -333,8 +334,8 @@ impl Axis {
     /// Sets the forces of the FV table at grid value `index`. All grid values need the same number of forces.
     ///
     /// # Errors
-    /// Returns an error for an index beyond the grid, for another number of forces than before, and for a force that
-    /// the table rejects.
+    /// Returns an error for an index beyond the grid, for a different number of forces than at other grid values, and
+    /// for an invalid force.
     pub fn set_forces(&mut self, index: usize, forces: &[f64]) -> Result<(), Fault> {
         let row = *list!("fv_force").row();
         if index >= self.count as usize {
@@ -357,9 +358,10 @@ impl Axis {
         Ok(())
     }
 
-    /// Returns the forces of all points of the FV table at grid value `index`, and their derivatives over the setting.
+    /// Returns the forces of all points of the FV table at grid value `index`, and their derivatives with respect to
+    /// the setting.
     ///
-    /// The derivatives are limited, so that the forces do not decrease over velocity between the grid values.
+    /// The derivatives are limited, so that between the grid values no force decreases with velocity.
     pub(crate) fn forces_with_derivatives(&self, index: usize) -> ([f64; MAX_POINTS], [f64; MAX_POINTS]) {
         let (grid, points) = (self.grid(), self.points as usize);
         let forces = self.forces.get(index).copied().unwrap_or([0.0; MAX_POINTS]);
@@ -386,15 +388,15 @@ impl Axis {
         (forces, derivatives)
     }
 
-    /// Returns the ordinary damper at a setting, which is clamped to the grid: the set with interpolated numbers and
-    /// forces.
+    /// Returns the ordinary damper at a setting: `params` with interpolated numbers and forces. The setting is clamped
+    /// to the grid.
     pub fn params_at(&self, params: &Params, setting: f64) -> Params {
         let mut at = *params;
         self.put(&mut at, setting);
         at
     }
 
-    /// Writes the interpolated values at a setting into a set that contains the constant ones.
+    /// Writes the values interpolated at a setting into a set that already contains the constant values.
     pub fn put(&self, params: &mut Params, setting: f64) {
         let grid = self.grid();
         if grid.len() < 2 {
@@ -405,7 +407,7 @@ impl Axis {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
             let derivatives = super::interpolation::derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
-            // The value lies between two values that the table allows.
+            // The value lies between two valid values, so it is valid.
             let _ = params.set(number, number.inside(place.value(&varying.values, &derivatives)));
         }
         if self.has_forces() {
@@ -414,7 +416,7 @@ impl Axis {
             let [w0, w1, w2, w3] = place.weights;
             let mut forces = [0.0; MAX_POINTS];
             let ends = from.iter().zip(&to).zip(from_derivatives.iter().zip(&to_derivatives));
-            // The forces rise except for rounding.
+            // The forces rise with velocity, except for rounding errors, which the maximum removes.
             let mut last = f64::NEG_INFINITY;
             for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
                 *force = max((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
@@ -424,7 +426,7 @@ impl Axis {
         }
     }
 
-    /// Checks the whole axis: values need a grid, the start must lie inside it, and the hysteresis must be small
+    /// Checks the whole axis. Values need a grid, the start must lie inside the grid, and the hysteresis must be small
     /// enough.
     ///
     /// # Errors
@@ -465,7 +467,8 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes the family through parameter sets at the values of a grid: the first set, and the values that differ.
+    /// Makes a family that contains the given parameter sets at the grid values: the first set, and the values that
+    /// differ.
     ///
     /// # Errors
     /// Returns an error for sets that differ in a value that cannot depend on the setting.
@@ -502,10 +505,10 @@ impl Axis {
         Ok((*first, axis))
     }
 
-    /// Returns the parameters that depend on the setting and store energy, or act at rest.
+    /// Returns the parameters that depend on the setting and affect stored energy or the force at rest.
     ///
-    /// Through them a change of the setting may do work on the host. Without such a parameter the damper is passive for
-    /// any change of the setting.
+    /// A change of the setting may do work on the host through these parameters. Without such a parameter the damper is
+    /// passive for any change of the setting.
     ///
     /// Energy is stored in springs, oil columns and masses, in the force or the temperature of the gas, and in the
     /// deflection of a contact. A parameter that only affects dissipation may change at any time: at every instant the

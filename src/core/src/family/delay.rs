@@ -1,12 +1,12 @@
 //! Dead time: a signal delayed by a fixed time.
 //!
-//! [`CELLS`] cells of equal length store the signal of the last dead time, each its mean over the cell. The output of a
-//! step is the mean of the delayed signal over the step. No part of the signal is lost or counted twice, for any step
-//! lengths. A change is delayed by the dead time to within the length of a cell.
+//! [`CELLS`] cells of equal length store the signal of the last dead time. Each cell stores the mean over its length.
+//! The output of a step is the mean of the delayed signal over the step. For any step lengths, every part of the signal
+//! counts exactly once. The delay of a change equals the dead time to within the length of a cell.
 
 use crate::math::max;
 
-/// Number of cells in a dead time: the delay of a change is accurate to a sixteenth of the dead time.
+/// Number of cells in a dead time. The delay of a change is accurate to a sixteenth of the dead time.
 pub const CELLS: usize = 16;
 
 /// Mark that distinguishes a stored signal from uninitialized memory.
@@ -35,10 +35,10 @@ impl Default for Delay {
 }
 
 impl Delay {
-    /// The value without a signal.
+    /// A delay without a stored signal.
     pub const UNSET: Delay = Delay { cells: [0.0; CELLS], filled: 0.0, elapsed: 0.0, oldest: 0.0, mark: 0.0 };
 
-    /// Makes the delay of a signal that has long been constant.
+    /// Makes the delay for a signal that has been constant for at least the dead time.
     pub fn constant(signal: f64) -> Delay {
         Delay { cells: [signal; CELLS], mark: MARK, ..Delay::UNSET }
     }
@@ -53,7 +53,8 @@ impl Delay {
     /// Advances by a step in which the signal is constant; returns the mean of the delayed signal over the step.
     pub fn advance(&mut self, signal: f64, dead_time: f64, dt: f64) -> f64 {
         if dt >= 2.0 * dead_time {
-            // The output is the stored signal followed by the new one. Afterwards only the new signal is stored.
+            // During the step, the output is the stored signal, followed by the new signal. Afterwards, only the new
+            // signal is stored.
             let cell = dead_time / CELLS as f64;
             let oldest = self.cells.get(self.oldest as usize).copied().unwrap_or(signal);
             let all = self.cells.iter().fold(0.0, |sum, mean| sum + mean * cell);
@@ -63,7 +64,8 @@ impl Delay {
         }
         let cell = dead_time / CELLS as f64;
         let (mut left, mut sum) = (dt, 0.0);
-        // The loop covers less than two dead times and part of a cell: the limit is for memory that other code wrote.
+        // The loop covers less than two dead times and part of a cell. The limit protects against memory that other
+        // code wrote.
         for _ in 0..2 * CELLS + 2 {
             if left <= 0.0 {
                 break;
@@ -95,7 +97,7 @@ mod tests {
             let mut delay = Delay::constant(1.0);
             let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
             for k in 0..200 {
-                // Changes between levels at first, then a constant signal.
+                // The signal changes between levels at first and is constant afterwards.
                 let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
                 let out = delay.advance(signal, dead_time, dt);
                 (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);
@@ -109,7 +111,7 @@ mod tests {
                 late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
                 "{late} for {dead_time}"
             );
-            // A dead time of the last level is still stored.
+            // The last level is still stored for the length of a dead time.
             assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
             assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
         }

@@ -1,21 +1,23 @@
 //! Interpolation between the grid values of a setting.
 //!
-//! A parameter is the monotone cubic through its grid values with Fritsch–Butland derivatives, like the FV curve over
-//! velocity. The forces of the FV table are interpolated in the same way, point by point. A cubic with end values f and
+//! A parameter follows the monotone cubic through its grid values, with the Fritsch–Butland derivatives of the FV
+//! curve. The forces of the FV table are interpolated in the same way, point by point. A cubic with end values f and
 //! end derivatives d over an interval h has the Bernstein coefficients
 //!
 //! ```text
 //! f_i,  f_i + h d_i / 3,  f_{i+1} − h d_{i+1} / 3,  f_{i+1}
 //! ```
 //!
-//! and lies between the smallest and the largest of them. For the difference g of the forces of two neighboring points,
-//! with derivative e, this gives a condition. The forces do not fall over velocity at any setting if
+//! and lies between the smallest and the largest of these. Let g be the difference of the forces of two neighboring
+//! points, and e its derivative with respect to the setting. At every setting, the forces do not decrease with velocity
+//! if
 //!
 //! ```text
 //! −3 g_i / h_i  ≤  e_i  ≤  3 g_i / h_{i−1}
 //! ```
 //!
-//! Derivatives that violate it are reduced toward zero ([`limit`]), which keeps the forces monotone over the setting.
+//! Derivatives that violate this condition are reduced toward zero ([`limit`]). The reduction keeps each force monotone
+//! over the setting.
 
 use crate::curve::monotone_derivative;
 use crate::math::{max, min};
@@ -37,7 +39,7 @@ impl Place {
     #[inline(always)]
     pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
         let mut interval = 0;
-        // There are at most eight values, so counting needs no search.
+        // There are at most eight values, so a linear search is sufficient.
         for (place, from) in grid.iter().enumerate().skip(1) {
             interval += usize::from(place + 1 < count && setting >= *from);
         }
@@ -69,19 +71,18 @@ pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     derivatives
 }
 
-/// Reduces the derivatives of the forces of all points at one grid value, so that the forces do not decrease over
-/// velocity.
+/// Reduces the derivatives of the forces at one grid value, so that the forces do not decrease with velocity.
 ///
-/// `rises` is the difference of the forces of the next point and a point, for each point except the last. `before` and
-/// `after` are the lengths of the intervals on both sides; infinite if there is none.
+/// `rises` is the force of the next point minus the force of a point, for each point except the last. `before` and
+/// `after` are the lengths of the intervals on both sides, infinite for a missing interval.
 ///
-/// Positive and negative derivatives are limited separately. Each becomes the largest function below its target whose
-/// change from point to point satisfies the condition; two sweeps find it. Between points whose derivatives have
+/// Positive and negative derivatives are limited separately. Two sweeps find the largest derivatives that do not exceed
+/// their targets and whose changes from point to point satisfy the condition. Between points whose derivatives have
 /// different signs, each derivative may use half of the allowed change.
 pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64, after: f64) {
     let count = derivatives.len();
     let sign_at = |derivatives: &[f64], point: usize| derivatives.get(point).copied().unwrap_or(0.0);
-    // The signs of the target stay known, because a derivative never changes its sign.
+    // The reduced derivatives still show the signs of the targets, because no derivative changes its sign.
     for sign in [1.0, -1.0] {
         let room = |derivatives: &[f64], point: usize| {
             let mixed = sign_at(derivatives, point) * sign_at(derivatives, point + 1) < 0.0;
@@ -104,7 +105,7 @@ pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64,
     }
 }
 
-/// Reduces a derivative of this sign to a magnitude; one of the other sign does not change.
+/// Limits a derivative of the given sign to a magnitude. A derivative of the opposite sign does not change.
 fn reduce(derivatives: &mut [f64], point: usize, sign: f64, most: f64) {
     if let Some(derivative) = derivatives.get_mut(point)
         && sign * *derivative > most
@@ -149,10 +150,10 @@ mod tests {
             for s in &GRID[1..count - 1] {
                 let e = 1e-7;
                 let (left, right) = ((at(*s) - at(s - e)) / e, (at(s + e) - at(*s)) / e);
-                // Over e the derivative itself changes by e times the curvature.
+                // Over the distance e the derivative itself changes by e times the curvature.
                 assert!((left - right).abs() < 1e-2 * (1.0 + left.abs()), "{left} {right} at {s}");
             }
-            // Clamped outside the grid.
+            // Outside the grid the setting is clamped.
             assert_eq!((at(-1.0), at(9.0)), (y[0], y[count - 1]));
         }
     }
@@ -160,8 +161,8 @@ mod tests {
     proptest! {
         #![proptest_config(drawn(400))]
 
-        /// Forces that rise over velocity at all grid values do so at all settings between them, even if level or
-        /// crossing.
+        /// Forces that do not decrease with velocity at the grid values do not decrease at any setting between them.
+        /// Horizontal and crossing curves are included.
         #[test]
         fn forces_do_not_fall_over_velocity_between_the_grid(
             rises in prop::collection::vec(prop::collection::vec(prop_oneof![Just(0.0), 0.0..1.0f64, 0.0..1e3f64], 8), MAX_GRID),

@@ -11,7 +11,7 @@ pub(crate) trait Numbers {
     /// Returns whether an element depends on the setting.
     fn vary(&self, group: usize) -> bool;
 
-    /// Writes the interpolated parameters of a group into its slots, which contain the constant ones.
+    /// Writes the interpolated parameters of a group into its slots, which already contain the constant parameters.
     fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
 
     /// Returns the parameter set with the constant values.
@@ -34,10 +34,11 @@ macro_rules! numbers_at_setting {
 }
 pub(crate) use numbers_at_setting;
 
-/// Returns a small element at a setting: that of the family, or one prepared from the parameters there.
+/// Returns a small element at a setting: the element of the family, or an element prepared from the parameters at the
+/// setting.
 ///
-/// A prepared element is stored in `renewed`. Parameters between two valid sets can usually be prepared; otherwise the
-/// element is that of the family.
+/// A prepared element is stored in `renewed`. Interpolated parameters between two valid sets are usually valid. If they
+/// are invalid, the element of the family applies.
 macro_rules! kept {
     ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -53,7 +54,7 @@ macro_rules! kept {
 }
 pub(crate) use kept;
 
-/// Lends or prepares an element with a large table, which has its own methods for both.
+/// Lends or prepares an element with a large table. Such an element has its own methods for lending and preparing.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -73,7 +74,7 @@ impl ParallelSpring {
         self.with_table(self.table())
     }
 
-    /// Returns the spring with the parameters at a setting: the table does not depend on the setting.
+    /// Returns the spring with the parameters at a setting. Its table does not depend on the setting.
     #[inline(always)]
     pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
         let mut spring = self.lent();

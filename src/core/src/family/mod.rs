@@ -6,24 +6,24 @@
 //! | file | content |
 //! |---|---|
 //! | [`axis`] | data from the user: the grid, the values over it, the actuator |
-//! | [`interpolation`] | between the grid values: monotone cubics whose forces never fall over velocity |
+//! | [`interpolation`] | between the grid values: monotone cubics; no force decreases with velocity |
 //! | [`actuator`] | from the commanded to the actual setting |
 //! | [`delay`] | the dead time of the actuator |
 //! | [`section`] | the tables of a damper at one setting, borrowed from the family |
 //! | [`prepared`] | the prepared family: step, rates, partial derivatives |
 //!
-//! # Why parameters are interpolated, and not forces
-//! At every setting the family is the ordinary damper of the interpolated numbers ([`axis::Axis::params_at`]), with one
-//! set of internal states. The alternatives were rejected for these reasons.
+//! # Why parameters are interpolated instead of forces
+//! At every setting, the family equals an ordinary damper with interpolated parameters ([`axis::Axis::params_at`]) and
+//! one set of internal states. Two alternatives were rejected:
 //!
-//! - Blended forces of one model per grid value, each with separate states: friction, oil and mass would have one
-//!   history for each setting, which no damper has. A step would cost twice as much.
-//! - Blended forces of these models over common states, with positive weights that are exact on the grid and smooth:
-//!   such weights have zero derivative on the grid, so that a controller would find no gain there. With weights that
-//!   are not positive, the force may fall over velocity.
+//! - Blended forces of one model per grid value, each with its own states. Friction, oil and mass would have a separate
+//!   history for each setting, unlike any damper. A step would cost twice as much.
+//! - Blended forces of these models with common states. Smooth positive weights that reproduce the grid values have
+//!   zero derivative on the grid, so a controller would see zero gain there. With negative weights, the force may
+//!   decrease with velocity.
 //!
 //! An ordinary damper only dissipates energy, and so does a family at a constant setting. Changes of the setting add no
-//! energy if no number that stores energy depends on the setting: see [`axis::Axis::stores_energy`].
+//! energy if they affect dissipation only: see [`axis::Axis::stores_energy`].
 
 pub mod actuator;
 pub mod axis;

@@ -20,20 +20,20 @@ use crate::state::{MAX_INTERNAL, Output, State};
 use crate::step::step_borrowed;
 use crate::{Partials, element, list, number};
 
-/// Step of the central differences over the setting, as a fraction of the grid's range.
+/// Step of the central differences with respect to the setting, as a fraction of the grid's range.
 ///
-/// The forces are accurate to 1e-13, so a step of 1e-6 leaves seven digits.
+/// The forces are accurate to 1e-13, so a step of 1e-6 gives seven valid digits.
 const NEAR: f64 = 1e-6;
-/// Step at which the costs of the integration methods are compared, s: see [`crate::integration`].
+/// Step length at which the costs of the integration methods are compared, s: see [`crate::integration`].
 const COMPARED_AT: f64 = 1e-3;
 
-/// Elements in which a parameter of 0 turns off a part together with its state.
+/// Elements in which a parameter with value 0 switches off a part of the element and its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
 
 /// Number of points below which a section reads only the first entries of a table: see [`Section`].
 const FEW_POINTS: usize = 16;
 
-/// A parameter with the data of its interpolation over the setting.
+/// A parameter and its interpolation over the setting.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 struct Interpolated {
@@ -62,7 +62,7 @@ enum Fv {
     Knees,
 }
 
-/// A prepared family. Constant while it runs; one family serves any number of dampers, each at a setting of its own.
+/// A prepared family. It is constant during a run and serves any number of dampers, each at its own setting.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Family {
@@ -74,7 +74,7 @@ pub struct Family {
     grid: [f64; MAX_GRID],
     start: f64,
     actuator: Actuator,
-    /// Elements that depend on the setting, as bits.
+    /// Bit set of the elements that depend on the setting.
     varying: u64,
     /// Parameters that depend on the setting, in the order of the parameter table.
     numbers: [Interpolated; MAX_NUMBERS],
@@ -86,7 +86,7 @@ pub struct Family {
     points: Points,
     point_count: u64,
     interpolation: Interpolation,
-    /// Forces of the points at each grid value, and their derivatives over the setting.
+    /// Forces of the points at each grid value, and their derivatives with respect to the setting.
     forces: [[f64; ROOM]; MAX_GRID],
     derivatives: [[f64; ROOM]; MAX_GRID],
     layout: f64,
@@ -94,11 +94,11 @@ pub struct Family {
     lagged_at: u64,
 }
 
-/// Derivatives of force and rates over the commanded setting, at constant states.
+/// Derivatives of force and rates with respect to the commanded setting, at constant states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct BySetting {
-    /// dF/d(setting). 0 if the actuator has a lag: the force then depends on the actuator's states.
+    /// dF/d(setting). 0 if the actuator has a lag, because the force then depends on the actuator's states instead.
     pub force: f64,
     /// d(rate of state i)/d(setting).
     pub rate: [f64; 10],
@@ -128,7 +128,7 @@ impl Numbers for At<'_> {
                 && let Some(slot) = slots.get_mut((number.slot as usize).wrapping_sub(first_slot))
             {
                 let value = self.place.value(&number.values, &number.derivatives);
-                // Only rounding can move the value beyond the limits: both neighbors lie within them.
+                // Both neighboring grid values lie within the limits, so only rounding can move the value beyond them.
                 *slot = min(number.high, max(number.low, value));
             }
         }
@@ -144,7 +144,7 @@ impl Numbers for At<'_> {
 }
 
 impl At<'_> {
-    /// Adds a moving mass inside the damper to the internal mass, and sets it to 0 in its own element.
+    /// Adds a moving mass inside the damper to the internal mass, and sets the mass of its own element to 0.
     #[cold]
     #[inline(never)]
     fn put_mass_inside(&self, group: usize, first_slot: usize, slots: &mut [f64]) {
@@ -166,7 +166,7 @@ impl At<'_> {
     }
 }
 
-/// Returns the number of stages of a step: the cost of a method.
+/// Returns the number of stages of a step, as a measure of its cost.
 fn stages(integration: &Integration) -> u32 {
     let substeps = integration.substeps(COMPARED_AT);
     substeps * integration.method_of(COMPARED_AT, substeps, || 1.0).stages()
@@ -197,7 +197,7 @@ impl Family {
 
     /// Checks whether the parameters and the axis define a family.
     ///
-    /// Every grid value must define a damper, and all of them must have the same states.
+    /// Every grid value must define a valid damper, and all these dampers must have the same states.
     ///
     /// # Errors
     /// Returns the parameter at fault and the reason.
@@ -240,7 +240,7 @@ impl Family {
         self.set_checked(params, axis)
     }
 
-    /// Prepares a family from a parameter set and an axis that [`Family::check`] accepted.
+    /// Prepares a family from a parameter set and an axis that passed [`Family::check`].
     ///
     /// # Errors
     /// Returns no error for such a set.
@@ -256,7 +256,7 @@ impl Family {
         self.start = axis.start();
         self.actuator = axis.actuator();
         self.set_numbers(axis);
-        // Choose the method that is accurate enough at every grid value.
+        // Choose the method that is accurate enough at all grid values.
         let mut chosen = Integration::OFF;
         let mut cheap_up_to = f64::INFINITY;
         for (index, setting) in grid.iter().enumerate() {
@@ -285,7 +285,7 @@ impl Family {
             let Some(varying) = axis.numbers().iter().find(|varying| varying.row == row.index as u64) else { continue };
             let values = varying.values;
             let derivatives = derivatives(axis.grid(), values.get(..axis.grid().len()).unwrap_or(&[]));
-            // An element that is off stays off.
+            // A parameter of an element that is off has no effect.
             let Some(element) = row.element().filter(|element| self.params.is_on(*element)) else { continue };
             if let Some(to) = self.numbers.get_mut(self.used as usize) {
                 let (group, slot) = (row.group as u64, row.slot as u64);
@@ -295,8 +295,8 @@ impl Family {
             }
             self.varying |= element.bit();
         }
-        // The moving mass is a part of the internal mass: if one of the two elements is prepared again, so is the
-        // other.
+        // The moving mass may be a part of the internal mass. If one of the two elements is prepared again, the other
+        // must be prepared again too.
         let both = element!("series_compliance").bit() | element!("moving_mass").bit();
         if self.varying & both != 0 {
             self.varying |= both & self.params.elements();
@@ -341,7 +341,7 @@ impl Family {
                 }
             }
         }
-        // The curve is built from its points and not prepared again with the small elements.
+        // The curve at a setting is computed from its points, so it needs no preparation with the small elements.
         self.varying &= !curve.bit();
     }
 
@@ -374,12 +374,14 @@ impl Family {
         setting < low || setting > high
     }
 
-    /// Returns the number of states that a solver of the host integrates: the damper's, followed by the actuator's.
+    /// Returns the number of states that a solver of the host integrates: the damper's states, followed by the
+    /// actuator's.
     pub fn states(&self) -> usize {
         self.model.states() + usize::from(self.actuator.has_lag()) + usize::from(self.actuator.has_hysteresis())
     }
 
-    /// Returns name and unit of state `index`: see [`Model::state_name`]. `setting` is in the unit of the axis.
+    /// Returns name and unit of state `index`: see [`Model::state_name`]. The unit `setting` stands for the unit of the
+    /// axis.
     pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
         let own = index.checked_sub(self.model.states());
         match own {
@@ -421,7 +423,7 @@ impl Family {
         if self.actuator.has_lag() { self.actuator.setting(&self.stand(state)) } else { self.command(setting) }
     }
 
-    /// Evaluates `question` for the damper at a setting, which exists only during this call.
+    /// Evaluates `question` for the damper at a setting. This damper exists only during the call.
     #[inline(always)]
     fn ask<R>(&self, setting: f64, question: impl FnOnce(&Model<Lent<'_>>) -> R) -> R {
         let place = Place::new(&self.grid, self.count as usize, setting);
@@ -472,7 +474,8 @@ impl Family {
         }
     }
 
-    /// Computes the points of an FV curve given by derivatives and knees at a grid position. Not inlined: it is rare.
+    /// Computes the points of an FV curve given by derivatives and knees, at a grid position. Not inlined, because such
+    /// curves are rare.
     #[inline(never)]
     fn knees_at(&self, at: &At) -> Points {
         let group = element!("fv_curve").place();
@@ -489,7 +492,7 @@ impl Family {
         points
     }
 
-    /// Returns the equilibrium state at a setting that has long been commanded: see [`Model::steady_state`].
+    /// Returns the equilibrium state after the setting has been commanded for a long time: see [`Model::steady_state`].
     #[inline(never)]
     pub fn steady_state(&self, input: &Input, setting: Option<f64>) -> State {
         let command = self.command(setting);
@@ -504,12 +507,12 @@ impl Family {
         }
     }
 
-    /// Returns the dead-time buffer of a setting that has long been commanded.
+    /// Returns the dead-time buffer after the setting has been commanded for a long time.
     pub fn steady_delay(&self, setting: Option<f64>) -> Delay {
         Delay::constant(self.command(setting))
     }
 
-    /// Converts a state of other elements to the layout of this family: see [`Model::laid_out`].
+    /// Converts a state with the layout of other elements to the layout of this family: see [`Model::laid_out`].
     #[cold]
     #[inline(never)]
     pub fn laid_out(&self, state: &State, setting: Option<f64>) -> State {
@@ -521,8 +524,8 @@ impl Family {
         own
     }
 
-    /// Advances one step of `dt` in place to the input and the commanded setting at its end: see
-    /// [`crate::step::step_in_place`]. The command is constant during the step. Without `derivatives` those of the
+    /// Advances one step of `dt` in place: see [`crate::step::step_in_place`]. `to` and `setting` are the input and the
+    /// command at its end. The command is constant during the step. Without `derivatives`, the derivatives of the
     /// output have no meaning.
     ///
     /// Returns false and changes nothing if the force is not finite.
@@ -553,7 +556,7 @@ impl Family {
         self.ask(at, |model| step_borrowed(model, state, to, dt, output, derivatives))
     }
 
-    /// Steps through the actuator's dynamics, or from a state of other elements.
+    /// Steps with the actuator's dynamics, or from a state with the layout of other elements.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)]
     fn step_behind_actuator(
@@ -589,7 +592,7 @@ impl Family {
         done
     }
 
-    /// Returns the actuator's states after a step and the dead-time buffer then.
+    /// Returns the actuator's states and the dead-time buffer after a step.
     #[inline(always)]
     fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Option<Delay>) {
         let stand = if self.actuator.has_lag() { self.stand(state) } else { Stand { lagged: command, turned: 0.0 } };
@@ -604,8 +607,8 @@ impl Family {
         (self.actuator.advance(&stand, u, dt), Some(after))
     }
 
-    /// Computes the total derivative of the force at the end of a step over the actual setting there. With `dt = 0` it
-    /// is the derivative of the equilibrium force.
+    /// Computes the total derivative of the force at the end of a step with respect to the actual setting there. With
+    /// `dt = 0`, the result is the derivative of the equilibrium force.
     #[inline(never)]
     pub fn d_force_d_setting(
         &self,
@@ -628,7 +631,7 @@ impl Family {
         self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
     }
 
-    /// Computes central differences over the setting, inside the grid.
+    /// Computes central differences with respect to the setting, inside the grid.
     #[inline(always)]
     fn difference<const N: usize>(
         &self,
@@ -647,8 +650,8 @@ impl Family {
         Some(by)
     }
 
-    /// Evaluates force and rates of the damper at a setting. Not inlined, like `partials_at`, so that its stack space
-    /// is freed on return.
+    /// Evaluates force and rates of the damper at a setting. Neither this function nor `partials_at` is inlined, so
+    /// that its stack space is freed on return.
     #[inline(never)]
     fn evaluate_at(&self, at: f64, state: &State, input: &Input) -> (Output, State) {
         self.ask(at, |model| evaluate_of(model, state, input))
@@ -661,7 +664,7 @@ impl Family {
     }
 
     /// Evaluates force and rates at a state: see [`crate::evaluate()`]. The dead time does not act: `setting` is the
-    /// value after it.
+    /// command after the dead time.
     #[inline(never)]
     pub fn evaluate(&self, state: &State, input: &Input, setting: Option<f64>) -> (Output, State) {
         if state.layout != self.layout {
@@ -675,7 +678,7 @@ impl Family {
         (output, rate)
     }
 
-    /// Computes all partial derivatives at a state, and those over the commanded setting: see
+    /// Computes all partial derivatives at a state, including those with respect to the commanded setting: see
     /// [`crate::evaluate::partials`].
     #[inline(never)]
     pub fn partials(&self, state: &State, input: &Input, setting: Option<f64>) -> (Partials, BySetting) {
@@ -735,6 +738,6 @@ impl Family {
     }
 }
 
-/// Number of values of the FV curve in a parameter set.
+/// Number of slots of the FV curve in a parameter set.
 const FV_SLOTS: usize =
     crate::parameter::row::slots_of(<crate::elements::fv_curve::FvCurve as crate::schema::Describe>::PARAMETERS);

@@ -7,19 +7,20 @@ use core::fmt::Debug;
 
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
 
-/// Size of the arrays: the points, and one beyond all of them.
+/// Size of the arrays: the points, and one entry beyond all of them.
 pub(crate) const ROOM: usize = MAX_POINTS + 1;
 /// Mask of an index into the arrays.
 const MASK: usize = ROOM - 1;
 /// Abscissa beyond all points.
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this fraction of its piece is the last, like in [`Curve::solve`].
+/// A Householder step shorter than this fraction of its piece is the last one, as in [`Curve::solve`].
 const FEW: f64 = 1e-3;
 
 /// Points of a curve at one setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Points {
-    /// Abscissae, and 1 over the distance to the next; the unused abscissae are larger than any argument.
+    /// Abscissae, and the reciprocal of the distance to the next abscissa. Unused abscissae are larger than any
+    /// argument.
     pub u: [f64; ROOM],
     pub per: [f64; ROOM],
     /// Forces.
@@ -45,7 +46,7 @@ impl Points {
     }
 }
 
-/// The FV curve at one setting: the points, from which each piece is computed when it is needed.
+/// The FV curve at one setting. It contains points only; each piece is computed when an evaluation needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct Section<'a> {
     u: &'a [f64; ROOM],
@@ -55,7 +56,7 @@ pub struct Section<'a> {
     interpolation: Interpolation,
 }
 
-/// A piece, like in [`Curve`].
+/// A piece, as in [`Curve`].
 struct Piece {
     u0: f64,
     f0: f64,
@@ -80,7 +81,7 @@ impl<'a> Section<'a> {
         Section { u, per, f, count, interpolation }
     }
 
-    /// Returns the number of points at which `key` is at most `r`: the index of the piece.
+    /// Returns the number of points at which `key` is at most `r`, which is the index of the piece.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -106,8 +107,8 @@ impl<'a> Section<'a> {
         (self.f[to] - self.f[from]) * self.per[from]
     }
 
-    /// Computes the Fritsch–Butland derivative at a point from the mean derivatives `before` and `after` it, both at
-    /// least 0.
+    /// Computes the Fritsch–Butland derivative at a point. `before` and `after` are the mean derivatives on both sides,
+    /// at least 0.
     #[inline(always)]
     fn derivative(&self, point: usize, before: f64, after: f64) -> f64 {
         if point == 0 {
@@ -116,7 +117,7 @@ impl<'a> Section<'a> {
         if point + 1 >= self.count {
             return before;
         }
-        // The weights of the mean, times the reciprocals of both distances.
+        // The weights of the harmonic mean, times the reciprocals of both distances.
         let (r0, r1) = (self.per[(point - 1) & MASK], self.per[point & MASK]);
         let (w0, w1) = (2.0 * r0 + r1, r0 + 2.0 * r1);
         let product = before * after;
@@ -129,14 +130,14 @@ impl<'a> Section<'a> {
         self.interpolation == Interpolation::CubicEachSide && self.u[point & MASK] == 0.0
     }
 
-    /// Computes the derivative at zero of one side of the curve, like [`crate::curve::derivatives`].
+    /// Computes the derivative at zero of one side of the curve, as [`crate::curve::derivatives`] does.
     ///
-    /// The side has the pieces after the points `near` and, if any, `far`.
+    /// The side has the piece after the point `near` and, if present, the piece after the point `far`.
     #[inline(always)]
     fn derivative_of_side(&self, near: usize, far: Option<usize>) -> f64 {
         let d0 = self.chord(near);
         let Some(far) = far else { return d0 };
-        // h0 / (h0 + h1) from the reciprocals of both.
+        // h0 / (h0 + h1), computed from the reciprocals of h0 and h1.
         let (r0, r1) = (self.per[near & MASK], self.per[far & MASK]);
         max(0.0, d0 + (d0 - self.chord(far)) * (r1 / (r0 + r1)))
     }
@@ -251,8 +252,8 @@ impl ForceLaw for Section<'_> {
 pub enum Passage<'a> {
     /// The table of the family.
     Table(&'a Conductance),
-    /// Node values computed from the FV curve at the setting, if the curve or the valve depends on it. The table would
-    /// begin at this force, N.
+    /// Node values computed from the FV curve, if the curve or the valve depends on the setting. The first node is at
+    /// this force, N.
     From(f64),
 }
 

@@ -4,14 +4,14 @@ use crate::list::each_element;
 use crate::schema::{Describe, Group};
 use crate::tables::Owned as T;
 
-/// Position of an element in the model: the blocks of the list.
+/// Position of an element in the model; corresponds to the blocks of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Acts {
     /// The FV curve.
     Primary,
     /// The series compliance.
     Series,
-    /// In the law of the series compliance.
+    /// A part of the force law of the series compliance.
     SeriesLaw,
     /// Between the internal mass and the FV curve.
     Hydraulic,
@@ -19,13 +19,13 @@ pub enum Acts {
     Inner,
     /// Parallel to the damper: friction.
     Friction,
-    /// Parallel to the damper: position.
+    /// Parallel to the damper: position forces.
     Preload,
     /// Parallel to the damper, with an internal state.
     Stateful,
     /// Parallel to the damper, at the ends of the stroke.
     Stop,
-    /// Nowhere: the settings.
+    /// No position: the settings of the integration.
     Nowhere,
 }
 
@@ -51,7 +51,7 @@ macro_rules! groups {
         pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
-        // It is a static, so that a program contains the texts once and not in each crate that uses them.
+        // This is a static, so that a program contains the texts only once instead of once per crate.
         pub static GROUPS: &[Group] = &[
             Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
             Group { name: stringify!($series), meaning: <$Series>::MEANING, parameters: <$Series>::PARAMETERS },
@@ -70,7 +70,7 @@ macro_rules! groups {
             Group { name: stringify!($settings), meaning: <$Settings>::MEANING, parameters: <$Settings>::PARAMETERS },
         ];
 
-        /// Returns the position in the model of a group's element.
+        /// Returns the position of a group's element in the model.
         pub fn acts(group: usize) -> Acts {
             const fn acts(place: Acts, _: Place) -> Acts {
                 place
@@ -90,10 +90,10 @@ macro_rules! groups {
             ACTS.get(group).copied().unwrap_or(Acts::Nowhere)
         }
 
-        /// Number of elements: the groups without the settings.
+        /// Number of elements, which is the number of groups without the settings.
         pub const ELEMENTS: usize = Place::$settings as usize;
 
-        /// Elements of the default model.
+        /// Bit set of the elements of the default model.
         pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
     };
 }

@@ -1,8 +1,8 @@
 //! Typed identifiers of rows and elements, which code uses instead of names.
 //!
 //! The compiler looks up names in code through [`crate::number!`], [`crate::list!`] and [`crate::element!`]. A name
-//! that is not in the table, or that has another kind of value, does not compile. `find` looks up a name from outside
-//! (a model file, C, a command line) and returns the same types.
+//! that is not in the table, or that has another kind of value, is a compile error. `find` looks up a name at run time
+//! (from a model file, C, a command line) and returns the same types.
 
 use core::fmt;
 use core::hash::{Hash, Hasher};
@@ -28,8 +28,8 @@ pub type Number = Id<One>;
 pub type List = Id<Many>;
 
 impl<K: Kind> Id<K> {
-    /// Finds the row called `name`. For constants, which [`crate::number!`] and [`crate::list!`] make from it: without
-    /// such a row the program does not compile.
+    /// Finds the row called `name`. [`crate::number!`] and [`crate::list!`] call it at compile time; a name without a
+    /// row is a compile error.
     pub const fn named(name: &str) -> Id<K> {
         let (mut index, mut slot, mut group) = (0, 0, 0);
         while group < GROUPS.len() {
@@ -48,7 +48,7 @@ impl<K: Kind> Id<K> {
         panic!("no parameter has this name")
     }
 
-    /// Finds the row of a name that comes from outside.
+    /// Finds the row of a name that is known only at run time.
     ///
     /// # Errors
     /// Returns an error if no row has that name, or if its value has another kind.
@@ -153,9 +153,9 @@ pub struct Element {
 }
 
 impl Element {
-    /// Finds the element called `name`. For constants, like [`Id::named`].
-    // Inline, so that it is compiled only where it is called at run time, which is nowhere: the library thus lacks its
-    // panic.
+    /// Finds the element called `name`. Like [`Id::named`], the function is called at compile time.
+    // An inline function is compiled only where code calls it at run time. No code does so, and thus the library does
+    // not contain the function's panic.
     #[inline]
     pub const fn named(name: &str) -> Element {
         let mut place = 0;
@@ -169,7 +169,7 @@ impl Element {
         panic!("no element has this name")
     }
 
-    /// Finds the element of a name that comes from outside.
+    /// Finds the element of a name that is known only at run time.
     ///
     /// # Errors
     /// Returns an error if no element has that name.
@@ -187,7 +187,7 @@ impl Element {
         Element::all().nth(place)
     }
 
-    /// Returns the index of its group in [`GROUPS`].
+    /// Returns the index of the element's group in [`GROUPS`].
     pub const fn place(self) -> usize {
         self.place
     }
@@ -197,7 +197,7 @@ impl Element {
         self.group.name
     }
 
-    /// Returns its meaning and its rows.
+    /// Returns the element's group, with its meaning and its rows.
     pub const fn group(self) -> &'static Group {
         self.group
     }
@@ -230,7 +230,7 @@ impl Hash for Element {
 
 /// Formats the name in quotes.
 impl fmt::Debug for Element {
-    // Inline for the reason given at [`Element::named`]: the formatting that it calls can panic.
+    // Inline for the reason given at [`Element::named`], because the formatting can panic.
     #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.name(), f)
@@ -254,14 +254,14 @@ impl fmt::Display for Element {
 /// assert_eq!(params.number(number!("series_stiffness")), 3e6);
 /// ```
 ///
-/// A name that no parameter has does not compile:
+/// A name that no parameter has is a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::number;
 /// let k = number!("series_stifness");
 /// ```
 ///
-/// nor does that of a list:
+/// The name of a list is also a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::number;
@@ -291,7 +291,7 @@ macro_rules! number {
 /// let force = list!("fv_forces");
 /// ```
 ///
-/// nor does that of a number:
+/// The name of a number is also a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::list;
@@ -314,14 +314,14 @@ macro_rules! list {
 /// assert!(params.is_on(element!("bushing")));
 /// ```
 ///
-/// A name that no element has does not compile:
+/// A name that no element has is a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::element;
 /// let element = element!("bushings");
 /// ```
 ///
-/// nor does that of the settings, which are always on:
+/// The name of the settings, which are always on, is also a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::element;

@@ -1,4 +1,4 @@
-//! The parameter table: the rows of all groups in sequence.
+//! The rows of the parameter table, group by group.
 
 use crate::fault::{Fault, Reason};
 use crate::parameter::groups::GROUPS;
@@ -65,7 +65,7 @@ struct Rows {
 impl Iterator for Rows {
     type Item = Row;
 
-    // Not inlined: a dozen functions iterate over the table, and none of them is critical for speed.
+    // Not inlined, because a dozen functions iterate over the table, and their speed is not critical.
     #[inline(never)]
     fn next(&mut self) -> Option<Row> {
         loop {

@@ -22,7 +22,7 @@ impl Default for Params {
 }
 
 impl Params {
-    /// A set without values, to be filled completely.
+    /// A set without values, which the caller must fill completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
     /// Returns the defaults of the table, with the elements of the thesis's model on.
@@ -66,7 +66,7 @@ impl Params {
         self.get(list.row())
     }
 
-    /// Returns the parameters of the element `E`, whose rows are group `group`.
+    /// Returns the parameters of the element `E`, whose rows form the group `group`.
     pub(crate) fn view<E: Describe>(&self, group: usize) -> View<'_, E> {
         let before = GROUPS.iter().take(group).flat_map(|group| group.parameters);
         let (first, slot) = before.fold((0, 0), |(index, slot), row| (index + 1, slot + row.slots()));
@@ -105,10 +105,10 @@ impl Params {
         Ok(())
     }
 
-    /// Checks every value against the table, for sets that were not filled by the setters.
+    /// Checks every value against the table. Sets that the setters filled need no check.
     ///
     /// # Errors
-    /// Returns the first parameter that the table does not allow.
+    /// Returns the first parameter with a value that the table does not allow.
     pub fn check(&self) -> Result<(), Fault> {
         for row in table() {
             if self.lengths.get(row.index).is_none_or(|l| *l as usize > row.parameter.slots()) {
@@ -138,8 +138,8 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
-    /// Returns whether a parameter affects the damper: its element is on, or it is a setting, and it belongs to the
-    /// chosen form.
+    /// Returns whether a parameter affects the damper. It must belong to the integration or to an element that is on,
+    /// and to the chosen form.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }

@@ -12,7 +12,7 @@ use crate::tables::Tables;
 /// Elements that only scale the FV curve slowly.
 const FACTORS: u32 = FADE | HEAT;
 
-/// Returns whether the elements of the paths make the force more nonlinear within a step than in the plain damper.
+/// Returns whether the elements of the paths make the force more nonlinear within a step than without them.
 pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
@@ -20,7 +20,7 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
 /// Nonlinearity that the elements of the paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
-    /// Little: no element, one that scales the FV curve slowly, or a flow or valve that smooths its own knee.
+    /// Little: no element, an element that scales the FV curve slowly, or a flow or valve that smooths its own knee.
     Little,
     /// A bushing alone.
     Smoothly,
@@ -52,10 +52,11 @@ pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
     }
 }
 
-/// Elements that only add to others and share their compiled stage; the program tests for them at run time.
+/// Elements that only modify other elements and have no compiled stage of their own. The program tests for them at run
+/// time.
 ///
-/// The test costs at most 1 % more instructions. For a length that changes, or for two forms of one element, it would
-/// cost 4 to 8 %.
+/// The test costs at most 1 % more instructions. For the length of the oil column, or for two forms of one element, a
+/// test would cost 4 to 8 %.
 const ADDED: u32 = AIR | HEAT | SPOOL;
 
 /// Returns whether a stage compiled for the elements `ON` fits an element set.
@@ -72,8 +73,8 @@ pub fn acts<const ON: u32>(e: &Paths<impl Tables>, bit: u32) -> bool {
     ON & bit & certain != 0 || ON & bit & !certain != 0 && e.acting() & bit != 0
 }
 
-/// Returns whether a state can change in a stage compiled for the elements `ON`. Adding zero costs less than a test at
-/// run time.
+/// Returns whether a state can change in a stage compiled for the elements `ON`. The result ignores whether the element
+/// is on, because adding zero costs less than a test at run time.
 #[inline(always)]
 pub fn moves<const ON: u32>(state: usize) -> bool {
     let bit = match state {

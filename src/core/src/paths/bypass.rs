@@ -1,10 +1,10 @@
 //! Oil that bypasses the valves: through grooves in the tube, or through the open bypass of frequency-selective
 //! damping.
 //!
-//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼: proportional to the force far below F_l, to its square root
-//! far above. The parameter of a groove refers to the square root alone, b = q r(F_h)/√(1 kN); r(1 kN) is one
-//! ten-thousandth lower. Flows through parallel passages add. A bypass therefore reduces the force more where the FV
-//! curve is steep than where a blow-off valve limits it.
+//! u = w + b, b = q r(F_h)/r(1 kN), r = F/(F² + F_l²)^¼. The flow is proportional to the force far below F_l, and to
+//! its square root far above F_l. A groove uses √(1 kN) instead of r(1 kN), which is smaller by one ten-thousandth: b =
+//! q r(F_h)/√(1 kN). Flows through parallel passages add. A bypass therefore reduces the force more where the FV curve
+//! is steep than where a blow-off valve limits it.
 
 use super::Paths;
 use super::acting::acts;
@@ -14,7 +14,7 @@ use crate::dual::{Dual, Real};
 use crate::elements::passage::{STATED, law};
 use crate::tables::Tables;
 
-/// F_l of a groove, which is short, N.
+/// F_l of a groove, N; small, because a groove is short.
 const LAMINAR: f64 = 20.0;
 /// r(F)/r(1 kN) of a groove.
 #[inline(always)]
@@ -40,16 +40,16 @@ pub fn flow<R: Real>(e: &Paths<impl Tables>, force: R, x: R, states: &[R; STATES
     flow
 }
 
-/// b after an implicit stage, with its derivatives.
+/// Flow b after an implicit stage, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Past {
     /// b.
     pub flow: f64,
-    /// Derivatives of b over F_h, the displacement and the known state.
+    /// Derivatives of b with respect to F_h, displacement and known state.
     pub flow_by: [f64; 3],
     /// State of the passage after the stage.
     pub state: f64,
-    /// Derivatives of that state over F_h and the known state.
+    /// Derivatives of that state with respect to F_h and known state.
     pub state_by: [f64; 2],
 }
 

@@ -36,13 +36,13 @@ pub struct Flow<R> {
     pub valve_rates: [R; 2],
 }
 
-/// Leakage past the valves, N s/m, with an oil column. It makes the velocity unique where the FV curve is level. Far
-/// below all that is measured.
+/// Leakage past the valves, N s/m, with an oil column. It makes the velocity unique where the FV curve is horizontal.
+/// The value is far below any measurable leakage.
 const LEAKAGE: f64 = 0.01;
 
 /// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w).
 ///
-/// The FV curve's force at standstill, `standing`, comes from no flow and is not scaled.
+/// `standing` is the FV curve's force at standstill. No flow causes it, so it is not scaled.
 #[inline(always)]
 pub fn flow<R: Real>(
     e: &Paths<impl Tables>,
@@ -76,12 +76,12 @@ pub fn flow<R: Real>(
     Flow { force, selective_target, before_valve, valve_rates }
 }
 
-/// The factors s of a stage, which do not depend on its unknowns.
+/// The factors s of a stage. They do not depend on the unknowns of the stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors {
-    /// Factors for the compression and the rebound stroke, with their derivatives over the displacement.
+    /// Factors for the compression and the rebound stroke, with their derivatives with respect to displacement.
     strokes: [[f64; 2]; 2],
-    /// Factor for temperature, with its derivative over the temperature rise.
+    /// Factor for temperature, with its derivative with respect to the temperature rise.
     fade: [f64; 2],
 }
 
@@ -101,9 +101,9 @@ impl Factors {
     }
 }
 
-/// The valve force after an implicit stage, with its derivatives for each link of the chain.
+/// The valve force after an implicit stage, with the derivatives of each of the three effects in series.
 ///
-/// The links are s F_d, a delayed valve, and frequency-selective damping.
+/// The effects are the factors s of F_d, the lagging valve, and frequency-selective damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
     /// F_h.
@@ -115,17 +115,17 @@ pub(crate) struct Valves {
     /// ∂F_h/∂F_d and ∂F_h/∂w.
     pub by_curve: f64,
     pub by_w: f64,
-    /// Derivatives of s F_d over F_d, displacement and rise of temperature.
+    /// Derivatives of s F_d with respect to F_d, displacement and temperature rise.
     scaled_by: [f64; 3],
-    /// Derivatives of the force after the delayed valve, and of the valve's position.
+    /// Derivatives of the force after the lagging valve, and of the valve's position.
     ///
-    /// They are over the force before the valve and the known part of its position. The last two are over the force of
-    /// the FV curve at the two velocities `read`.
+    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at the
+    /// two velocities `read`.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Derivatives of the force after frequency-selective damping and of its state, over the force before it, w and the
-    /// known state.
+    /// Derivatives of the force after frequency-selective damping, and of its state. The variables are the force before
+    /// this effect, w, and the known state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }
@@ -168,8 +168,8 @@ impl Valves {
 
     /// Computes the valve force from the `known` states and the force and velocity of the current iteration.
     ///
-    /// `since` is the time over which a lagging valve is advanced. `raised` is the factor by which it raised the force
-    /// in the previous solution. `leaks` is true with an oil column.
+    /// `since` is the step factor of a lagging valve, as `g` is that of the other states. `raised` is the factor by
+    /// which the valve increased the force in the previous solution. `leaks` is true with an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
         e: &Paths<impl Tables>,
@@ -183,7 +183,7 @@ impl Valves {
         let above = curve - standing;
         let [on_stroke, by_x] = factors.strokes[usize::from(above >= 0.0)];
         let [fade, by_rise] = factors.fade;
-        // Only the laminar part fades: see the element.
+        // Only the laminar part fades: see `temperature_fade`.
         let placed = on_stroke * above;
         let laminar = if acts::<ON>(e, FADE) { e.temperature_fade.laminar(placed) } else { 1.0 };
         let faded = 1.0 + (fade - 1.0) * laminar;
@@ -232,7 +232,8 @@ impl Valves {
         valves
     }
 
-    /// Returns the derivatives of the force, of the valve's position and of the state of frequency-selective damping.
+    /// Returns the derivatives of three results: the force, the valve's position, and the state of frequency-selective
+    /// damping.
     #[inline(always)]
     pub fn along<const ON: u32>(&self, e: &Paths<impl Tables>, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
@@ -280,14 +281,14 @@ pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
 
 /// Computes the state of an oil column under a force.
 ///
-/// It is its deflection or, with two chambers whose length changes, the part of the piston's stroke that it has
-/// absorbed.
+/// The state is the deflection. With two chambers whose length changes, it is the part of the piston stroke that the
+/// column absorbs.
 pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     let q = deflection(e, force);
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// Computes F_h = φ_o(q) of a column in a state, and q.
+/// Computes the force F_h = φ_o(q) and the deflection q of a column in a given state.
 #[inline(always)]
 pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
@@ -308,31 +309,31 @@ pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: 
 /// The oil column after an implicit stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
-    /// State of the column, and its derivatives over F_h and the displacement.
+    /// State of the column, and its derivatives with respect to F_h and displacement.
     pub state: f64,
     pub by_force: f64,
     pub d_state_d_x: f64,
     /// Contribution of the column to u − w, times g, and its derivatives.
     ///
-    /// They are over F_h, the known part of the state, the displacement, and the displacement of the moving end before
-    /// the stage.
+    /// The variables are F_h, the known part of the state, the displacement, and the displacement of the moving end
+    /// before the stage.
     pub change: f64,
     pub change_by: [f64; 4],
 }
 
 impl Column {
-    /// The value without a column.
+    /// A stage without an oil column.
     pub const NONE: Column = Column { state: 0.0, by_force: 0.0, d_state_d_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
-    /// Computes the column under a force, from the `known` part of its state. In all three kinds u − w rises with the
-    /// force:
+    /// Computes the column under a force, from the `known` part of its state. In all three kinds of column, u − w
+    /// increases with the force:
     ///
     /// ```text
     /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)
     /// ```
     ///
-    /// The last kind has two chambers. It is the stage of ds/dt = u − w + v ∂s/∂x. Its last term is discretized as s(x)
-    /// − s(X), where the moving end goes `from` X to x.
+    /// The last kind has two chambers. Its equation is the stage of ds/dt = u − w + v ∂s/∂x. The last term is
+    /// discretized as s(x) − s(X), where the moving end goes `from` X to x.
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);

@@ -8,9 +8,9 @@
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! φ is the elastic law. χ is the closed fraction of its contacts, 1 without free play. b is the flow past the valves.
-//! ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries the whole force,
-//! friction and gas act on the mass in addition to F_p.
+//! φ is the elastic law. χ is the closed fraction of the free play's contacts, 1 without free play. b is the flow that
+//! bypasses the valves. ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries
+//! the whole force, the forces of friction and gas act on the mass in addition to F_p.
 //!
 //! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`mod@crate::step`] and the
 //! short formulas of [`mod@crate::evaluate`] then apply, and no code of this module runs.
@@ -62,12 +62,12 @@ macro_rules! gathered {
             pub(crate) $late: $Late,
             /// Indices of the states among the internal states.
             slots: Slots,
-            /// Elements that act in a stage, as bits.
+            /// Bit set of the elements that act in a stage.
             acting: u32,
         }
 
         impl Paths {
-            /// The value without elements.
+            /// Paths with all elements switched off.
             pub const OFF: Paths = {
                 type T = Owned;
                 Paths {
@@ -82,13 +82,13 @@ macro_rules! gathered {
                 }
             };
 
-            /// Elements other than the FV curve and a linear series spring: with one of them on, the plain step does
+            /// Elements other than the FV curve and the series compliance. If one of them is on, the plain step does
             /// not apply.
             pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
             /// The series compliance.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
 
-            /// Checks whether the elements that are on can be prepared, one by one.
+            /// Checks the parameters of each element that is on, element by element.
             ///
             /// # Errors
             /// Returns the parameter at fault.
@@ -112,7 +112,7 @@ macro_rules! gathered {
             /// Checks whether every element that is on has the other elements that it requires.
             ///
             /// # Errors
-            /// Returns the element that lacks another.
+            /// Returns the element that requires an element that is off.
             pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
                 if params.elements() & Paths::<Owned>::MASS == 0 {
                     $(if params.elements() & (1 << Place::$law as usize) != 0 {
@@ -175,7 +175,8 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// Returns the value without elements. It is a function, because a constant would be copied whole.
+            /// Returns a set without elements. This is a function, because each use of a constant would copy the whole
+            /// set.
             #[inline(always)]
             pub(crate) fn none() -> RenewedPaths {
                 RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }
@@ -278,7 +279,8 @@ impl<T: Tables> Paths<T> {
         self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
     }
 
-    /// Returns whether the state of the oil column is the absorbed part of the piston's stroke, and not its deflection.
+    /// Returns whether the state of the oil column is the absorbed part of the piston stroke, instead of the
+    /// deflection.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
         self.has(Place::oil_compressibility) && self.oil_compressibility.counts_stroke()
@@ -304,7 +306,7 @@ impl<T: Tables> Paths<T> {
 
 /// Data that the elements pass to each other.
 impl Paths {
-    /// Passes one element's data to another: the FV curve to a lagging valve.
+    /// Computes what one element needs from another: the conductance of a lagging valve from the FV curve.
     pub(crate) fn join(&mut self) {
         if self.has_valve() {
             self.valve_hysteresis.join(&self.fv_curve);
@@ -356,7 +358,7 @@ impl<T: Tables> Paths<T> {
         Slots::new(on)
     }
 
-    /// Returns name and unit of the internal state at a place.
+    /// Returns name and unit of the internal state with the number `place`.
     pub fn state_name(&self, place: usize) -> (&'static str, &'static str) {
         match place {
             place::X => ("internal_mass", "m"),

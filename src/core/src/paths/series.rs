@@ -6,7 +6,7 @@ use super::bits::{ANY, BUSHING, FREE_PLAY};
 use crate::dual::{Dual, Real};
 use crate::tables::Tables;
 
-/// The series spring, damper and mass, as numbers with respect to which the force can be differentiated.
+/// Parameters of the series spring, damper and mass, as numbers that may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<R> {
     /// k_s.
@@ -18,7 +18,7 @@ pub struct Frame<R> {
 }
 
 impl<R: Real> Frame<R> {
-    /// Returns the frame of the model.
+    /// Returns the parameters of the model, as constants.
     #[inline(always)]
     pub fn new(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
@@ -26,7 +26,7 @@ impl<R: Real> Frame<R> {
     }
 }
 
-/// Computes the elastic force φ, its derivative φ', and the closed fraction of the contact, from 0 to 1.
+/// Computes the elastic force φ, its derivative φ', and the closed fraction χ of the contact, from 0 to 1.
 #[inline(always)]
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
@@ -56,7 +56,7 @@ pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, r
 pub(crate) struct Derivatived {
     /// F_s.
     pub force: f64,
-    /// Derivatives over deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s.
+    /// Derivatives with respect to deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s, in this order.
     pub by_deflection: f64,
     pub by_rate: f64,
     pub by_relaxing: f64,
@@ -65,7 +65,7 @@ pub(crate) struct Derivatived {
 }
 
 impl Derivatived {
-    /// The value without a series path.
+    /// A stage without a series path.
     pub const NONE: Derivatived = Derivatived {
         force: 0.0,
         by_deflection: 0.0,

@@ -1,4 +1,4 @@
-//! The coupled states: their places among themselves, and their indices among the internal states.
+//! The coupled states: their fixed numbers, and their indices among the internal states.
 
 use crate::parameter::Params;
 use crate::state::{MAX_INTERNAL, State};
@@ -7,7 +7,7 @@ use crate::{element, number};
 /// Number of coupled states.
 pub const STATES: usize = 10;
 
-/// Places of the coupled states.
+/// Fixed numbers of the coupled states.
 pub mod place {
     /// Displacement of the internal mass.
     pub const X: usize = 0;
@@ -17,15 +17,15 @@ pub mod place {
     pub const BUSHING: usize = 2;
     /// Deflection of the bushing's slowly relaxing spring, y.
     pub const SLOW_BUSHING: usize = 3;
-    /// Part of the piston's stroke that the oil column has absorbed, s. Its deflection q if its length does not matter.
+    /// Part s of the piston stroke that the oil column absorbs, or the deflection q: see `oil_compressibility`.
     pub const COLUMN: usize = 4;
-    /// Length of the void that cavitation leaves, e.
+    /// Depth of the cavitation void, e.
     pub const VOID: usize = 5;
     /// State of frequency-selective damping.
     pub const SELECTIVE: usize = 6;
-    /// Opening of the valve, or the force at its position.
+    /// Opening of the valve, or the force whose steady position the valve has.
     pub const VALVE: usize = 7;
-    /// Time derivative of the valve's state, in its own unit.
+    /// Time derivative of the valve's state, times τ.
     pub const VALVE_RATE: usize = 8;
     /// Rise of the oil's temperature.
     pub const HEAT: usize = 9;
@@ -34,7 +34,7 @@ pub mod place {
 /// Indices of the coupled states in [`State::internal`], consecutive and only for elements that are on.
 #[derive(Clone, Copy, Debug)]
 pub struct Slots {
-    /// Index for each place; [`NOWHERE`] if its element is off.
+    /// Index of each coupled state; [`NOWHERE`] if its element is off.
     slots: [u8; STATES],
     count: u8,
 }
@@ -42,10 +42,10 @@ pub struct Slots {
 const NOWHERE: u8 = u8::MAX;
 
 impl Slots {
-    /// The value without internal states.
+    /// Indices without any internal state.
     pub const NONE: Slots = Slots { slots: [NOWHERE; STATES], count: 0 };
 
-    /// Assigns the next index to each place that is `on`.
+    /// Assigns consecutive indices to the coupled states that are `on`.
     pub fn new(on: [bool; STATES]) -> Slots {
         let mut slots = Slots::NONE;
         for (slot, on) in slots.slots.iter_mut().zip(on) {
@@ -63,7 +63,7 @@ impl Slots {
         self.count as usize
     }
 
-    /// Returns the index of a place, if it has one.
+    /// Returns the index of a coupled state, if it has one.
     #[inline(always)]
     pub fn slot(&self, place: usize) -> Option<usize> {
         match self.slots.get(place) {
@@ -100,7 +100,7 @@ impl Slots {
         }
     }
 
-    /// Returns the index among the states of [`crate::Partials`].
+    /// Returns the index of a coupled state in [`crate::Partials`].
     pub fn index(&self, place: usize) -> Option<usize> {
         match place {
             place::X | place::U => Some(place),
@@ -109,8 +109,7 @@ impl Slots {
     }
 }
 
-/// Returns the number of internal states of the elements in both force paths that are on in a parameter set. It counts
-/// them before they are prepared.
+/// Counts the internal states of both force paths for a parameter set, before the elements are prepared.
 pub(crate) fn states_of(params: &Params) -> usize {
     let on = |element| usize::from(params.is_on(element));
     let with = |element, number, of: fn(f64) -> bool| usize::from(params.is_on(element) && of(params.number(number)));

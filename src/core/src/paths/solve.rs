@@ -4,15 +4,15 @@ use super::Paths;
 use crate::curve::Value;
 use crate::tables::{ForceLaw, Tables};
 
-/// Largest number of iterations; two are common. After [`PATIENCE`] of them, every other one shortens the bracket by at
-/// least four tenths. At the end it has therefore shrunk by nine orders of magnitude.
+/// Largest number of iterations; usually two suffice. After [`PATIENCE`] iterations, every other iteration shortens the
+/// bracket by at least four tenths. At the end, the bracket is shorter by nine orders of magnitude.
 pub const ITERATIONS: usize = 96;
-/// Householder steps inside a piece of the FV curve: the iterations correct their error.
+/// Number of Householder steps inside a piece of the FV curve. The iterations correct the error of these steps.
 const STEPS: usize = 2;
 
-/// Relative step size up to which Newton's step is used, and the largest number of iterations with such steps.
+/// Relative step size up to which a Newton step is used, and the largest number of iterations with Newton steps.
 ///
-/// After that number the steps probably oscillate, and every other iteration bisects the bracket.
+/// After that number, the steps probably oscillate, so every other iteration bisects the bracket.
 const NEAR: f64 = 1e-2;
 const PATIENCE: usize = 12;
 /// Number of iterations after which a step across standstill ends at standstill.
@@ -20,20 +20,21 @@ const REST: usize = 3;
 /// Relative step below which Newton's method converges quadratically.
 const SETTLED: f64 = 1e-4;
 
-/// Largest R at which the last step is linear, as a relative change of the velocity of the mass alone.
+/// Largest R at which a linear last step is accepted. R is expressed as a relative change of the mass's velocity.
 ///
 /// With a steep curve and soft oil, a small step in w is a large step of the mass. A linear step across a knee would
 /// then cause a large error.
 const STRAIGHT: f64 = 1e-4;
 
-/// Largest number of bisections of the velocity for the middle of a bracket: the number of its binary digits. It needs
-/// all of them only if the curve rises by half the bracket within rounding.
+/// Largest number of bisections to find the middle of a bracket: the number of binary digits of a velocity. All are
+/// necessary only if the curve rises by half the bracket within a rounding error of the velocity.
 const HALVES: usize = 64;
 
-/// Smallest ratio of the equation's own derivative to the one used, at which the last linear step is accepted.
+/// Smallest ratio of the exact derivative of the equation to the derivative used, at which a linear last step is
+/// accepted.
 const OWN: f64 = 0.5;
 
-/// R and its derivatives over w and over F_d.
+/// R and its derivatives with respect to w and F_d.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
     /// R.
@@ -48,7 +49,7 @@ pub struct Residual {
 pub trait Equation {
     /// Further results of an evaluation.
     type Seen;
-    /// Evaluates R at a velocity and the force of the FV curve there; stores the further results in `seen`.
+    /// Evaluates R at a velocity and the FV curve's force there. Stores the further results in `seen`.
     fn evaluate(&self, w: f64, curve: f64, seen: &mut Self::Seen) -> Residual;
 }
 
@@ -60,7 +61,7 @@ impl<F: Fn(f64, f64) -> Residual> Equation for F {
     }
 }
 
-/// The solution as the last evaluated velocity and the remaining `step`.
+/// The solution: the last evaluated velocity plus the remaining `step`.
 pub struct Found {
     /// Velocity of the last evaluation of R.
     pub w: f64,
@@ -84,21 +85,21 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most `rounds` iterations ([`ITERATIONS`]); with 0 of them the guess is the root.
+/// Finds w from a guess in at most `rounds` iterations ([`ITERATIONS`]). With 0 iterations, the guess is the solution.
 ///
-/// Leaves in `seen` the result of the last evaluation of R. `tolerance` is the relative size of the last step; the
-/// remaining error is about the square of this step.
+/// `seen` receives the further results of the last evaluation of R. `tolerance` is the relative size of the last step.
+/// The remaining error is about the square of this step.
 ///
-/// Each iteration linearizes R in w and f separately; the FV curve then solves a w + F_d(w) = r with all its knees. R
-/// rises with both. If rounding or a switching element makes it fall, the derivatives `least` are used instead. Each
-/// solution therefore lies on the correct side of the previous one, and a bracket closes where the iterations do not
-/// converge.
+/// Each iteration linearizes R in w and in F_d separately. It then solves a w + F_d(w) = r with the FV curve and all
+/// its knees. R increases with w and with F_d. If a rounding error or a switching element makes R decrease, the
+/// derivatives `least` are used instead. Therefore each solution lies on the correct side of the previous solution, and
+/// the bracket shrinks even if the iterations oscillate.
 ///
 /// # Convergence
-/// R is continuous and changes its sign: it follows the velocity of the mass (or the piston), which grows with w
-/// without bound. Steps that do not converge are replaced by bisections of the bracket. They use the measure a w +
-/// F_d(w), in which neither a steep nor a level piece of the curve is long. No iterate leaves the bracket. The last
-/// linear step also stays inside it, so that no derivative is extrapolated beyond the evaluated velocities.
+/// R is continuous and changes its sign, because the velocity of the mass (or the piston) in R grows with w without
+/// bound. Steps that do not converge are replaced by bisections of the bracket. The bisections use the measure a w +
+/// F_d(w), in which steep pieces and horizontal pieces of the curve are short. No iterate leaves the bracket. The
+/// linear last step also stays inside, so no derivative is extrapolated beyond the evaluated velocities.
 #[inline(always)]
 pub fn oil_velocity<Q: Equation>(
     e: &Paths<impl Tables>,
@@ -121,14 +122,14 @@ pub fn oil_velocity<Q: Equation>(
         let by_curve = if r.by_curve > least[1] { r.by_curve } else { least[1] };
         let step = -r.value / (by_w + by_curve * curve.derivative);
         let (size, scale) = (step.abs(), 1e-3 + w.abs());
-        // Newton steps decrease quadratically, so the next would be about step³/last².
+        // Newton steps decrease quadratically, so the next step would be about step³/last².
         let short = r.value.abs() <= STRAIGHT * scale * by_w;
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
         if short && (size <= tolerance * scale || settled) || round == rounds {
             let inside = w + step > low.w && w + step < high.w;
-            // Accept the step only with the equation's own derivatives. Where R falls, as with friction that decreases
-            // with speed, the substitute derivatives are used. A linear step of the other quantities by that step would
-            // be far wrong.
+            // Accept the linear step only with the exact derivatives of the equation. Where R decreases, for example
+            // because friction decreases with speed, the substitute derivatives apply. A linear extrapolation of the
+            // other quantities would then have a large error.
             let own = r.by_w + r.by_curve * curve.derivative > OWN * (by_w + by_curve * curve.derivative);
             let step = if inside && own && round < rounds { step } else { 0.0 };
             return Found { w, step, curve };
@@ -142,11 +143,11 @@ pub fn oil_velocity<Q: Equation>(
         let newton = w + step;
         let mut next = newton;
         let a = by_w / by_curve;
-        // Near the solution, where the error of the curve's own steps matters, Newton's step is more accurate.
+        // Near the solution, the error of the Householder steps matters, so a Newton step is more accurate.
         if round >= PATIENCE || size > NEAR * scale {
             (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value / by_curve);
         }
-        // The laws of air and valves are steepest at rest and flatten on both sides, so steps from there do not
+        // The laws of air and valves are steepest at rest and less steep on both sides, so steps from rest do not
         // oscillate.
         if round >= REST && next * w < 0.0 {
             next = 0.0;
@@ -161,7 +162,7 @@ pub fn oil_velocity<Q: Equation>(
     }
 }
 
-/// Returns the middle of a bracket; with one end open, a point twice as far out in every iteration.
+/// Returns the middle of a bracket. If one end is infinite, returns a point twice as far from rest as the finite end.
 #[cold]
 #[inline(never)]
 fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {
@@ -175,8 +176,8 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
 
 /// Finds the velocity at which the measure a w + F_d(w) is in the middle of a bracket, within a tenth of it.
 ///
-/// The curve's own steps fail in a piece that is level at one end but on average a thousand times steeper than a. A
-/// middle that lies at the same end in every iteration closes no bracket.
+/// Householder steps fail in a piece that is horizontal at one end but on average a thousand times steeper than a. A
+/// point at the same end in every iteration would not shrink the bracket.
 fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
     let sum = a * (low.w + high.w) + low.curve + high.curve;
     let near = 0.2 * (a * (high.w - low.w) + (high.curve - low.curve));

@@ -2,15 +2,15 @@
 
 /// Kind of the row of an identifier.
 pub trait Kind: Copy + 'static {
-    /// Whether it holds a list.
+    /// Whether the row contains a list.
     const IS_LIST: bool;
 }
 
-/// Rows that hold one number, or the number of a choice.
+/// Rows that contain one number, or the index of a choice.
 #[derive(Clone, Copy, Debug)]
 pub struct One;
 
-/// Rows that hold a list of numbers.
+/// Rows that contain a list of numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Many;
 
@@ -25,7 +25,7 @@ impl Kind for Many {
 /// Compiler message for a row of the other kind.
 pub(crate) const OTHER_KIND: &str = "this parameter is a list where a number is meant, or the reverse";
 
-/// Returns whether two names are equal, for constants, where `==` is not available yet.
+/// Returns whether two names are equal. For constant expressions, where `==` is not available.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     if a.len() != b.len() {

@@ -1,4 +1,4 @@
-//! Access of an element to its own rows by name, and its view of a parameter set.
+//! Access by name to an element's own rows, and the element's view of a parameter set.
 
 use core::marker::PhantomData;
 
@@ -8,7 +8,7 @@ use crate::schema::{Describe, Parameter};
 
 /// A parameter of the element `E`, looked up at compile time.
 ///
-/// A parameter of another element, or a list instead of a number, does not compile.
+/// The name of another element's parameter is a compile error, and so is a list instead of a number.
 ///
 /// ```
 /// # use dashpot_core::schema::{Describe, Own, Parameter, kind::One};
@@ -47,7 +47,7 @@ use crate::schema::{Describe, Parameter};
 pub struct Own<E, K> {
     /// Index among the rows of the element.
     local: usize,
-    /// Index of its first value among those of the element.
+    /// Index of the row's first value among the values of the element.
     slot: usize,
     parameter: &'static Parameter,
     kind: PhantomData<fn() -> (E, K)>,
@@ -62,7 +62,7 @@ impl<E, K> Clone for Own<E, K> {
 impl<E, K> Copy for Own<E, K> {}
 
 impl<E: Describe, K: Kind> Own<E, K> {
-    /// Finds the row called `name`. For constants: if the element has no such row, the program does not compile.
+    /// Finds the row called `name`. In a constant, a name without a row is a compile error.
     pub const fn named(name: &str) -> Own<E, K> {
         let (mut local, mut slot) = (0, 0);
         while local < E::PARAMETERS.len() {
@@ -85,11 +85,11 @@ macro_rules! own {
 }
 pub(crate) use own;
 
-/// View of an element on a parameter set when it prepares itself: its own rows.
+/// View of the element `E` on its own rows of a parameter set, for its preparation.
 pub struct View<'a, E> {
-    /// Index of its first row in the table, for faults.
+    /// Index of the element's first row in the table, for faults.
     first: usize,
-    /// Number of values of each of its rows.
+    /// Number of values of each row of the element.
     lengths: &'a [u32],
     /// The values; each row starts at its slot.
     values: &'a [f64],

@@ -10,8 +10,8 @@ use crate::tables::Tables;
 
 /// Advances all internal states of parallel elements along the path.
 ///
-/// Returns the force of these elements and of the stops at its end, with derivatives, and adds their components to
-/// `output`.
+/// Returns the force of these elements and of the stops at the end of the path, with derivatives. Adds the forces to
+/// their outputs.
 ///
 /// Not inlined, so that a damper without such elements has no extra cost.
 #[inline(never)]
@@ -41,7 +41,7 @@ struct Extras<'a> {
     internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
     derivatives: bool,
-    /// Whether the elements that can act on the mass do so, and have already been advanced with it.
+    /// Whether the elements that can act on the mass do so. The step of the mass has already advanced their states.
     on_mass: bool,
     sum: Response,
 }
@@ -69,8 +69,8 @@ impl StateVisitor for Extras<'_> {
 
 /// Advances the internal state of one element, driven by the known input motion.
 ///
-/// The rate is linearized in z once per stage, which is exact for a rate linear in its state. Without `derivatives`
-/// those over the end of the step are 0.
+/// The rate is linearized in z once per stage, which is exact for a rate that is linear in z. Without `derivatives`,
+/// the derivatives with respect to the end of the step are 0.
 fn advance_state(
     method: &Tableau,
     substeps: u32,
@@ -167,7 +167,8 @@ mod tests {
         (Method::Fourth, 4),
     ];
 
-    /// Returns the state and its derivatives after 4 ms from 3 mm, for a displacement and velocity at the end.
+    /// Returns the state, with its derivatives, after a motion of 4 ms from 3 mm to the given displacement and
+    /// velocity.
     fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
         let to = Input { displacement: Some(x), ..Input::motion(x, v) };
         let path = Path::new(1e-3, 0.4, &to, 4e-3);

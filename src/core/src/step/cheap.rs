@@ -1,26 +1,26 @@
 //! The cheap step: linearly implicit Euler, in closed form and without side effects.
 //!
-//! It is backward Euler with linearized forces on the mass, so that it needs no iteration. With the step h, the mass at
-//! X with velocity V and the moving end at x, v after the step,
+//! The method is backward Euler with linearized forces on the mass, so it needs no iteration. With the step h, the mass
+//! at X with velocity V and the moving end at x, v after the step,
 //!
 //! ```text
 //! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
 //! ```
 //!
-//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a straight line
-//! through the FV curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. The derivative of F̃_d
-//! is the greater of two: that of the tangent, and that of the secant to standstill:
+//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a line through the FV
+//! curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. F̃_d is the tangent there or the
+//! secant to standstill, whichever is steeper:
 //!
-//! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. The
-//!   tangent of a digressive curve would act with the force of full speed at standstill and accelerate the mass.
-//! - The tangent of a progressive curve is the greater. It is Newton's method from the steep side, which does not
-//!   overshoot. The secant would be too low and oscillate.
+//! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. With a
+//!   digressive curve, the tangent would still have a large force at standstill and accelerate the mass.
+//! - With a progressive curve, the tangent is steeper. It gives a step of Newton's method from the steep side, which
+//!   does not overshoot. The secant would be too flat, and the solution would oscillate.
 //!
 //! Both agree with F_d to the first order in h, so the method has order 1, and every derivative is explicit.
 //!
-//! A linearization does not hold far from its position. When the moving end reverses, v̂ may lie near standstill or
-//! inside a jump of the curve. A spring of a table has another derivative after its next point. The step would then be
-//! unphysical, and is repeated by backward Euler without linearization ([`After::holds`]).
+//! A linearization is inaccurate far from its position. When the moving end reverses, v̂ may lie near standstill or
+//! inside a jump of the curve. A spring with a table has another derivative beyond its next point. In such cases the
+//! step would be unphysical, so backward Euler without linearization repeats it ([`After::holds`]).
 
 use super::reach::{springs, within_reach};
 use crate::assembly::Elements;
@@ -50,7 +50,7 @@ pub(super) struct After {
     pub primary: f64,
     /// F̃_p.
     pub spring: f64,
-    /// ∂u/∂(impulse on the mass): 1/(m + h (c_s + s) + h² (k_s + F_p')), 1/kg.
+    /// Derivative of u with respect to an impulse on the mass: 1/(m + h (c_s + s) + h² (k_s + F_p')), 1/kg.
     pub by_impulse: f64,
     /// ∂u/∂v̂: sensitivity of the solution to the guess.
     pub by_guess: f64,
@@ -60,12 +60,12 @@ pub(super) struct After {
     offset: f64,
 }
 
-/// Speed added to that of a secant, m/s, which avoids a division by zero. Far below all speeds that matter.
+/// Speed, m/s, added to |v̂| to avoid a division by zero. Far below all relevant speeds.
 const STANDSTILL: f64 = 1e-9;
 
-/// Largest force of the line relative to the force at v̂. A smaller value repeats more steps where the moving end
-/// reverses, each at the cost of a stage. A larger value accepts forces that exceed the curve by that factor. Not
-/// tuned: one value was tried.
+/// Largest force of the line relative to the force at v̂. With a smaller value, more steps around a reversal are
+/// repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve by that factor. The value
+/// is not tuned: no other value was tried.
 const BEYOND: f64 = 2.0;
 /// Allowed error of the springs' tangent, relative to the forces on the mass: about the error of the method.
 const MISSED: f64 = 0.05;
@@ -77,7 +77,7 @@ impl After {
         (self.primary - self.offset).abs() <= BEYOND * self.level
     }
 
-    /// Returns whether the springs' tangent holds after a step to `end`.
+    /// Returns whether the springs' tangent is accurate enough after a step to `end`.
     #[inline(always)]
     pub fn springs_hold(&self, elements: &Elements<impl Tables>, end: &PathPoint, side: (f64, f64)) -> bool {
         if !elements.is_nonlinear() {
@@ -114,7 +114,7 @@ pub(super) fn take(
     let h = before.h;
     let mut held = springs.force + springs.d_force_d_x * (before.x - springs_at);
     let mut spring_derivative = h * springs.d_force_d_x;
-    // The compiler knows that this is 0 while no element on the mass depends on velocity.
+    // As long as no inner element depends on velocity, the compiler knows that this derivative is 0.
     if springs.d_force_d_v != 0.0 {
         held -= springs.d_force_d_v * before.v;
         spring_derivative += springs.d_force_d_v;

@@ -1,4 +1,4 @@
-//! The stages of a step as observers see them, and the derivatives of the output that come from them.
+//! The stages of a step as passed to observers, and the derivatives of the output computed from the stages.
 
 use super::tableau::MOST_STAGES;
 use crate::assembly::Elements;
@@ -7,7 +7,7 @@ use crate::input::PathPoint;
 use crate::math::pair;
 use crate::tables::{Owned, Tables};
 
-/// Values of one stage: all that a derivative of the step needs.
+/// Values of one stage that are necessary for derivatives of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a> {
     /// Index of the stage in its substep.
@@ -28,21 +28,22 @@ pub struct Stage<'a> {
     pub u: f64,
     /// a + g F_d', the denominator of every derivative of u.
     pub denominator: f64,
-    /// Resistance of the spring over g, N s/m.
+    /// The `denominator` divided by g, N s/m.
     pub resistance: f64,
     /// Linearized force of the springs on the mass.
     pub inner: Response,
-    /// Position about which they were linearized.
+    /// Position about which these springs were linearized.
     pub inner_at: f64,
-    /// ∂u/∂v̂ over the velocity v̂ about which the FV curve was linearized; 0 if the curve itself was solved.
+    /// ∂u/∂v̂, where the FV curve was linearized about the velocity v̂; 0 if the curve itself was solved.
     pub by_guess: f64,
-    /// Derivatives of v̂ over the displacement and velocity at the end of the step, through the moving end.
+    /// Derivatives of v̂ with respect to displacement and velocity at the end of the step, through the motion of the
+    /// moving end.
     pub guess_by_end: [f64; 2],
-    /// Derivative of the linearized springs over the position of their linearization.
+    /// Derivative of the linearized spring force with respect to the position of its linearization.
     pub line: Line,
 }
 
-/// Derivative of the linearized spring force at the mass over the position x̂ of its linearization.
+/// Derivative of the linearized spring force at the mass with respect to the position x̂ of its linearization.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// ∂F̃_p/∂x̂ = F_p''(x̂) (x_m − x̂), N/m; 0 for a linear spring, and where no derivative is requested.
@@ -54,11 +55,11 @@ pub struct Line {
 /// Quantity on which the position of the springs' linearization depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineOrigin {
-    /// The known displacement and γh times the velocity of the previous stage.
+    /// The known displacement plus γh times the velocity of the previous stage.
     Predicted,
-    /// The moving end: the prediction lies beyond the reach of the series spring.
+    /// The moving end, because the prediction lies beyond the reach of the series spring.
     Reach,
-    /// The solution: the springs were linearized until the line held.
+    /// The solution, because the springs were linearized again until the tangent was accurate.
     Solution,
 }
 
@@ -67,7 +68,7 @@ impl Line {
     pub const CONSTANT: Line = Line { by_place: 0.0, origin: LineOrigin::Predicted };
 }
 
-/// Observer of the stages of a step, used for derivatives. The step itself does not depend on it.
+/// Observer of the stages of a step, used for derivatives. The observer does not affect the step.
 pub trait Follow<T: Tables = Owned> {
     /// Returns whether the derivatives of the output are requested.
     #[inline(always)]
@@ -78,15 +79,16 @@ pub trait Follow<T: Tables = Owned> {
     /// Called after every stage.
     fn stage(&mut self, elements: &Elements<T>, stage: &Stage);
 
-    /// Returns the derivatives of k_s x_m + c_s v_m over displacement and velocity at the end of the step. The yielding
-    /// mass reduces the series force by this amount. Zero if the derivatives of the output treat the mass as fixed.
+    /// Returns the derivatives of k_s x_m + c_s v_m with respect to displacement and velocity at the end of the step.
+    /// The motion of the mass reduces the derivatives of the series force by these values. They are 0 if the output
+    /// treats the mass as fixed.
     #[inline(always)]
     fn yields(&self) -> [f64; 2] {
         [0.0; 2]
     }
 }
 
-/// Derivatives of the mass's motion over the displacement and velocity at the end of the step.
+/// Derivatives of the mass's motion with respect to displacement and velocity at the end of the step.
 pub(super) struct ByEnd {
     /// Whether the derivatives are requested.
     wanted: bool,
@@ -94,11 +96,11 @@ pub(super) struct ByEnd {
     moved: bool,
     x: [f64; 2],
     v: [f64; 2],
-    /// Derivatives of k_s x_m + c_s v_m: the reduction of the series force by the yielding mass.
+    /// Derivatives of k_s x_m + c_s v_m, by which the motion of the mass reduces the derivatives of the series force.
     yields: [f64; 2],
-    /// Derivatives of the velocity of the previous stage, from which the next stage predicts.
+    /// Derivatives of the previous stage's velocity, from which the next stage predicts its position.
     predicted: [f64; 2],
-    /// Derivatives for each stage of the substep: of g × velocity and g × acceleration.
+    /// Derivatives of g × velocity and g × acceleration, for each stage of the substep.
     gains: [[[f64; 2]; 2]; MOST_STAGES],
 }
 
@@ -143,7 +145,7 @@ impl<T: Tables> Follow<T> for ByEnd {
             u = match s.line.origin {
                 LineOrigin::Predicted => pair(|k| u[k] - by_place * (x[k] + s.g * self.predicted[k]) * divide),
                 LineOrigin::Reach => pair(|k| u[k] - by_place * s.path.x_by_end[k] * divide),
-                // The position of the linearization is that of the solution: x + g u.
+                // The linearization is about the solution, x + g u.
                 LineOrigin::Solution => {
                     let share = 1.0 / (s.resistance + s.g * by_place);
                     pair(|k| (s.resistance * u[k] - by_place * x[k]) * share)

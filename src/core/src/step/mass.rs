@@ -37,13 +37,13 @@ struct Substep<'a, T: Tables, P> {
     side: (f64, f64),
     start: Mass,
     predicted: f64,
-    /// For each stage: g × velocity and g × acceleration.
+    /// g × velocity and g × acceleration, for each stage.
     gains: [[f64; 2]; MOST_STAGES],
 }
 
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
-    /// Runs all stages, up to four, unrolled so that their indices are constants. `MAY_BEND`: some spring may be
-    /// nonlinear.
+    /// Runs all stages, at most four, in an unrolled loop, so that the stage indices are constants. `MAY_BEND` means
+    /// that some springs may be nonlinear.
     #[inline(always)]
     fn written_out<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.stage::<MAY_BEND>(method, 0, follow);
@@ -154,13 +154,13 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
     }
 }
 
-/// Solution of a stage: the velocity of the mass, the FV curve there, and the linearized springs.
+/// Solution of a stage: the velocity of the mass, the FV curve at this velocity, and the linearized springs.
 struct Balance {
     u: f64,
     fd: Value,
     inner: Response,
     inner_at: f64,
-    /// The springs as `inner_known` + `inner_derivative` u.
+    /// The spring force is `inner_known` + `inner_derivative` u.
     inner_known: f64,
     inner_derivative: f64,
 }
@@ -173,15 +173,16 @@ struct Held {
     known: f64,
     /// Displacement of the moving end.
     driven: f64,
-    /// The right side without the springs.
+    /// The right side of the balance without the springs.
     r: f64,
 }
 
 /// Allowed error of the springs' linearization, relative to the forces on the mass.
 ///
-/// It is the error limit of the automatic choice of method. A larger value accepts forces that no spring produces.
+/// The value equals the error limit of the automatic choice of method. A larger value would accept forces that the
+/// springs cannot have.
 const MISSED: f64 = 1e-3;
-/// Allowed residual of a balance of large forces that cancel, relative to these forces.
+/// Allowed residual if large forces cancel in the balance, relative to these forces.
 const ROUNDING: f64 = 1e-12;
 /// Largest number of iterations. After [`PATIENCE`] of them, every other iteration bisects the bracket.
 const ITERATIONS: usize = 60;
@@ -190,11 +191,11 @@ const PATIENCE: usize = 6;
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// Solves a stage with nonlinear springs.
     ///
-    /// The linearization about the predicted position does not hold beyond the next point of a table nor far out on a
-    /// power. A mass under such an unphysical force would overshoot.
+    /// The linearization about the predicted position is inaccurate beyond the next point of a table, and far from the
+    /// center of a higher power. With such an unphysical force, the mass would overshoot.
     ///
-    /// The spring force rises with the displacement and the curve with the velocity, so the residual of the balance
-    /// rises with u. Each solution therefore narrows a bracket. Bisection takes over where the solutions oscillate.
+    /// The spring force rises with displacement and the FV curve rises with velocity, so the residual of the balance
+    /// rises with u. Each solution therefore shortens the bracket. If the solutions oscillate, bisection replaces them.
     #[inline(never)]
     fn settle(&self, held: &Held, balance: &mut Balance) {
         let Held { g, resistance, known, driven, r } = *held;
@@ -301,8 +302,8 @@ pub(super) fn move_mass<T: Tables>(
     }
 }
 
-/// Takes substeps of a cheaper method with its stages unrolled: with the tableau as a variable they take 12 % longer.
-/// The method of five stages uses the loop, because a plain step has it only on request.
+/// Takes substeps of two stages in an unrolled loop. With the tableau as a variable, the substeps take 12 % longer. The
+/// method of five stages has no unrolled loop, because a plain step uses it only on request.
 #[inline(never)]
 fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -326,7 +327,8 @@ fn in_four_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass,
     })
 }
 
-/// Runs [`move_mass`] for nonlinear springs or a fading curve; separate, so that other dampers have no extra cost.
+/// Runs [`move_mass`] for nonlinear springs or a fading curve. A separate function, so that other dampers have no extra
+/// cost.
 #[inline(never)]
 fn move_mass_apart<T: Tables>(
     method: &Tableau,
@@ -340,8 +342,8 @@ fn move_mass_apart<T: Tables>(
     })
 }
 
-/// Takes all substeps in sequence. `take` gets the start and length as fractions of the step, and whether it is the
-/// last.
+/// Takes all substeps in sequence. `take` receives start and length of the substep as fractions of the step, and
+/// whether the substep is the last one.
 #[inline(always)]
 fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, bool, Mass) -> Mass) -> Mass {
     let part = 1.0 / substeps as f64;

@@ -1,4 +1,4 @@
-//! The step of a damper whose series path or hydraulic path has elements of its own (see [`crate::paths`]).
+//! The step of a damper with elements in its series or hydraulic path (see [`crate::paths`]).
 //!
 //! Every stage is one scalar equation in the oil velocity w at the valves:
 //!
@@ -7,9 +7,9 @@
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, S, E. It is solved to rounding (see [`crate::paths::solve`]), so its derivatives
-//! are those of the implicit function. The temperature changes so slowly that the damping in a stage uses its known
-//! part.
+//! with the stage's known parts X, V, S, E. The equation is solved to rounding accuracy (see [`crate::paths::solve`]),
+//! so its derivatives are those of the implicit function. The temperature changes slowly, so the damping in a stage
+//! uses the known part of the temperature.
 
 mod on_mass;
 mod stage;
@@ -34,8 +34,8 @@ pub use stage::Seed;
 
 /// Bounds of the length of a step, s.
 ///
-/// A step above the first moves the states by more than their rounding errors. In a step below the second the host's
-/// motion is smaller than the stroke of any damper.
+/// A step longer than the first bound changes the states by more than their rounding errors. The second bound is far
+/// above the step of any host.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
@@ -46,29 +46,29 @@ struct Known<'a> {
     row: &'a [f64],
     g: f64,
     moved_from: MovedFrom,
-    /// Time over which the stage advances the valve's state: g, or the whole time since the substep began.
+    /// Step factor of the valve's state: g, or the time since the start of the substep.
     since: f64,
-    /// Whether `since` is the whole time since the substep began.
+    /// Whether `since` is the time since the start of the substep.
     valve_jumps: bool,
-    /// Factor by which the valve raised the force in the previous stage.
+    /// Factor by which the valve increased the force in the previous stage.
     raised: f64,
     states: [f64; STATES],
-    /// States that were clamped to their ranges, as bits.
+    /// Bit set of the states that were clamped to their ranges.
     kept: u32,
-    /// Initial values of the elements with a state on the mass.
+    /// Initial values of the elements that act on the mass and have a state.
     on_mass: MassStart,
 }
 
 /// Displacement X of the moving end before a stage. A column that counts stroke changes by s(x) − s(X).
 ///
-/// X is combined from the previous stages like the states. In a whole step a column at constant pressure then moves by
-/// the exact stroke, independent of the speeds at the stages. With X = x − g v from those speeds, the cheapest method
-/// did not move the column at all in a stroke that ends at rest. The other methods erred by up to a stroke in a step
-/// from end to end.
+/// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
+/// changes by the exact stroke of the step, independent of the velocities at the stages. With X = x − g v, the cheapest
+/// method would not change the column at all in a stroke that ends at rest. In a step from end to end, the error of the
+/// other methods would reach a whole stroke.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
-    /// Derivatives over the displacement and the velocity at the end of the step.
+    /// Derivatives with respect to displacement and velocity at the end of the step.
     by_end: [f64; 2],
 }
 
@@ -79,7 +79,7 @@ impl MovedFrom {
         MovedFrom { x: point.x, by_end: point.x_by_end }
     }
 
-    /// Combines the `start` of the substep and the strokes of the previous stages, with the weights `row`.
+    /// Computes X from the `start` of the substep and the strokes of the previous stages, with the weights `row`.
     #[inline(always)]
     fn of(start: &MovedFrom, row: &[f64], strokes: &[MovedFrom], index: usize) -> MovedFrom {
         let mut from = *start;
@@ -92,7 +92,7 @@ impl MovedFrom {
         from
     }
 
-    /// Returns the stroke of a stage that ends at a point.
+    /// Returns the stroke of a stage from X to a point.
     #[inline(always)]
     fn to(&self, point: &PathPoint) -> MovedFrom {
         let [by_x, by_v] = point.x_by_end;
@@ -110,38 +110,40 @@ struct Balance {
     on_mass: Option<on_mass::States>,
 }
 
-/// Follows the stages of a step through the paths; used for derivatives. The step itself does not depend on it.
+/// Observer of the stages of a step through the paths, used for derivatives. The observer does not affect the step.
 pub trait FollowPaths {
     /// Called after every stage.
     fn paths_stage(&mut self, stage: &dyn StageDerivatives);
 }
 
-/// Interface of a stage for the derivative code, for every set of compiled elements.
+/// Interface of a stage to the derivative code, independent of the compiled set of elements.
 pub trait StageDerivatives {
     /// Returns the velocity at which the FV curve was evaluated.
     fn oil_velocity(&self) -> f64;
-    /// Returns the further velocities at which a lagging valve evaluated the curve; 0 without such a valve.
+    /// Returns the two velocities at which a lagging valve evaluated the FV curve; 0 without such a valve.
     fn valve_read(&self) -> [f64; 2];
     /// Returns the displacement of the mass after the stage.
     fn mass_displacement(&self) -> f64;
-    /// Returns the derivatives of the series path's force over k_s and c_s, and of the inertia force over m.
+    /// Returns the derivatives of the series path's force with respect to k_s and c_s, and of the inertia force with
+    /// respect to m.
     fn series_by_frame(&self) -> [f64; 3];
-    /// Carries derivatives over the stage. `seed` contains the derivatives of the inputs of the stage; this function
-    /// fills in those of the known parts.
+    /// Propagates derivatives through the stage. `seed` contains the derivatives of the stage's inputs, except those of
+    /// the known parts, which this function computes.
     fn carry(&self, derivatives: &mut Carried, seed: Seed);
 }
 
-/// Observer of each stage within the step, compiled for each implementation.
+/// Observer of each stage inside the step. The step is compiled separately for each implementation.
 ///
-/// [`PathsByEnd`] implements it here; other crates implement [`FollowPaths`] and are wrapped in [`Told`].
+/// In this module, [`PathsByEnd`] implements the trait. Observers of other crates implement [`FollowPaths`], and
+/// [`Told`] wraps them.
 pub(super) trait EachStage {
     /// Returns whether the derivatives of the output are requested.
     fn wants_derivatives(&self) -> bool;
-    /// Returns whether the observer evaluates the stages.
+    /// Returns whether the observer uses the stages.
     fn follows(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
-    /// Returns the derivatives of the force over displacement and velocity at the end of the step.
+    /// Returns the derivatives of the force with respect to displacement and velocity at the end of the step.
     fn derivatives(&self) -> [f64; 2];
 }
 
@@ -170,7 +172,7 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
     }
 }
 
-/// Derivatives in one direction, carried from stage to stage.
+/// Derivatives in one direction, propagated from stage to stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
     /// Derivatives of the states.
@@ -192,7 +194,7 @@ impl Carried {
         on_mass: [0.0; on_mass::MOST],
     };
 
-    /// Carries a direction through the stage: see [`StageDerivatives::carry`].
+    /// Propagates one direction through the stage: see [`StageDerivatives::carry`].
     #[inline(always)]
     fn over<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
@@ -226,14 +228,14 @@ impl Carried {
     }
 }
 
-/// Derivatives over the displacement and velocity at the end of the step.
+/// Derivatives of the step with respect to displacement and velocity at its end.
 pub struct PathsByEnd {
     by_end: [Carried; 2],
     wanted: bool,
 }
 
 impl PathsByEnd {
-    /// Makes zero derivatives for the start of a step. If they are not `wanted`, they stay 0.
+    /// Makes zero derivatives for the start of a step. Unless the derivatives are `wanted`, they stay 0.
     #[inline(always)]
     pub fn new(wanted: bool) -> PathsByEnd {
         PathsByEnd { by_end: [Carried::NONE; 2], wanted }
@@ -289,11 +291,11 @@ fn known_part<const ON: u32>(
     known
 }
 
-/// Clamps openings and fillings to their ranges and returns the clamped ones as bits.
+/// Clamps openings and fillings to their ranges and returns the bit set of the clamped states.
 ///
 /// Every stage ends within the ranges. The fourth-order method combines stages with weights of up to 31, so its known
-/// parts can lie outside. A valve opened to 2.5 times its range would cancel more than its whole force. The equation of
-/// the stage would then have no unique solution.
+/// parts can lie outside. With an opening of 2.5 times the range, the lag would cancel more than the whole force. The
+/// equation of the stage would then have no unique solution.
 #[inline(always)]
 fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32 {
     let mut kept = 0;
@@ -420,7 +422,7 @@ struct Now {
     oil_velocity: f64,
     /// Velocity of the moving end.
     driven: f64,
-    /// Factor by which a lagging valve raises the force.
+    /// Factor by which a lagging valve increases the force.
     raised: f64,
     force: f64,
     primary: f64,
@@ -461,18 +463,20 @@ const CLOSING: f64 = 2e-5;
 /// A void smaller than this, m, is closed.
 const SHUT: f64 = 1e-9;
 
-/// Number of pieces of a substep in which the model's method overshoots a reversal.
+/// Number of pieces into which a substep is divided if the model's method overshoots a reversal.
 const CALM: u32 = 8;
-/// Allowed distance of a substep's end force from the force of its latest stage, relative to linear extrapolation.
+/// Largest allowed difference between a substep's end force and the force of its latest stage, relative to a linear
+/// extrapolation.
 ///
-/// A force that starts with zero slope and grows with the square of time goes 1.75 times as far. At 2.5 a bushing
-/// released in a step of 2 ms ended 1.8 times too high (search, seed 295465, case 53629); at 2 it does not. A spool at
-/// a reversal went 3.2 times as far.
+/// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
+/// released bushing was 1.8 times too high at 2 ms (search, seed 295465, case 53629). With a limit of 2, this error
+/// does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
-/// Smallest relevant spread, relative to the size of those forces: an end within it is not an overshoot.
+/// Smallest relevant difference, relative to the size of the forces. A smaller difference does not count as an
+/// overshoot.
 const BESIDE: f64 = 0.02;
 
-/// Returns whether the force at the `end` is consistent with the `stages` before the last. A force that is NaN is not.
+/// Returns whether the force at the `end` is consistent with the previous `stages`. Returns false for a NaN.
 #[inline(always)]
 fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -489,32 +493,33 @@ fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
 enum Ended {
     /// The substep reached its end.
     Well,
-    /// A void closed inside it.
+    /// A void closed inside the substep.
     VoidClosed,
-    /// The end force overshot what the stages support.
+    /// The end force is inconsistent with the stages.
     Thrown,
 }
 
 impl<T: Tables> Substep<'_, T> {
-    /// Takes the substep by the model's method, or in pieces if that method would overshoot a reversal inside it.
+    /// Takes the substep by the model's method, or in pieces if that method overshoots a reversal inside the substep.
     ///
     /// # Protection against overshoot
     /// Each stage has a solution (see [`crate::paths::solve`]), and its force is physical. The combination of the
-    /// stages need not be: the last row of the fourth-order method has weights of up to 31. The force at the end may
-    /// therefore lie further from that of the latest stage than the stages support. The substep is then repeated by the
+    /// stages may be unphysical, because the last row of the fourth-order method has weights of up to 31. The end force
+    /// may therefore be inconsistent with the forces of the stages. In this case the substep is repeated by the
     /// second-order method, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979).
-    /// Two motions of a damper that only dissipates energy do not diverge in it, however sharply its elements reverse.
+    /// With this method, two motions of a purely dissipative damper do not diverge, even if its elements reverse
+    /// abruptly.
     ///
-    /// The valve force is checked too if a column of two chambers counts its stroke. Stages on both sides of rest,
-    /// where the chambers' lengths differ, may combine to a force that fits neither side. The check of the total force
-    /// misses this if the series damping is strong, because that force spreads widely.
+    /// With a column of two chambers that counts stroke, the valve force is also checked. Stages on both sides of rest,
+    /// with different chamber lengths, may combine to a force that is wrong on both sides. The check of the total force
+    /// does not detect this if the series damping is strong, because that force then differs widely between the stages.
     #[inline(always)]
     fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {
         let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(now);
         let ended = if turns { Ended::VoidClosed } else { self.run_watched::<ON>(method, now, follow) };
         match ended {
             Ended::Well => (),
-            // The compiler knows this condition, so that it compiles no other variant.
+            // The condition is known at compile time, so no other variant is compiled.
             Ended::VoidClosed if const { ON & CAVITATION != 0 } => {
                 self.in_pieces::<ON>(&EULER, PIECES, now, follow);
             }
@@ -523,7 +528,7 @@ impl<T: Tables> Substep<'_, T> {
         }
     }
 
-    /// Runs a substep and checks its end. Pieces with the same elements share the code.
+    /// Runs a substep and checks its end. With a void, substeps and their pieces share one compiled function.
     #[inline(always)]
     fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
         if const { ON & CAVITATION != 0 } {
@@ -547,8 +552,8 @@ impl<T: Tables> Substep<'_, T> {
 
     /// Runs all stages of one method.
     ///
-    /// With `watched` it returns early if the end fails a check. The observer does not see that last stage, so it stays
-    /// at the start of the substep.
+    /// With `watched`, the function returns early if the end fails a check. `now` then stays at the start of the
+    /// substep, and the observer does not receive the last stage.
     #[inline(always)]
     fn run<const ON: u32>(&self, method: &Tableau, now: &mut Now, watched: bool, follow: &mut impl EachStage) -> Ended {
         let e = &self.elements.paths;
@@ -573,7 +578,7 @@ impl<T: Tables> Substep<'_, T> {
             }
             let kept = keep::<ON>(e, &mut known);
             overshot |= known[place::VOID] < 0.0;
-            // The oil follows the moving end, except where a void takes up the motion.
+            // The oil follows the moving end, unless a void absorbs the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - driven };
             let guess = oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
@@ -634,14 +639,14 @@ impl<T: Tables> Substep<'_, T> {
         Ended::Well
     }
 
-    /// Returns whether the moving end reverses while a void is open, where the pressure then jumps.
+    /// Returns whether the moving end reverses while a void is open. The pressure in the void then jumps.
     #[inline(always)]
     fn driven_turns(&self, from: &Now) -> bool {
         let void = from.states[place::VOID];
         void > 0.0 && self.path.point(self.theta).v * self.path.point(self.theta + self.part).v <= 0.0
     }
 
-    /// Runs the substep in short pieces. First-order pieces prevent a void from closing by more than it is open.
+    /// Runs the substep in short pieces. With first-order pieces, a void cannot become negative.
     #[inline(never)]
     fn in_pieces<const ON: u32>(&self, method: &Tableau, pieces: u32, now: &mut Now, follow: &mut impl EachStage) {
         let part = self.part / f64::from(pieces);

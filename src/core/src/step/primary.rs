@@ -1,4 +1,4 @@
-//! Valve force over the velocity of the mass in the plain step: the FV curve, possibly times a factor.
+//! Valve force as a function of the mass's velocity in the plain step: the FV curve, possibly times a factor.
 
 use crate::assembly::Elements;
 use crate::curve::Value;
@@ -9,7 +9,7 @@ pub(super) trait Primary: Copy {
     /// Prepares the force for a temperature that the host gives.
     fn new(e: &Elements<impl Tables>, temperature: f64) -> Self;
 
-    /// Returns whether it is the FV curve without a factor.
+    /// Returns whether the force is the FV curve without a factor.
     fn is_plain(&self) -> bool;
 
     /// Returns force and derivative at a velocity.
@@ -19,7 +19,7 @@ pub(super) trait Primary: Copy {
     fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
 }
 
-/// Householder steps inside a piece of the FV curve: their residual error is below the error of every method.
+/// Number of Householder steps inside a piece of the FV curve. The residual error is below the error of every method.
 const STEPS: usize = 3;
 
 /// The FV curve.

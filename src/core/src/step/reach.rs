@@ -10,17 +10,17 @@ pub(super) const REACH: f64 = 0.05;
 
 /// Clamps a position to the reach of the series spring about the moving end.
 ///
-/// A mass thrown by a jump would otherwise get the derivative of a hardening spring at a position that it never
-/// reaches.
+/// Without this limit, a jump of the input would give the derivative of a hardening spring at a position that the mass
+/// never reaches.
 #[inline(always)]
 pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
     let (low, high) = (driven - REACH, driven + REACH);
     min(high, max(low, x))
 }
 
-/// Evaluates the springs on the mass at a position, linear beyond the reach of the series spring about the moving end.
+/// Evaluates the springs on the mass at position `x`. The force is linear beyond the reach of the series spring.
 ///
-/// Returns the response at the clamped position, the force at x itself, and the clamped position.
+/// Returns the response at the clamped position, the extrapolated force at `x`, and the clamped position.
 #[inline(always)]
 pub(super) fn springs(
     e: &Elements<impl Tables>,
@@ -37,7 +37,7 @@ pub(super) fn springs(
 /// Half the width of the central difference for the second derivative of a spring, m.
 const CURVATURE_WIDTH: f64 = 1e-6;
 
-/// Computes ∂F̃_p/∂x̂ of the springs' line about `at`, evaluated at the mass: F_p''(x̂) (x_m − x̂), N/m.
+/// Computes ∂F̃_p/∂x̂ at the mass, for the tangent of the springs at `at`: F_p''(x̂) (x_m − x̂), N/m.
 #[inline(never)]
 pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &Motion, x_m: f64) -> f64 {
     let derivative = |x: f64| e.inner(&Motion { displacement: x, ..*at }).d_force_d_x;

@@ -5,7 +5,7 @@ use crate::integration::Method;
 /// Largest number of stages of a method.
 pub(super) const MOST_STAGES: usize = 5;
 
-/// A diagonally implicit method; its last row is the result (stiffly accurate).
+/// A diagonally implicit method. Its last row gives the result (stiffly accurate).
 pub(super) struct Tableau {
     /// Number of stages.
     pub stages: usize,
@@ -17,11 +17,12 @@ pub(super) struct Tableau {
     pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
     /// Times of the stages as fractions of the step.
     pub c: [f64; MOST_STAGES],
-    /// Index of the latest stage before the end; 0 if the end is not checked: see [`super::paths`].
+    /// Index of the stage with the latest time before the end; 0 if the end is not checked: see [`super::paths`].
     pub latest: usize,
     /// Whether the plain step linearizes the forces and has a closed form ([`super::cheap`]).
     pub along_lines: bool,
-    /// Minimum extrapolation from the latest stage to the end, relative to the spread of the previous stages.
+    /// Time from the latest stage to the end, relative to the time from the first stage to the latest; at least a given
+    /// minimum.
     pub goes_on: f64,
 }
 
@@ -87,15 +88,14 @@ impl Tableau {
     }
 }
 
-/// Minimum extrapolation from the latest stage to the end of a step through the paths, relative to the spread of the
-/// stages. With half of this value every twentieth step of free play was wrongly reported as an overshoot of the method
-/// of four stages.
+/// Smallest value of [`Tableau::goes_on`] for steps through the paths. With half of this value, the check of the
+/// four-stage method wrongly detected an overshoot in every twentieth step with free play.
 const ENDS_WITHIN: f64 = 1.0;
 
 /// [`Method::BackwardEuler`].
 pub(super) static EULER: Tableau = Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN);
 
-/// [`Method::Euler`]; where it is not linearized it equals [`EULER`].
+/// [`Method::Euler`]; without linearization it equals [`EULER`].
 pub(super) static ALONG_LINES: Tableau =
     Tableau { along_lines: true, ..Tableau::new(1, 1.0, [[0.0; 5]; 5], ENDS_WITHIN) };
 
@@ -106,11 +106,11 @@ pub(super) static SECOND: Tableau = {
     Tableau::new(2, gamma, below, ENDS_WITHIN)
 };
 
-/// The smallest γ with which three stages of order 2 are L-stable, rounded up. It also has the smallest error (Hairer &
-/// Wanner, table IV.6.4).
+/// The smallest γ with which three stages of order 2 are L-stable, rounded up. This γ also gives the smallest error
+/// (Hairer & Wanner, table IV.6.4).
 const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
-/// Time of the second stage, which the order conditions leave free. It has the least error over all kinds of dampers at
-/// 1 ms, and the minimum is flat.
+/// Time of the second stage, which the order conditions do not determine. With this value, the error over all kinds of
+/// dampers at 1 ms has a minimum, which is flat.
 const THREE_STAGE_PLACE: f64 = 0.663;
 
 /// [`Method::ThreeStage`].
@@ -124,7 +124,8 @@ pub(super) static THREE_STAGE: Tableau = {
 
 /// The smallest γ with which four stages of order 3 are L-stable, rounded up (Hairer & Wanner, table IV.6.4).
 const THIRD_GAMMA: f64 = 0.223_647_9;
-/// Times of the two inner stages, which the order conditions leave free: chosen like [`THREE_STAGE_PLACE`].
+/// Times of the two inner stages, which the order conditions do not determine. They are chosen like
+/// [`THREE_STAGE_PLACE`].
 const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 
 /// [`Method::Third`].
@@ -144,7 +145,7 @@ pub(super) static THIRD: Tableau = {
     Tableau::new(4, g, below, ENDS_WITHIN)
 };
 
-/// [`Method::Fourth`]. Its weights reach 31, so its end is checked with a tighter limit.
+/// [`Method::Fourth`]. Its weights reach 31, so its end force has a tighter limit.
 pub(super) static FOURTH: Tableau = Tableau::new(
     5,
     0.25,

@@ -215,7 +215,7 @@ pub fn step_forces(
 /// Computes reference forces by the classical explicit Runge–Kutta method on the continuous equations, with `parts`
 /// steps in each `dt`.
 ///
-/// It shares only the right-hand side with the kernel's step, and uses the exact motion.
+/// The reference shares only the right-hand side with the kernel's step, and uses the exact motion.
 pub fn reference_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -264,7 +264,7 @@ pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     ((square / exact.len() as f64).sqrt() / top, largest / top)
 }
 
-/// Makes a model with these elements alone.
+/// Makes a model in which only these elements are on.
 pub fn only(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p = params(changes);
     p.disable_all();
@@ -283,10 +283,10 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     Model::new(&p).unwrap()
 }
 
-/// Draws any parameter set that the table and the elements allow.
+/// Draws a random parameter set that the table and the elements allow.
 ///
-/// Each number is anywhere between its bounds (uniform, or uniform by decade if the bounds span decades). Any elements
-/// are on, with any integration.
+/// Each number is uniform between its bounds, or uniform by decade if the bounds span decades. The elements that are on
+/// and the integration are also random.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);

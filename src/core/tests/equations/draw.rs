@@ -28,7 +28,7 @@ enum Span {
     Else(f64, f64),
 }
 
-/// Numbers whose default does not indicate their magnitude, and those whose effect needs values far from the default.
+/// Numbers whose default does not indicate their magnitude, and numbers with an effect only far from their default.
 const SPANS: &[(&str, Span)] = &[
     ("fv_rebound_v2", Span::Decade(0.3, 2.0)),
     ("fv_rebound_v1", Span::Decade(0.02, 0.25)),
@@ -73,7 +73,7 @@ const SPANS: &[(&str, Span)] = &[
     ("rebound_stop_damping", Span::Perhaps(100.0, 2e4)),
 ];
 
-/// Largest factor between other numbers and their default.
+/// Largest factor between each other number and its default.
 const AROUND: f64 = 5.0;
 
 fn value(r: &mut Random, number: Number) -> f64 {
@@ -106,7 +106,7 @@ fn value(r: &mut Random, number: Number) -> f64 {
 /// The points of a curve.
 type Points = (Vec<f64>, Vec<f64>);
 
-/// Draws points that rise or stay level; zero lies between the first and the last.
+/// Draws points that do not decrease. Zero lies between the first and the last point.
 fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     let count = 2 + r.one_of(15);
     let (mut u, mut f) = (vec![0.0], vec![0.0]);
@@ -122,7 +122,7 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// Moves a point of a curve to 0, where its force is then zero.
+/// Moves a point of a curve to velocity 0 and force 0.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];
@@ -174,7 +174,7 @@ fn speed(r: &mut Random) -> f64 {
     [size, -size][r.one_of(2)] * f64::from(u8::from(!r.chance(0.03)))
 }
 
-/// Draws a state in the range of dampers; a void is sometimes slightly negative, as from rounding.
+/// Draws a state in the range of dampers. A void is sometimes slightly negative, as after rounding.
 fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     match (name, unit) {
         ("internal_mass", _) => x + r.between(-1.0, 1.0) * r.decade(1e-6, 3e-3),
@@ -194,13 +194,13 @@ fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     }
 }
 
-/// Draws the case with this index; each element in turn is surely on.
+/// Draws the case with this index. The index selects one element that is always on, each element in turn.
 pub fn case(r: &mut Random, index: usize) -> Case {
     let names: Vec<&str> = names().collect();
     let first = Element::find(names[index % names.len()]).unwrap();
     loop {
         let params = params(r, first);
-        // A set that does not fit together is rejected and drawn again.
+        // An inconsistent set is rejected and drawn again.
         let Ok(model) = Model::new(&params) else { continue };
         let (x, v) = (r.between(-0.1, 0.1), speed(r));
         let side_force = if r.chance(0.1) { 0.0 } else { r.between(-3e3, 3e3) };

@@ -10,7 +10,7 @@ use std::fmt::Debug;
 /// A constant of the page, by section and name.
 pub type Constant = (String, String);
 
-/// A case to compute, and the factor on one of the constants, if any.
+/// A case to compute, with an optional factor on one of the constants.
 pub struct Question<'a> {
     pub case: &'a Case,
     pub shift: Option<(&'a Constant, f64)>,
@@ -59,7 +59,7 @@ fn json(question: &Question) -> String {
     object(members.into_iter())
 }
 
-/// Computes the results by the equations of the page; `None` without Python, which is then reported.
+/// Computes the results with the equations of the page. Without Python, reports the skipped test and returns `None`.
 pub fn answers(questions: &[Question]) -> Option<Vec<Answer>> {
     let text: Vec<String> = questions.iter().map(json).collect();
     let said = python::run("answer.py", &format!("[{}]", text.join(",\n")))?;

@@ -19,7 +19,7 @@ use exchange::{Constant, Question, answers};
 use proptest::test_runner::RngSeed;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Allowed difference of the two programs, relative to the number plus 1: both round.
+/// Allowed difference of the two programs due to rounding, relative to the number plus 1.
 const SHARE: f64 = 1e-9;
 /// Tolerance if the oil velocity is the root of an equation.
 ///
@@ -27,14 +27,14 @@ const SHARE: f64 = 1e-9;
 /// in `RARE` may therefore differ by this much.
 const SOLVED: f64 = 1e-6;
 const RARE: usize = 10_000;
-/// Absolute tolerance of steady states, which may be small. The kernel's own tanh and exp are accurate to about 1e-16
-/// of their largest value.
+/// Absolute tolerance of steady states, which may be small. The kernel's tanh and exp are accurate to about 1e-16 of
+/// their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// Distance from the longest void at rest, m, within which rounding decides whether a filter leaves a void.
+/// Distance from the longest void at rest, m, within which a rounding error decides whether a void remains.
 const LIMIT: f64 = 1e-9;
 
-/// Returns whether two numbers of some kind agree.
+/// Returns whether two numbers of the same kind agree.
 fn agree(kind: &str, one: f64, other: f64, share: f64) -> bool {
     let size = one.abs().max(other.abs());
     (one - other).abs() <= if kind == "settled" { share * size + ROUNDING } else { share * (size + 1.0) }
@@ -110,20 +110,20 @@ fn the_page_and_the_kernel_answer_alike() {
     }
 }
 
-/// Constants that affect no result: their effect is below rounding, or occurs at forces that no damper has.
+/// Constants without a visible effect. Their effect is below rounding, or occurs at forces that no damper has.
 const UNSEEN: [&str; 3] = ["STEADY", "LEAST", "OCTAVES"];
 
-/// If a constant had no effect on any result, the comparison would not test its value.
+/// Every constant of the page has an effect on some result. Otherwise the comparison would not test its value.
 #[test]
 fn every_constant_of_the_page_counts() {
-    // Always the same cases, because this tests the comparison and not the damper.
+    // The cases are always the same, because this test checks the comparison, not the damper.
     let mut random = Random(1);
     let cases: Vec<Case> = (0..2000).map(|index| draw::case(&mut random, index)).collect();
     let constants = page::constants(&page::text());
     assert!(constants.len() > 30, "{constants:?}");
     let mut questions = Vec::new();
     for constant in constants.iter().filter(|(_, name)| !UNSEEN.contains(&&**name)) {
-        // Both stops share their constants; the leakage past the valves belongs to the oil column.
+        // Both stops have the same constants. The leakage past the valves belongs to the oil column.
         let elements: &[&str] = match &*constant.0 {
             "The hydraulic path" => &["oil_compressibility", "aeration"],
             section => &[section],
@@ -149,7 +149,8 @@ fn every_constant_of_the_page_counts() {
     assert!(unseen.is_empty(), "a tenth more of these changes no answer: {unseen:?}");
 }
 
-/// The program could follow the kernel while the page does not.
+/// The formulas as printed on the page agree with the program. Otherwise the program could agree with the kernel while
+/// the page is wrong.
 #[test]
 fn the_formulas_of_the_page_are_those_of_the_program() {
     let Some(said) = python::run("formulas.py", "") else { return };

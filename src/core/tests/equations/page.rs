@@ -19,7 +19,7 @@ pub fn section<'a>(page: &'a str, element: &str) -> Option<&'a str> {
     Some(rest.split("\n#").next().unwrap_or(rest))
 }
 
-/// Returns the rows of its tables of constants.
+/// Returns the rows of the page's tables of constants.
 pub fn constants(page: &str) -> Vec<Constant> {
     let (mut section, mut found) = ("", Vec::new());
     for line in page.lines() {

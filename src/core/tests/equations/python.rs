@@ -6,7 +6,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Runs a program on the page and returns its output; `None` without Python, which is then reported.
+/// Runs a program on the page and returns its output. Without Python, reports the skipped test and returns `None`.
 pub fn run(program: &str, asked: &str) -> Option<String> {
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/equations").join(program);
     let mut python = Command::new("python3");

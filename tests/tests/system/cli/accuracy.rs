@@ -1,5 +1,5 @@
-//! Accuracy of models of the virtual rig, whose equations differ from the model's. The fit uses half of the tests, the
-//! comparison all of them.
+//! Accuracy of models that are fitted to records of the virtual rig. The rig's equations differ from the model's. The
+//! fit uses half of the tests, the comparison uses all tests.
 
 use dashpot_tests::cli::{done, json, number};
 use serde_json::Value;

@@ -3,7 +3,7 @@
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
-/// A damper whose friction reverses within one millimeter per second.
+/// A damper with friction that reverses within a velocity of one millimeter per second.
 const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
 
@@ -26,7 +26,7 @@ fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
-    // Half of a stable step is stable, twice the step is not.
+    // Half of the reported step is stable, twice the step is unstable.
     let quiet = number(&found, "quiet_step_s");
     for (times, chatters) in [(0.5, false), (2.0, true)] {
         let step = format!("{}", times * quiet);
@@ -51,7 +51,7 @@ fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it()
     assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
 }
 
-/// The exit code reports chatter to scripts, for the adapted damper if one was requested.
+/// The exit code reports chatter to scripts. If an adapted damper was requested, the code refers to that damper.
 #[test]
 fn a_script_is_told_by_the_exit_code() {
     let folder = steep();
@@ -78,8 +78,8 @@ fn exports_say_it_too_and_take_the_same_option() {
     assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
     let readme = |folder: &str| std::fs::read_to_string(dir.join(folder).join("README.txt")).unwrap();
     assert!(readme("soft").starts_with("coulomb_friction was replaced"));
-    // Adams adapts its steps and uses the derivatives of the force. The remark on fixed steps follows later and states
-    // that it does not apply.
+    // Adams adapts its steps and uses the derivatives of the force. The remark on fixed steps follows later, with the
+    // note that it does not apply to Adams.
     let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
     assert!(text.contains("A damper for Adams"), "{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -103,7 +103,7 @@ fn impossible_hosts_are_refused() {
     assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
 }
 
-/// An adjustable damper is checked at each of its settings, as the damper at that setting.
+/// An adjustable damper is checked at each setting like an ordinary damper.
 #[test]
 fn a_family_is_checked_at_every_setting() {
     let folder = steep();

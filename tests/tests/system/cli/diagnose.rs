@@ -169,7 +169,7 @@ fn the_json_is_what_scripts_were_promised() {
     assert!(first.ends_with("_friction"), "{first}");
     assert!(number(&found["after"], "rmse_n") < number(&found["before"], "rmse_n"));
 
-    // Standard output is pure JSON. It lists the left-out tests, which are the requested ones.
+    // Standard output is pure JSON. The left-out tests in it are the requested tests.
     let out = done(dir, &["diagnose", "plain.toml", "records", "--json", "-", "--hold-out", "a15*,a01mm_v0052*"]);
     let found: Value = serde_json::from_str(&out).unwrap();
     assert_contract(&found);
@@ -177,7 +177,7 @@ fn the_json_is_what_scripts_were_promised() {
         let name = word(test, "test");
         assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
-    // The closed gap follows from its definition and these figures.
+    // These figures and the definition of the closed gap give the reported value.
     let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
@@ -232,7 +232,7 @@ fn the_improved_model_is_an_ordinary_model_file() {
         // The file lists the tests of the refits.
         assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
     }
-    // A diagnosis of the improved model does not find the effect again. Standard output receives a valid file.
+    // A diagnosis of the improved model does not find the effect again. The model file on standard output is valid.
     let out = done(dir, &["diagnose", "better.toml", "records", "-o", "-", "--json", "again.json"]);
     assert!(out.parse::<toml::Table>().unwrap().contains_key("elements"));
     let first = word(&list(&found, "findings")[0], "effect");
@@ -346,7 +346,7 @@ fn little_data_and_little_leave_give_honest_answers() {
         let out = done(dir, &[&["diagnose", "plain.toml"], more, &["--json", "-", "--report", "d.html"]].concat());
         serde_json::from_str(&out).unwrap()
     };
-    // With one test, no test can be left out, and the related figures are absent.
+    // With a single test, no test can be left out, so the figures on left-out tests are absent.
     let one = ask(&["records/a50mm_v0262mm_s.csv"]);
     assert!(one["before"]["left_out_rmse_n"].is_null());
     assert!(list(&one, "could_not_test").len() > 1, "{}", one["could_not_test"]);
@@ -363,7 +363,8 @@ fn little_data_and_little_leave_give_honest_answers() {
     for finding in list(&some, "findings") {
         assert!(asked.contains(&word(finding, "effect")), "{finding}");
     }
-    // Two wrong effects once replaced each other without end; an effect that explains nothing is not a finding.
+    // In an earlier version, two wrong effects replaced each other without end. An effect that explains nothing is not
+    // a finding.
     let shares = list(&some, "findings").iter().map(|f| f["fraction"].as_f64().unwrap()).collect::<Vec<_>>();
     assert!(shares.iter().all(|share| *share > 0.02), "{shares:?}");
 }
@@ -391,7 +392,7 @@ fn groups_are_compared_with_one_reference() {
         std::fs::create_dir_all(&to).unwrap();
         for entry in std::fs::read_dir(dir.join("records")).unwrap() {
             let path = entry.unwrap().path();
-            // The force is 30 % larger at every velocity: no effect is missing, but parameters differ.
+            // The force is 30 % larger at every velocity. No effect is missing, but parameters differ.
             let text = std::fs::read_to_string(&path).unwrap();
             let heading = text.lines().find(|l| l.contains("force")).unwrap();
             let place = heading.split(',').position(|h| h.contains("force")).unwrap();
@@ -478,7 +479,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");
     std::fs::remove_dir_all(dir.join("fleet/d")).unwrap();
     let group = ["diagnose", "plain.toml", "fleet", "--group", "folders", "--candidates", "channel_delay"];
-    // Every result replaces its own older version.
+    // Every output file replaces its own older version.
     done(dir, &[&group[..], &outputs, &["--language", "zh", "--json", "g.json"]].concat());
     let report = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(report.contains("<h2>各组的变化</h2>") && !report.contains("What changed"));
@@ -512,7 +513,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
     let told = done(dir, &[&by_list[..], &few].concat());
     assert!(told.contains("Compared with autumn:") && told.contains("  spring: "), "{told}");
     assert!(told.contains("1 test in no group: fleet/b"), "{told}");
-    // A damper that is missing in the list is reported too.
+    // A damper that is missing in the list is also reported.
     std::fs::write(dir.join("fleet.csv"), "campaign,serial\nfleet/a,17\nfleet/b,18\n").unwrap();
     let told = done(dir, &[&["diagnose", "plain.toml", "fleet", "--group", "fleet.csv:serial"][..], &few].concat());
     assert!(told.contains("in no group: fleet/c"), "{told}");

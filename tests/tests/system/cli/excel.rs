@@ -1,4 +1,4 @@
-//! `--excel`: the tables of a report as a workbook, reread as by Excel.
+//! `--excel`: the tables of a report as a workbook, which the test reads again.
 
 use calamine::{Data, Range, Reader as _, Xlsx, open_workbook};
 use dashpot_tests::bridge::MODEL;

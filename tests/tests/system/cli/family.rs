@@ -100,7 +100,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
     assert!(message.contains("--setting"), "{message}");
 
-    // The records contain no setting; theirs lies between those of the model.
+    // The records contain no setting. Their true setting lies between the grid values of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
     assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
     done(dir, &["validate", "family.toml", "between", "--setting", "0.9", "--json", "b.json"]);
@@ -116,8 +116,8 @@ fn a_family_is_fitted_validated_and_simulated() {
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
     assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
 
-    // The model at a setting is valid for the other verbs, with its intervals and the FV curve alone for a property
-    // file.
+    // The other verbs accept the model at a setting. The file contains the intervals, and the FV curve alone for a
+    // property file.
     done(dir, &["setting", "family.toml", "0.9A", "-o", "at.toml"]);
     let at = dashpot_identification::model_file::read(&dir.join("at.toml")).unwrap();
     assert!(at.identification.intervals.contains_key("gas_force") && at.identification.fv_only.is_some());
@@ -147,7 +147,7 @@ fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
     assert_eq!(ran.code, Some(0), "{ran:?}");
     let file = std::fs::read_to_string(dir.join("family.toml")).unwrap();
     assert!(file.contains("setting = [0.0, 1.2]") && file.contains("setting_name = \"current\""), "{file}");
-    // A fit as one damper without `--setting` warns.
+    // A fit without `--setting` treats the records as one damper and warns.
     let ran = run(dir, &["fit", "rig", "-o", "one.toml"]);
     assert!(ran.code == Some(0) && ran.err.contains("2 settings of current"), "{ran:?}");
     let message = refused(dir, &["fit", "rig", "--setting", "clicks", "-o", "other.toml"]);
@@ -163,7 +163,8 @@ fn write_model(path: &Path) {
 fn a_family_is_diagnosed_at_each_of_its_settings() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();
-    // The records come from one damper of the virtual rig whose settings have no effect. The model lacks dry friction.
+    // The records come from one damper of the virtual rig, so the settings have no effect. The model lacks dry
+    // friction.
     done(dir, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
     for (seed, current) in ["3", "4", "5"].iter().zip(CURRENTS) {
         done(dir, &["rig", "-o", &format!("rig/{current}A"), "--matrix", "small.csv", "--seed", seed]);
@@ -189,7 +190,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     let page = std::fs::read_to_string(dir.join("d.html")).unwrap();
     assert!(page.contains("id=\"settings\"") && page.contains("id=\"setting-3\"") && page.contains("<details"));
 
-    // The diagnosis at one setting equals that of the damper at this setting.
+    // The diagnosis at one setting equals the diagnosis of the ordinary damper at this setting.
     done(dir, &["setting", "poor.toml", "0.6", "-o", "one.toml"]);
     done(dir, &["diagnose", "one.toml", "rig/0.6A", "--candidates", options[2], "--json", "one.json"]);
     let one = json(&dir.join("one.json"));
@@ -199,7 +200,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
         };
         assert_eq!(effects(&one), effects(&settings[1]), "{key}");
     }
-    // Compared with the same records, nothing has changed.
+    // With the same records as reference, the diagnosis reports no change.
     let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
     let said = done(dir, &same);
     assert!(said.contains("at any setting") && said.contains("value for value, are in the reference"), "{said}");
@@ -304,7 +305,7 @@ fn limits_hold_at_the_setting_that_they_name() {
         std::fs::write(dir.join(name), format!("quantity,velocity_m_s,setting,low,high\n{rows}")).unwrap();
     };
     write("kept.csv", &(row(0.0, 0.9, 1.1) + &row(1.2, 0.9, 1.1)));
-    // The window of the soft setting is applied at the hard setting.
+    // The hard setting gets the limits of the soft setting.
     write("missed.csv", &(row(0.0, 0.9, 1.1) + &row(0.0, 0.9, 1.1).replace(",0,", ",1.2,")));
     write("without.csv", &row(0.0, 0.9, 1.1).replace(",0,", ",,"));
     let judge = |limits: &str, model: &str| {
@@ -376,7 +377,7 @@ fn a_constant_column_of_the_motion_is_the_option() {
         assert!(forces.len() == 2000 && furthest < 1e-6, "{heading} {options:?}: {furthest} {printed}");
         assert_eq!(printed.contains("at 2000 of 2000 samples the current lies outside"), cell == ",7", "{printed}");
     }
-    // The setting is written as it is read, so that a simulated motion can be used again.
+    // The output contains the setting column as in the input, so a simulated motion can serve as an input again.
     write_valve_and_motion(dir, ",current [mA]", |t| format!(",{}", 100.0 + 250.0 * t));
     let (forces, _) = simulated(dir, &[]);
     let (columns, rows) = table(&dir.join("force.csv"));
@@ -446,7 +447,7 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     let of = json(&dir.join("v.json"))["changing"].clone();
     // The error is nonzero because a record is smoothed and a motion is not.
     assert!(number(&of, "error_percent") < 0.1, "{of}");
-    // A command by option at the same time differs by at most half a sample.
+    // If an option gives the command at the same time, the change differs by at most half a sample.
     write_valve_and_motion(dir, "", |_| String::new());
     let (given, _) = simulated(dir, &["--setting", "0:0.2,0.7:1.2,1.4:0.2"]);
     let furthest = forces.iter().zip(&given).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));

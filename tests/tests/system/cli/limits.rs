@@ -42,7 +42,7 @@ fn a_damper_passes_or_fails_by_its_windows() {
     );
     assert_eq!(run(dir, &args).code, Some(0));
     assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");
-    // The rebound window misses the damper: the exit code is 1, and the message names the limit.
+    // The damper violates the limit in rebound. The exit code is 1, and the message names the limit.
     fs::write(dir.join("l.csv"), windows(10.0).replace(&format!("{fr},10 %"), &format!("{},10 %", 1.3 * fr))).unwrap();
     let german = [&args[..], &["--report", "r.html", "--language", "de", "--date", "2024-05-17"]].concat();
     let failed = run(dir, &german);
@@ -96,8 +96,8 @@ fn a_table_of_peaks_starts_a_model() {
     fs::write(dir.join("motion.csv"), motion()).unwrap();
     done(dir, &["simulate", "m.toml", "motion.csv", "-o", "f.csv"]);
     let (_, rows) = dashpot_tests::cli::table(&dir.join("f.csv"));
-    // At a constant 0.5 m/s the model returns the force of the table: friction and gas force are subtracted and added
-    // again.
+    // At a constant 0.5 m/s, the model returns the force of the imported table. The import subtracts friction and gas
+    // force, and the model adds them again.
     let last = rows.last().and_then(|row| row.last()).unwrap();
     assert!((last - 1100.0).abs() < 2.0, "{last}");
     fs::write(dir.join("pvp.csv"), "velocity_m_s,force_N\n0.1,300\n0.5,250\n-0.1,-300\n").unwrap();

@@ -31,7 +31,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
         done(at, &args);
         assert!(std::fs::read_to_string(at.join("m.html")).expect("the report") == first, "the same bytes");
     }
-    // A heavier, user-defined vehicle, and a report in another language.
+    // The next run has a heavier, user-defined vehicle and a report in another language.
     std::fs::write(at.join("car.toml"), "sprung_mass = 2200\n").expect("a vehicle");
     let own =
         ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml", "--json", "own.json", "--report", "own.html"];

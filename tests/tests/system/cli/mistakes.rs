@@ -176,7 +176,7 @@ fn one_spoilt_test_is_named_and_left_out() {
 fn what_most_tests_have_or_leaves_nothing_is_refused() {
     let folder = campaign_folder();
     let dir = folder.path();
-    // Millimeters read as meters remain an error, however many tests show it.
+    // Millimeters that are read as meters are an error, even if most tests have this fault.
     rewrite(&dir.join("records"), &dir.join("data"), HEADER, |[t, x, v, f]| row([t, 1e3 * x, 1e3 * v, f]));
     std::fs::copy(dir.join("records/a50mm_v0052mm_s.csv"), dir.join("data/a50mm_v0052mm_s.csv")).unwrap();
     let message = fit_refused(dir);

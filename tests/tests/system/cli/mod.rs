@@ -1,4 +1,4 @@
-//! The command from its users' view.
+//! Tests of the command from its users' view.
 
 mod about;
 mod accuracy;

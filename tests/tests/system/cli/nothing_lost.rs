@@ -143,7 +143,7 @@ fn two_runs_into_one_folder_exclude_each_other() {
     let won = runs.iter().filter(|run| run.status.success()).count();
     let told = runs.iter().filter(|run| String::from_utf8_lossy(&run.stderr).contains("another run")).count();
     assert!(won >= 1 && won + told == 3, "{runs:?}");
-    // Whichever process won, the folder contains one campaign, equal to that of its seed alone.
+    // The folder contains the campaign of one process, equal to the campaign of that seed alone.
     let text = fs::read_to_string(dir.join("c/campaign.toml")).unwrap();
     let seed = text.lines().find_map(|l| l.strip_prefix("seed = ")).unwrap().to_owned();
     done(dir, &["rig", "-o", "alone", "--seed", &seed]);

@@ -1,4 +1,4 @@
-//! Files with date and time form one campaign on one clock: the fit finds drift through the campaign.
+//! Files with date and time form one campaign on a common clock. The fit then finds drift over the campaign.
 
 use dashpot_records::clock::{seconds, written};
 use dashpot_tests::cli::{campaign_folder, done, run, table};
@@ -9,13 +9,13 @@ const DRIFT: f64 = 0.006;
 
 /// Writes the records as a German rig does, twelve minutes apart, each with its own time from zero on.
 ///
-/// If `dated`, the table follows a header with the date and time of its beginning.
+/// If `dated` is true, each file begins with a header that contains the date and time of the first row.
 fn measured(from: &Path, to: &Path, dated: bool) {
     std::fs::create_dir_all(to).unwrap();
     let mut files: Vec<_> = std::fs::read_dir(from).unwrap().map(|e| e.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|e| e == "csv"));
     files.sort();
-    // The rig measured them in another order than that of their names.
+    // The order in which the rig measured the files differs from the order of their names.
     let count = files.len();
     for (k, path) in files.iter().enumerate() {
         let start = 720.0 * ((5 * k + 3) % count) as f64;

@@ -1,4 +1,4 @@
-//! Records from rigs through the command: profiles, delayed channels, gaps, one file by two paths.
+//! Records from rigs through the command: profiles, delayed channels, gaps, and one file with two paths.
 
 use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::fs;

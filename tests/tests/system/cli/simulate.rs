@@ -31,7 +31,7 @@ fn motion(t: f64) -> (f64, f64) {
     (0.02 * (a * t).sin() + 0.001 * (b * t).sin(), 0.02 * a * (a * t).cos() + 0.001 * b * (b * t).cos())
 }
 
-/// Writes a motion file with those columns at these times.
+/// Writes a motion file with the given columns at the given times.
 fn write(path: &Path, columns: &[&str], times: impl Iterator<Item = f64>) {
     let mut text = columns.join(",") + "\n";
     for t in times {
@@ -105,7 +105,7 @@ fn the_force_is_the_kernels_to_the_bit() {
         expected.push(output.force);
     }
     assert_eq!(answered, expected);
-    // Standard output contains only the same table.
+    // Standard output contains the same table and nothing else.
     let out = done(dir, &["simulate", "m.toml", "both.csv", "-o", "-"]);
     assert_eq!(out, std::fs::read_to_string(dir.join("out.csv")).unwrap());
 }
@@ -136,7 +136,7 @@ fn at_rest_there_are_gas_and_spring_alone() {
     std::fs::write(&file, "time_s,velocity_m_s\n0,0\n0.5,0\n5,0\n").unwrap();
     for (position, force) in [("0", -180.0), ("0.02", -172.0), ("-0.05", -200.0)] {
         for answer in forces(dir, &["rest.csv", "--initial-position", position]) {
-            // The spring acts in series with the compliance, which deflects by a ten-thousandth.
+            // The spring is in series with the compliance, whose deflection reduces the force by a ten-thousandth.
             assert!((answer - force).abs() < 0.01, "{position}: {answer}");
         }
     }

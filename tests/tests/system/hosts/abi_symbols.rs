@@ -52,11 +52,12 @@ fn exports_what_the_header_declares_and_nothing_else() {
     assert_eq!(exported, declared);
 }
 
-/// The size reveals an accidental second compilation of the step, for example for an element or number type.
+/// The size of the library reveals an accidental second compilation of the step, for example for an element or number
+/// type.
 ///
-/// It is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs as much again:
-/// its tables are borrowed, so its step is compiled separately. With only the general stage, the size is 837 KB, but a
-/// step with an oil column takes 10,500 instructions instead of 6,500.
+/// The size is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs as much
+/// again, because its tables are borrowed and its step is therefore compiled separately. With only the general stage,
+/// the size is 837 KB, but a step with an oil column takes 10,500 instructions instead of 6,500.
 #[test]
 fn is_no_larger_than_it_was() {
     let size = std::fs::metadata(shared()).expect("the library").len();

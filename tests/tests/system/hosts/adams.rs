@@ -60,8 +60,8 @@ fn private_states_and_side_force_agree_too() {
     }
 }
 
-/// Simulates a mass on spring and damper with the kernel's state derivatives, by a fourth-order method with short
-/// steps.
+/// Simulates a mass on spring and damper by a fourth-order method with short steps, from the kernel's state
+/// derivatives.
 fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
     const MASS: f64 = 40.0;
     const SPRING: f64 = 30e3;
@@ -79,7 +79,8 @@ fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
         z.2.mass_velocity += h * k.2.mass_velocity;
         z
     };
-    // Find the static equilibrium with the actuator at +amplitude by bisection: the force rises with displacement.
+    // Find the static equilibrium, with the actuator at +amplitude, by bisection, because the force rises with
+    // displacement.
     let (mut low, mut high) = (-0.05, 0.05);
     for _ in 0..200 {
         let z = 0.5 * (low + high);
@@ -262,7 +263,7 @@ fn every_element_of_the_model_agrees() {
 /// LINEAR (mode 7) linearizes the damper without dry friction.
 ///
 /// The eigenvalues follow from the kernel's derivatives without dry friction. In dynamics, the same matrix contains the
-/// stiffness of stuck friction, which would lock the damper.
+/// stiffness of sticking friction, which would lock the damper.
 #[test]
 fn a_linearisation_is_not_locked_by_stuck_friction() {
     const MASS: f64 = 40.0;
@@ -313,8 +314,8 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
             } else {
                 vec![(half + (-rest).sqrt(), 0.0), (half - (-rest).sqrt(), 0.0)]
             };
-            // A GSE also contains the series spring, which changes the fast mode; the slow mode is the body on its
-            // damper.
+            // A GSE also contains the series spring, which changes the fast mode. The slow mode is the motion of the
+            // body on its damper.
             for (re, im) in if routine == "gse" { &wanted[..1] } else { &wanted[..] } {
                 let nearest = values.iter().map(|v| (v.re - re).hypot(v.im - im)).fold(f64::MAX, f64::min);
                 assert!(nearest < 0.02 * re.hypot(*im), "{routine}: {values:?} for {wanted:?}");
@@ -334,7 +335,7 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
     println!("{pairs:?}");
 }
 
-/// The setting is the fifth input of a GSE, or for an SFORCE or GFORCE a VARIABLE by its id.
+/// The setting is the fifth input of a GSE. For an SFORCE or GFORCE, it is a VARIABLE with a given id.
 #[test]
 fn a_variable_of_the_solver_is_the_setting() {
     let folder = tempfile::tempdir().unwrap();
@@ -367,7 +368,8 @@ fn a_variable_of_the_solver_is_the_setting() {
             assert!(share < 2e-3, "{routine} at {setting}: {:.4} %", 100.0 * share);
             constant.push(last(&got));
         }
-        // The setting switches in mid-run, and the actuator settles within the second half.
+        // The setting switches in the middle of the run, and the actuator reaches its steady state within the second
+        // half.
         let switched = started(&solver, routine, &settings("setting=0.2", &["later=1.4"])).accepted();
         let [soft, hard] = constant[..] else { panic!() };
         assert!(

@@ -176,8 +176,8 @@ fn a_property_file_comes_back_as_it_was() {
 
 /// Adams interpolates with Akima's method, which once exceeded a model's curve next to a knee by 60 %.
 ///
-/// The export has enough points and states the residual. An import of another program's file gives the curve as Adams
-/// interpolates it.
+/// The export has enough points and states the residual. An import of another program's file gives the curve that Adams
+/// interpolates from that file.
 #[test]
 fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_round() {
     let folder = tempfile::tempdir().unwrap();
@@ -225,7 +225,8 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     }
 }
 
-/// An import of our own XML restores curve and gas force. Both forms state the omitted effects and the model.
+/// An import of dashpot's own XML restores curve and gas force. Both file forms state the omitted effects and the
+/// model.
 #[test]
 fn what_a_property_file_leaves_out_is_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -243,7 +244,7 @@ fn what_a_property_file_leaves_out_is_said() {
         let back = at("back.toml");
         assert_eq!(back.contains("gas_force = 141.5"), held, "{back}");
         assert!(back.contains(&format!("# Read from {name}.")), "{back}");
-        // A second export gives the same numbers.
+        // A second export writes the same numbers.
         let again = format!("again-{name}");
         done(folder.path(), &["export", "dpr", "back.toml", "-o", &again]);
         let numbers = |text: String| -> Vec<f64> {
@@ -260,12 +261,12 @@ fn what_a_property_file_leaves_out_is_said() {
 
 /// Tables of a fit in a model file.
 ///
-/// The FV curve alone, from the same tests, includes the friction, which in the model is a separate element.
+/// The FV curve alone, fitted to the same tests, includes the friction. In the model, friction is a separate element.
 const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
                    gas_force = 150.0\n";
 
-/// A host that supports only a curve gets the best one, with a note on its origin; an option selects the model's own
-/// curve.
+/// A host that supports only a curve gets the best curve, with a note on its origin. An option selects the model's own
+/// curve instead.
 #[test]
 fn a_property_file_holds_the_plain_curve_of_the_fit() {
     let folder = tempfile::tempdir().unwrap();
@@ -287,7 +288,8 @@ fn a_property_file_holds_the_plain_curve_of_the_fit() {
     done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.xml"]);
     assert!(at("a.xml").contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"150.0\""), "{}", at("a.xml"));
 
-    // A manually tuned file keeps the tables of its fit, whose FV curve alone does not fit the tuned damper.
+    // A manually tuned file still contains the tables of its fit. The FV curve alone in these tables does not fit the
+    // tuned damper.
     let intervals = "\n[identification.intervals]\ngas_force = [100.0, 120.0]\n";
     std::fs::write(folder.path().join("tuned.toml"), format!("{MODEL}{intervals}{FIT}")).unwrap();
     let said = done(folder.path(), &["export", "dpr", "tuned.toml", "-o", "b.dpr"]);
@@ -333,7 +335,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     assert_eq!(std::fs::read_to_string(at("other.adm")).unwrap(), car("PART/2\n"));
 }
 
-/// A closed standard output is an error, a discarded one is not.
+/// A closed standard output is an error, whereas a discarded output is not.
 #[test]
 fn a_closed_standard_output_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
@@ -350,10 +352,10 @@ fn a_closed_standard_output_is_an_error() {
     }
 }
 
-/// Real files of Adams Car, from a user-defined folder (such as dampers.tbl of the public
+/// Reads real files of Adams Car from a user-defined folder (such as dampers.tbl of the public
 /// wokomm/PropertyView-mechanics).
 ///
-/// All are read, with a report of the omitted parts.
+/// All files must be readable, with a report of the omitted parts.
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
@@ -379,7 +381,8 @@ fn real_property_files_are_read() {
     assert!(read > 0);
 }
 
-/// The command writes the library without a compiler; if it does not contain the library, the folder says so.
+/// The command writes the library without a compiler. If the command does not contain the library, a text in the folder
+/// states this.
 #[test]
 fn a_run_folder_holds_its_library() {
     dashpot_tests::fmu::runtimes();
@@ -434,7 +437,8 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     assert!(words.contains("nested"), "{words}");
 }
 
-/// Adams uses mm: a length in m is rejected unless its unit is given; both units are accepted.
+/// Adams uses mm, so a length in m is rejected unless the unit is stated. With a stated unit, both mm and m are
+/// accepted.
 #[test]
 fn a_length_says_its_unit_or_is_one_that_a_damper_has() {
     let folder = tempfile::tempdir().unwrap();
@@ -569,7 +573,7 @@ fn native_agrees(text: &str) {
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
         let mut state = model.steady_state(&input(0.0));
-        // Start in the equilibrium of the model, as Adams' statics find it.
+        // Start in the static equilibrium of the model, like Adams.
         let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0, 0.0];
         let dt = 1e-5;
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -589,7 +593,8 @@ fn native_agrees(text: &str) {
             dif[1] += dt * at(&speed, dif);
             dif[0] += dt * at(&place, dif);
             if let Some(contact) = &contact {
-                // Substeps are needed: at high velocity the contact reacts within a hundredth of a millisecond.
+                // Substeps are necessary, because at high velocity the contact reacts within a hundredth of a
+                // millisecond.
                 for _ in 0..20 {
                     dif[2] += 0.05 * dt * at(contact, dif);
                 }

@@ -108,7 +108,7 @@ fn the_sources_are_cpp_too() {
     }
 }
 
-/// Lists the utilities without which an entry cannot work; all others are optional.
+/// Lists the utilities that an entry requires; all others are optional.
 fn needed(routine: &str) -> &'static [&'static str] {
     match routine {
         "gse" => {
@@ -128,7 +128,8 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     for utility in &all {
         let lacking = solver_without(utility);
         for routine in ROUTINES {
-            // Without c_errmes nothing can stop the run: there is one call, whose message goes to standard error.
+            // Without c_errmes the library cannot stop the run. In this case the test makes one call, and the message
+            // goes to standard error.
             let (silent, save) = (utility == "c_errmes", utility.contains("serialize") && routine != "gse");
             let what = if silent {
                 "iflag=0"
@@ -208,7 +209,7 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
 
 /// A solver that loads its utilities locally, like an extension of an interpreter.
 ///
-/// The process contains them, but the global scope does not.
+/// The process contains the utilities, but the global scope of symbols does not.
 #[test]
 fn utilities_loaded_for_another_library_alone_are_found() {
     const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";
@@ -245,7 +246,7 @@ int main(int count, char **words)
             .arg("-ldl"),
     );
     let told = succeed(Command::new(at("host")).arg(library()).arg(at("libutilities.so")));
-    // The utility prints the message, and the message does not complain about the utility itself.
+    // The utility prints the message. The message does not name the utility itself as missing.
     assert!(told.contains("no function") && !told.contains("c_errmes"), "{told}");
 }
 
@@ -401,7 +402,8 @@ fn only_an_iflag_that_may_asks_for_states() {
     let folder = tempfile::tempdir().unwrap();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // The stand-in stops a run if a call requests undeclared dependences, or any while it saves or reloads.
+    // The stand-in solver stops a run if a call requests undeclared dependences. It also stops at any request of
+    // dependences while saving or reloading.
     for iflag in ["iflag=1", "iflag=3", "iflag=5", "iflag=7", "iflag=9", "iflag=2", "iflag=99"] {
         for routine in ROUTINES {
             let run = started(&solver(), routine, &with(&path, &[iflag, &states]));
@@ -415,7 +417,7 @@ fn the_gse_is_declared_threadsafe_and_is() {
     let folder = tempfile::tempdir().unwrap();
     let solver = solver();
     let path = written(folder.path(), PLAIN);
-    // With threads=2 the threads make the first calls.
+    // With threads=2, the first calls come from the threads.
     for threads in ["threads=1", "threads=2"] {
         let run = started(&solver, "gse", &with(&path, &[threads]));
         assert_eq!(run.threads().len(), 4);

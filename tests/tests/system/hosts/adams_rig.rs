@@ -1,4 +1,4 @@
-//! The damper test rig written by `dashpot export adams`: parsed strictly, and run from its files.
+//! The damper test rig that `dashpot export adams` writes: parsed strictly, and run from its files.
 
 use dashpot_core::{Input, Model, State, evaluate::evaluate};
 use dashpot_rig::Matrix;
@@ -96,8 +96,8 @@ struct Rig {
     damping: [f64; 2],
 }
 
-/// Returns the motion of the rig, mm and mm/s, in a test of the matrix: one cycle of fade-in, two full cycles, one of
-/// fade-out.
+/// Returns the motion of the rig, mm and mm/s, in a test of the matrix. The test has one cycle of fade-in, two full
+/// cycles, and one cycle of fade-out.
 fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     let (w, cycles) = (TAU * point.frequency_hz, t * point.frequency_hz);
     let rise = |s: f64| {
@@ -170,7 +170,7 @@ impl Rig {
             .collect()
     }
 
-    /// Computes the equilibrium with the rig in the middle position.
+    /// Computes the equilibrium of the damper with the rig in its middle position.
     fn rest(&self, model: &Model) -> Instant {
         let (mut low, mut high) = (-0.01, 0.01);
         for _ in 0..100 {
@@ -202,7 +202,7 @@ fn the_exported_rig_runs_the_matrix_as_the_kernel_does() {
     // The solver runs in the folder, because the path in the STRING is relative to it.
     let acf = format!("dataset={}", folder.path().join("run/rig.acf").display());
     let string = format!("model={}", folder.path().join("run/damper.toml").display());
-    // Only the sines run; the slow cycles after them last minutes and test nothing else.
+    // Only the sines run. The slow cycles after the sines would take minutes and test nothing new.
     let matrix = Matrix::default();
     let sines = matrix.points().iter().take_while(|p| p.frequency_hz > 0.1).count();
     assert!(sines > 40);

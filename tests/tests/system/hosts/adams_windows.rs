@@ -10,7 +10,7 @@ use std::process::Command;
 const TARGET: &str = "x86_64-pc-windows-gnu";
 const COMPILER: &str = "x86_64-w64-mingw32-gcc";
 
-/// Returns the missing tool for a Windows build, if any.
+/// Returns the name of the missing tool for a Windows build, or `None`.
 fn missing() -> Option<&'static str> {
     if Command::new(COMPILER).arg("--version").output().is_err() {
         return Some("x86_64-w64-mingw32-gcc (Debian: gcc-mingw-w64-x86-64)");
@@ -20,7 +20,7 @@ fn missing() -> Option<&'static str> {
     (!there).then_some("the Rust target (rustup target add x86_64-pc-windows-gnu)")
 }
 
-/// Builds the library as in its README.
+/// Builds the library as its README describes.
 fn built(folder: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--release", "--quiet", "-p", "dashpot-dll", "--target", TARGET]).current_dir(root());

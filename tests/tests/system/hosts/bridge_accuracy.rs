@@ -13,7 +13,7 @@ use std::process::Command;
 const STEPS: [f64; 4] = [FINEST, 0.5e-3, 1e-3, 2e-3];
 const FINEST: f64 = 0.25e-3;
 
-/// Returns every second fast test of the matrix, including the fastest: slow tests are exact at any step.
+/// Returns every second fast test of the matrix, including the fastest test. Slow tests are exact at any step.
 fn matrix() -> Vec<Sine> {
     let all = Matrix::default();
     let fast = all.points().iter().filter(|p| p.frequency_hz > 1.5).rev().step_by(2);
@@ -24,7 +24,7 @@ fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().expect("eight bytes"))).collect()
 }
 
-/// Returns the forces of the bridge, tension positive, for several tests, each from its own equilibrium.
+/// Returns the forces of the bridge, tension positive, for several tests. Each test starts from its own equilibrium.
 fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt: f64) -> Vec<Vec<f64>> {
     let folder = model.parent().expect("a folder");
     let mut requests: Vec<u8> = Vec::new();
@@ -70,8 +70,8 @@ fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
         .collect()
 }
 
-/// Elements in addition to curve and series spring, and further lines. Cavitation is excluded: Radau steps do not
-/// resolve the impact when a void closes, and the kernel's own tests cover it.
+/// Elements in addition to curve and series spring, and further lines. Cavitation is excluded, because Radau steps do
+/// not resolve the impact of a closing void. The kernel's own tests cover cavitation.
 const MODELS: [(&str, &str); 19] = [
     ("parallel_spring\", \"stribeck_friction\", \"viscous_friction\", \"gas_preload", ""),
     ("gas_preload", "series_stiffness = 1e7\ninternal_mass = 0.1"),
@@ -94,7 +94,7 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// The kernel's contract at 1 ms holds at every host step: errors of 0.1 % rms and at most 1 % of the largest force.
+/// The guaranteed accuracy at 1 ms holds at every host step: relative to the largest force, 0.1 % rms and at most 1 %.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -8,7 +8,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// Compiles the example like a user.
+/// Compiles the example as a user does.
 fn example(folder: &Path) -> PathBuf {
     let source = library::root().join("examples/damper.c");
     library::host(source.to_str().unwrap(), library::Language::C, library::Linkage::Static, &[], folder)

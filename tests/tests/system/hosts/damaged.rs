@@ -1,6 +1,6 @@
 //! Damaged channel maps and FMU resources through the C readers, with the compiler's memory checks.
 //!
-//! Each file is accepted or rejected, without access outside of its block.
+//! Each file is accepted or rejected, without memory access outside of the file's block.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;

@@ -93,7 +93,7 @@ fn no_compiler_is_needed_and_sources_may_stay_at_home() {
 fn runs_hidden(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    // These numbers appear nowhere else.
+    // These numbers occur nowhere else in the files.
     let model = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\"]\n\
                  fv_velocity = [-1.0, -0.123457, 0.0, 0.123457, 1.0]\nfv_force = [-601.137, -251.731, 0.0, 401.373, 1301.917]\n\
                  series_stiffness = 1730411.0\ngas_force = 141.771\n";
@@ -128,7 +128,8 @@ fn a_library_for_another_system_is_refused() {
     assert!(!at.join("x.fmu").exists());
 }
 
-/// An importer that compiles (`fmpy compile`) finds all inputs in the description, and its result equals the damper.
+/// An importer that compiles (`fmpy compile`) finds all required files in the description, and its forces equal the
+/// damper's.
 #[test]
 fn fmpy_compiles_it() {
     if !has_python() {
@@ -161,7 +162,7 @@ fn unpacked(fmu: &Path, to: &Path) {
     succeed(Command::new(python()).args(["-c", unzip]).arg(fmu).arg(to));
 }
 
-/// The description contains exactly the rows of the parameter table for the enabled elements, as in the table.
+/// The description contains exactly the rows of the parameter table for the enabled elements, with unchanged values.
 #[test]
 fn the_description_is_the_parameter_table() {
     if !has_python() {
@@ -241,7 +242,7 @@ fn the_description_is_the_parameter_table() {
         }
         let own = ["motion_scale", "force_scale", "position_offset", "displacement_given", "initial_position"];
         let parameters = variables.values().filter(|v| v["causality"] == "parameter").count();
-        // The last one is inputs_between_points of the whole FMU.
+        // The additional parameter is inputs_between_points, which belongs to the whole FMU.
         assert_eq!(parameters, expected + corners.len() * own.len() + 1, "parameters that are in no table");
         assert!(rows > 30 * corners.len(), "{rows}");
         for (name, v) in variables {
@@ -254,7 +255,7 @@ fn the_description_is_the_parameter_table() {
     }
 }
 
-/// The FMU recompiled from its unpacked sources gives the bridge's forces bit for bit.
+/// An FMU that is recompiled from its unpacked sources gives the bridge's forces bit for bit.
 ///
 /// The test uses the included compiled kernel, and a kernel compiled from the included sources.
 #[test]
@@ -322,7 +323,7 @@ fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     assert!(succeed(&mut wine).contains("1001 steps"), "{resources}");
 }
 
-/// The runtime for Windows finds the model with every form of the resources path that importers use.
+/// For every form of the resources path that importers use, the runtime for Windows finds the model.
 #[test]
 fn the_runtime_for_windows_reads_its_resources() {
     if !has_python() {

@@ -1,7 +1,7 @@
 //! FMUs in importers with unusual behavior.
 //!
-//! The resources folder is wrong or missing, a logger disappears, or start values are not set. Outputs are requested at
-//! earlier times, or calls are out of order.
+//! The resources folder is wrong or missing, a logger disappears, or start values are not set. Or importers request
+//! outputs at earlier times, or call functions out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;
@@ -45,7 +45,7 @@ fn it_is_a_controlled_damper_of_carmaker() {
     }
 }
 
-/// With its accompanying file, which follows the vendor's templates, the FMU equals the library's damper.
+/// With an accompanying file in the form of the vendor's templates, the FMU equals the library's damper.
 #[test]
 fn it_is_a_damper_of_carmaker() {
     for fmi in ["2", "3"] {
@@ -79,7 +79,8 @@ fn it_is_a_damper_of_carmaker() {
         assert!(plug_info("damper.pluginfo").contains("Susp.Damper.SubstModel.Damper:\n\t-"));
         done(at, &["export", "fmu", "model.toml", "-o", "hidden.fmu", "--carmaker", "0.4", "--hide-parameters"]);
         assert!(!plug_info("hidden.pluginfo").contains("SubstModel.Damper"));
-        // CarMaker uses the FMU in motion. It computes the equilibrium with a curve, the best one in the file.
+        // CarMaker uses the FMU only in motion. For the equilibrium it uses a curve, which is the best curve in the
+        // model file.
         assert!(plug_info("damper.pluginfo").contains("the model file has no plain FV curve of a fit"));
         let fit = "[identification.fv_only]\nvelocity = [-1.0, 0.0, 0.01, 1.0]\nforce = [-640.0, 0.0, 50.4, 1340.0]\ngas_force = 150.0\n";
         std::fs::write(at.join("fitted.toml"), format!("{MODEL}{fit}")).expect("a model file");

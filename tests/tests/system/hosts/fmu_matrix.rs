@@ -1,5 +1,5 @@
-//! The rig matrix through the FMU in FMPy: co-simulation equals the kernel's step bit for bit, model exchange the
-//! converged solution.
+//! The rig matrix through the FMU in FMPy. Co-simulation equals the kernel's step bit for bit; model exchange agrees
+//! with the converged solution.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -62,7 +62,7 @@ fn runs(fmi: &str, four: bool) {
     for (sine, exact) in exact() {
         let of: [Vec<f64>; 2] = std::array::from_fn(|_| forces.by_ref().take(exact.len()).collect());
         let kernel = step_forces(&model, &sine.motion(), DT, exact.len() - 1, HostInput::Motion);
-        // Python's sine and the reference's may differ in the last digit.
+        // The sines of Python and of the reference may differ in the last digit.
         let same = errors(&of[0], &kernel);
         assert!(same.largest < 1e-11, "{sine:?}: co-simulation is not the kernel's step: {same:?}");
         for (worst, forces) in [(&mut steps, &of[0]), (&mut exchange, &of[1])] {
@@ -79,7 +79,7 @@ fn runs(fmi: &str, four: bool) {
         percent(exchange)
     );
     assert!(exchange[1] < 1e-3, "model exchange is {} from the converged kernel", percent(exchange));
-    // The limits are the kernel's contract at 1 ms.
+    // The limits are the accuracy that the kernel guarantees at 1 ms.
     assert!(steps[0] < 1e-3 && steps[1] < 1e-2, "co-simulation is {} from the converged kernel", percent(steps));
 }
 

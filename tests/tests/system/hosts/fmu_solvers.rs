@@ -1,6 +1,7 @@
 //! Model exchange in a common solver with its default options.
 //!
-//! FMPy's CVODE sets the inputs at the ends of its steps and keeps them constant in between. The force must stay within 1 % of the largest force nevertheless.
+//! FMPy's CVODE sets the inputs at the ends of its steps and keeps them constant in between. Nevertheless, the error of
+//! the force must stay below 1 % of the largest force.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_tests::fmu::exported;
@@ -49,7 +50,7 @@ fn every_element() {
             on.push(group.name);
         }
         let text = format!("format = 1\nelements = {on:?}\n");
-        // Every second element uses FMI 3.0: the solver calls the same functions.
+        // Every second element uses FMI 3.0, because the solver calls the same functions in both versions.
         let fmi = if i % 2 == 0 { "2" } else { "3" };
         println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &["0.03:5.6", "0.002:12"]));
     }

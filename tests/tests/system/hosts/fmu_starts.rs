@@ -11,7 +11,7 @@ use std::process::Command;
 
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"gas_preload\"]\ngas_force = 120.0\n";
-/// A stiff damper, with which an explicit solver diverges; a less stiff one would only oscillate.
+/// A damper so stiff that an explicit solver diverges. With a less stiff damper, the solver would only oscillate.
 const FAST: &str = "series_stiffness = 3e7\ninternal_mass = 0.05\n";
 
 fn starts(fmi: &str) {
@@ -43,7 +43,7 @@ fn of_fmi_3() {
     starts("3");
 }
 
-/// If the time of setting inputs is not specified, the export states the resulting delay.
+/// If the user does not specify when the importer sets the inputs, the export states the resulting delay.
 #[test]
 fn the_delay_is_told_where_nobody_said_when_inputs_come() {
     let folder = tempfile::tempdir().expect("a directory");

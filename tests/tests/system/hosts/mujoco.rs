@@ -8,7 +8,7 @@ use std::process::Command;
 /// Curve and gas force of [`MODEL`], without its other elements.
 const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 141.5\n";
 
-/// The host compares MuJoCo's quarter car with a manual integration, and rejects a vehicle that gains energy.
+/// The host program compares MuJoCo's quarter car with its own integration, and rejects a vehicle that gains energy.
 #[test]
 fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     if !has_python() {
@@ -25,7 +25,7 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     let flags = [
         "-isystem".to_owned(),
         format!("{folder}/include"),
-        // The sources that call the library come later on the command line.
+        // The sources that call the library follow later on the command line, so the linker must keep the library.
         "-Wl,--no-as-needed".to_owned(),
         library.to_owned(),
         format!("-Wl,-rpath,{folder}"),

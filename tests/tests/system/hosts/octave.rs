@@ -49,7 +49,8 @@ fn the_example_gives_the_kernels_forces() {
     over_a_setting(at);
 }
 
-/// Compares the example's adjustable damper with its current as one number and as one number per sample.
+/// Compares two runs of the example's adjustable damper: with the current as one number, and with one number per
+/// sample.
 fn over_a_setting(at: &std::path::Path) {
     let text = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("the example");
     std::fs::write(at.join("family.toml"), &text).expect("a model file");
@@ -80,8 +81,8 @@ fn over_a_setting(at: &std::path::Path) {
         let input = Input::motion(0.01 * (1.0 - (w * t).cos()), 0.01 * w * (w * t).sin());
         let (next, answer) = step(&model, &state, &input, 1e-3);
         state = next;
-        // The step method of a family differs from an ordinary damper's. The difference is 0.03 N at 1 ms, and a
-        // twentieth of that at 0.1 ms.
+        // The integration method of a family may differ from that of an ordinary damper. The resulting difference is
+        // 0.03 N at 1 ms, and a twentieth of this value at 0.1 ms.
         assert!((constant - answer.force).abs() < 2e-4 * peak, "sample {k}: {constant} {}", answer.force);
         assert!(k >= 200 || constant == stepped, "sample {k}");
     }

@@ -1,6 +1,7 @@
 //! The Python examples in independent multibody programs.
 //!
-//! A mass dropped on spring and damper must match the kernel, with steps so short that the host's method is irrelevant.
+//! The motion of a mass dropped on spring and damper must match the kernel. The steps are so short that the host's
+//! method is irrelevant.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};

@@ -31,7 +31,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
     }
     let tire = |way: &str| numbers(&four, way, "tire");
     assert!(tire("skyhook").iter().zip(tire("soft")).all(|(sky, soft)| *sky < soft), "{four}");
-    // One corner equals the first of four, and Python's output equals C's.
+    // The output for one corner equals that of the first of four corners. Python's output equals that of C.
     let one = succeed(Command::new(&program).arg(model()).arg("1"));
     assert!(four.contains(one.lines().next().expect("a line")), "{one} {four}");
     let script = root().join("examples/skyhook.py");
@@ -39,7 +39,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
         skipped("python3");
         return;
     }
-    // Compare whole lines of all corners: acceleration, its spectrum in bands, and the tire.
+    // Compare whole lines of all corners: acceleration, its spectrum in bands, and tire force.
     for (corners, of_c) in [("1", &one), ("4", &four)] {
         let python = succeed(Command::new("python3").arg(&script).arg(shared()).arg(model()).arg(corners));
         assert_eq!(&python, of_c);

@@ -1,5 +1,5 @@
-//! The source shims for CarMaker, CarSim and Simulink, compiled with our own declarations and called like by their
-//! hosts.
+//! The source shims for CarMaker, CarSim and Simulink, compiled with declarations of this project and called as by
+//! their hosts.
 
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::library::{root, succeed};
@@ -51,7 +51,7 @@ fn carsim_in_its_own_units() {
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
 }
 
-/// The zero of the rig is one key in the maps of CarSim, the S-function and a plain host.
+/// One key states the zero position of the rig in the maps of CarSim, the S-function and a plain host.
 #[test]
 fn the_zero_of_the_rig_is_where_the_map_says() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -72,7 +72,7 @@ fn the_zero_of_the_rig_is_where_the_map_says() {
     assert_eq!(ran.code(), Some(2));
 }
 
-/// The S-function includes the test's host instead of Simulink's headers.
+/// The S-function is compiled with headers of the test's host instead of Simulink's headers.
 #[test]
 fn simulink_tries_steps_and_takes_them() {
     let directory = tempfile::tempdir().expect("a directory");

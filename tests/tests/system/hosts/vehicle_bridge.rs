@@ -1,7 +1,7 @@
 //! The vehicle on the simulator bridge, as in a real-time simulator.
 //!
-//! Every manoeuvre at steps from 0.25 to 2 ms equals the kernel's bit for bit, with the host's sign convention in
-//! between.
+//! Every maneuver, at steps from 0.25 to 2 ms, equals the simulation with the kernel bit for bit. The bridge uses the
+//! host's sign convention.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_simulation::vehicle::{Car, Dampers, Manoeuvre, run, run_with};

@@ -1,5 +1,5 @@
-//! The simulator bridge: four kernels with the host's signs and channel names, without operations forbidden in a
-//! real-time loop.
+//! The simulator bridge: four dampers with the host's signs and channel names, without operations that a real-time loop
+//! forbids.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::{MODEL, bridge_host, map, sources};
@@ -95,9 +95,10 @@ fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
         line.trim().parse().expect("a number")
     };
     assert_eq!((figure("steps "), figure("missed ")), (120_000.0, 0.0));
-    // There are no page faults if mlockall() is allowed, otherwise one or two at first accesses.
+    // If mlockall() is allowed, there are no page faults. Otherwise, one or two occur at first accesses.
     assert!(figure("page_faults ") <= 2.0, "{text}");
-    // The host's own integration rule differs by half a step of velocity, which does not accumulate.
+    // The displacement of the host's own integration rule differs by half a step of velocity. This difference does not
+    // accumulate.
     assert!(figure("drift_mm ") < 1.0, "{text}");
     assert!((figure("rms_late_n ") / figure("rms_early_n ") - 1.0).abs() < 0.2, "{text}");
 }

@@ -1,6 +1,7 @@
-//! The example of the page for host authors.
+//! The example from the book's page for host authors.
 //!
-//! Its three loops simulate the same car; the implicit loop is stable where the explicit one is not.
+//! Its three loops simulate the same car; with some steps, the implicit loop is stable and the explicit loop is
+//! unstable.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
@@ -52,7 +53,8 @@ fn three_loops_are_one_car() {
     }
 }
 
-/// A mass in the damper affects the car as with small steps, whatever velocity a loop uses to advance the displacement.
+/// A moving mass in the damper affects the car as with small steps, even if a loop advances the displacement with
+/// another velocity.
 ///
 /// The first loop is semi-implicit. The loops' own errors of the body cancel in the difference.
 #[test]

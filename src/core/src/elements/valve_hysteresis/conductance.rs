@@ -2,20 +2,22 @@
 
 use crate::tables::{Conducted as At, Conduction, ForceLaw};
 
-/// Resistance added to the FV curve, N s/m, so that W is unique where the curve is level.
+/// Resistance, N s/m, added to the FV curve so that W is unique where the curve is horizontal.
 const LEVEL: f64 = 5.0;
-/// Squared velocity, m²/s², that keeps g above zero where the FV curve gives no velocity.
+/// Squared velocity, m²/s², that keeps g above zero where the FV curve has zero velocity.
 const LEAST: f64 = 1e-12;
-/// Number of Householder steps for W; the time matters little, because they run only when a model is prepared.
+/// Number of Householder steps for W. Their time matters little, because they run only when a model is prepared.
 const STEPS: usize = 8;
 /// Number of nodes per power of two, and number of bits of a number below those that count the nodes.
 const PER_OCTAVE: usize = 16;
 const BEHIND: u32 = 48;
-/// Powers of two from the opening force on. Beyond them g is computed from the FV curve itself.
+/// Number of powers of two that the table covers, from the opening force on. Beyond it g is computed from the FV curve
+/// itself.
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
-/// g over the force h, for both strokes: cubics between nodes that divide every power of two evenly.
+/// Table of g over the force h, for both strokes, with cubics between its nodes. The nodes divide every power of two
+/// evenly.
 ///
 /// Each cubic stays between the values at its ends.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +82,7 @@ fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
 }
 
-/// Computes the value at h of a table that starts at the force `opens`, without the table.
+/// Computes the value that a table from the force `opens` on would give at h, without building the table.
 ///
 /// Used for an FV curve that changes from step to step.
 pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
@@ -99,11 +101,11 @@ pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) 
 }
 
 impl Conductance {
-    /// Memory for a table, invalid before [`Conductance::set`]. All zeros, so that it takes no space in the program
-    /// file.
+    /// Memory for a table, invalid before [`Conductance::set`]. It is all zeros and therefore takes no space in the
+    /// program file.
     pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
-    /// Fills the table from the force `opens` on; h is never below it.
+    /// Fills the table from the force `opens` on; h is never below that force.
     pub fn set(&mut self, curve: &impl ForceLaw, opens: f64) {
         let table = self;
         table.first = opens.to_bits() >> BEHIND;
@@ -144,7 +146,7 @@ impl Conduction for Conductance {
     }
 }
 
-/// Returns the velocity W at which the conductance is `g` at the force h, and the derivative of g over the FV force
+/// Returns the velocity W for conductance `g` at the force h, and the derivative of g with respect to the FV force
 /// there.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
@@ -174,7 +176,7 @@ mod tests {
                 let h = 130.0 * 1.004_f64.powi(k);
                 let (w, derivative) = velocity(&curve, h, stroke);
                 let g = table.conducted(&curve, h, stroke).g;
-                // Next to a level part the table rounds the corner.
+                // Next to a horizontal part of the curve, the table rounds the corner.
                 let close = if derivative > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
             }

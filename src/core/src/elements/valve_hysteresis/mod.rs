@@ -1,4 +1,4 @@
-//! Valve hysteresis: a blow-off valve that opens late and closes late.
+//! Valve hysteresis: a blow-off valve that opens and closes with a lag.
 
 mod conductance;
 
@@ -15,11 +15,12 @@ use core::cell::Cell;
 
 /// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
-/// y is the valve's opening, S = ½ (1 + tanh) its characteristic. The FV curve includes the steady opening y_∞. A valve
-/// that lags behind it increases the force while it opens, and reduces the force while it closes. It opens at F_0 + Δ
-/// and closes at F_0 − Δ, however slow the motion.
+/// y is the valve's opening; S = ½ (1 + tanh) is its characteristic. The FV curve includes the steady opening y_∞. A
+/// valve whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in
+/// slow motion, it opens at F_0 + Δ and closes at F_0 − Δ.
 ///
-/// *Play* and *spool*: the valve has the steady position of a force p, where it passes oil like an orifice:
+/// *Play* and *spool*: the valve stands where it would be in the steady state of a force p, and acts as an orifice
+/// there:
 ///
 /// ```text
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
@@ -27,9 +28,10 @@ use core::cell::Cell;
 ///
 /// All forces are relative to that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is
 /// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
-/// b. A closed valve still passes a hundredth. A force against the stroke leaves it closed. The pressure F_h moves the
-/// valve. With play, p follows F_h only beyond the play P, with the time constant τ: τ dp/dt = ⟨|F_h − p| − P
-/// |F_h|/(|F_h| + P)⟩ sgn(F_h − p). A spool has mass: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
+/// b. A closed valve still passes a hundredth of the flow. A force against the stroke does not open the valve. The
+/// pressure F_h moves it. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt =
+/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). A spool has mass, so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p =
+/// F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
@@ -70,7 +72,7 @@ struct Passage {
     g: f64,
     /// h.
     h: f64,
-    /// Derivative of g over x.
+    /// Derivative of g with respect to x.
     d_g_d_x: f64,
 }
 
@@ -78,7 +80,7 @@ struct Passage {
 const ITERATIONS: usize = 4;
 /// P_0, N.
 const SOFT: f64 = 10.0;
-/// Substep relative to τ from which on the state with play is computed in one step.
+/// Length of a substep, relative to τ, from which on the state with play is computed directly for each stage.
 const LONG: f64 = 1.0;
 /// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
 const LEAKS: f64 = 0.01;
@@ -87,10 +89,10 @@ const STEPS: usize = 60;
 const CLOSE: f64 = 1e-7;
 /// Force, N, below which the lag is neglected.
 const NOTHING: f64 = 1e-9;
-/// Smallest deviation of the valve from its steady position, relative to the force: below it the difference is
-/// rounding.
+/// Smallest deviation of the valve from its steady position, relative to the force. A smaller difference is a rounding
+/// error.
 const STEADY: f64 = 1e-12;
-/// Largest contraction factors of an iteration at which three, and two, iterations suffice.
+/// Largest contraction factors with which three iterations, and two iterations, suffice.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
 impl Describe for ValveHysteresis {
@@ -151,7 +153,7 @@ impl Prepare for ValveHysteresis {
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
-        // The bounds of its parameters are all that it needs.
+        // The bounds of the parameters suffice.
         Ok(())
     }
 }
@@ -212,7 +214,7 @@ fn opening<R: Real>(x: R) -> R {
 }
 
 impl ValveHysteresis {
-    /// Computes the conductance of its passage from the FV curve.
+    /// Computes the conductance of the valve's passage from the FV curve.
     pub(crate) fn join(&mut self, curve: &FvCurve) {
         if self.form != Form::Opening {
             self.conductance.set(curve, self.middle);
@@ -221,18 +223,18 @@ impl ValveHysteresis {
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// Returns whether its state is a force p, and not an opening.
+    /// Returns whether the state is a force p instead of an opening.
     pub(crate) fn holds_force(&self) -> bool {
         self.form != Form::Opening
     }
 
-    /// Returns whether it has mass, and thus a second state: dp/dt times τ, N.
+    /// Returns whether the valve has mass and thus a second state: τ dp/dt, N.
     #[inline(always)]
     pub(crate) fn is_spool(&self) -> bool {
         self.form == Form::Spool
     }
 
-    /// Returns the range of its state: an opening between closed and open.
+    /// Returns the range of the state. An opening ranges from 0, closed, to 1, open.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
@@ -270,7 +272,7 @@ impl<T: Tables> ValveHysteresis<T> {
 
     /// Play form: computes ⟨y⟩ sgn(F − p) at the end of a stage that starts at p.
     ///
-    /// y = |F − p| − P |F|/(|F| + P), `per` is g/τ, and ⟨y⟩ = y²/(y + P_0) begins smoothly.
+    /// Here y = |F − p| − P |F|/(|F| + P), and ⟨y⟩ = y²/(y + P_0) begins smoothly. `per` is g/τ.
     #[inline(always)]
     fn beyond<R: Real>(&self, force: R, p: R, per: f64) -> R {
         let behind = force - p;
@@ -288,15 +290,15 @@ impl<T: Tables> ValveHysteresis<T> {
         if behind.value() < 0.0 { -moved } else { moved }
     }
 
-    /// Returns whether a substep of length `h` moves the valve from its start to each stage directly.
+    /// Returns whether each stage of a substep of length `h` computes the valve directly from the start of the substep.
     ///
-    /// Otherwise the play would keep a trace of the stages of a long step, which oscillate.
+    /// Otherwise the play would preserve the oscillation between the stages of a long step.
     #[inline(always)]
     pub(crate) fn jumps(&self, h: f64) -> bool {
         self.form == Form::Play && h * self.per_time > LONG
     }
 
-    /// Computes the known part of a stage from those of its states, to which only a force term is added.
+    /// Computes the known part of a stage from the known parts of the states. Only a term with the force is missing.
     #[inline(always)]
     pub(crate) fn known(&self, stands: f64, rate: f64, g: f64) -> f64 {
         if !self.is_spool() {
@@ -317,7 +319,8 @@ impl<T: Tables> ValveHysteresis<T> {
         known + self.beyond(force, known, per) * per
     }
 
-    /// Computes the passage at the valve position of the force x along the stroke; `stroke` is its sign.
+    /// Computes the passage with the valve in the steady position of the force x along the stroke. `stroke` is the sign
+    /// of the stroke.
     #[inline(always)]
     fn conducts(&self, curve: &impl ForceLaw, x: f64, stroke: f64) -> Passage {
         let beyond = x - self.middle;
@@ -328,14 +331,14 @@ impl<T: Tables> ValveHysteresis<T> {
         Passage { g: at.g, h, d_g_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
-    /// Computes the factor by which a valve at p increases F, with its derivative over the ratio of two conductances.
+    /// Computes the factor by which a valve at p increases F, and its derivative with respect to `ratio`.
     ///
-    /// They are those of the passage at F and at p. `widens` is the derivative of the conductance over the force along
-    /// the stroke, at p.
+    /// `ratio` is the conductance of the passage at F divided by that at p. `widens` is the derivative of the
+    /// conductance at p with respect to the force along the stroke.
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
-        // At the steady position of F, rounding would otherwise decide.
+        // Without this case, a rounding error would decide at the steady position.
         let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
         // Where the FV curve rises faster than the square of the velocity, no valve opens.
         if !opens {
@@ -366,7 +369,8 @@ impl<T: Tables> ValveHysteresis<T> {
         late
     }
 
-    /// Computes the stage of a valve whose state is a force; separate, so that the more common case has no extra cost.
+    /// Computes the stage of a valve whose state is a force. A separate function, so that the more common case has no
+    /// extra cost.
     #[cold]
     #[inline(never)]
     fn stage_by_force(
@@ -383,7 +387,7 @@ impl<T: Tables> ValveHysteresis<T> {
         }
         let stroke = if force < 0.0 { -1.0 } else { 1.0 };
         let steady = self.conducts(curve, force * stroke, stroke);
-        // F_h is F increased by the valve that F_h itself moves. A larger opening gives a smaller force, so there is
+        // The valve increases F to F_h, and F_h moves the valve. A larger opening gives a smaller force, so there is
         // one solution. Newton steps use the logarithm of |F_h|.
         let mut found = force * raised;
         let (mut low, mut high) = (0.0, f64::INFINITY);
@@ -394,7 +398,7 @@ impl<T: Tables> ValveHysteresis<T> {
             let ratio = steady.g / now.g;
             let (by, derivative) = self.raises(force, p.value, ratio, now.d_g_d_x);
             let late = force * by;
-            // ∂F_h over the conductance of the passage at F, and at p.
+            // Derivatives of F_h with respect to the conductance of the passage at F, and at p.
             let (by_steady, by_now) = (force * derivative / now.g, -force * derivative * ratio / now.g);
             let by_p = by_now * now.d_g_d_x * stroke;
             let steep = 1.0 - found * by_p * p.derivative(0) / late;
@@ -407,13 +411,13 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Near the end of the play the derivative is that of the other side.
+                    // Near the end of the play, the derivative may belong to the other side of that end.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;
                 continue;
             }
-            // The last step is small enough to be linear.
+            // The last step is small, so a linear correction suffices.
             let on = found * step;
             let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
@@ -436,7 +440,7 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// Computes F_h at given states and the state derivatives: those of `stands` and, for a spool, of dp/dt times τ.
+    /// Computes F_h and the state derivatives at given states. The states are `stands` and, for a spool, τ dp/dt.
     #[inline(always)]
     pub(crate) fn now<R: Real>(&self, curve: &impl ForceLaw, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
         let none = R::constant(0.0);

@@ -1,9 +1,10 @@
-//! Elements with a state that act on the mass in a stage: friction and gas, if the series path carries their force too.
+//! Elements with a state that act on the mass in a stage: friction and gas, if the series path also carries their
+//! force.
 //!
 //! In a stage the mass moves from its position at the start of the substep to that of the stage. Its acceleration is
-//! constant over the time of the stage. Each element computes its state after such a motion in closed form. The method
-//! of the step therefore need not integrate a contact that reverses within micrometers. The force rises with the
-//! displacement of the mass, so the stage has a unique solution.
+//! constant over the time of the stage. Each element computes its state after such a motion in closed form. Therefore
+//! the method of the step does not integrate a contact, whose force may reverse within micrometers. The force rises
+//! with the displacement of the mass, so the stage has a unique solution.
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
@@ -18,7 +19,7 @@ pub(super) const MOST: usize = 2;
 /// States of these elements.
 pub(super) type States = [f64; MOST];
 
-/// State at the end and force of each of these elements.
+/// Final state and force of each of these elements.
 type Ends = [[Dual<2>; 2]; MOST];
 
 const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
@@ -26,13 +27,15 @@ const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
 /// Forces of these elements in a stage, and their states after it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassForces {
-    /// With derivatives over displacement of the mass and state at the end and start.
+    /// End states and forces, with derivatives with respect to the final displacement of the mass and the initial
+    /// state.
     ends: Ends,
-    /// With derivatives over displacement and velocity of the mass at the start; computed only on request.
+    /// End states and forces, with derivatives with respect to initial displacement and velocity of the mass. Computed
+    /// only on request.
     by_start: Ends,
 }
 
-/// Initial values of these elements, and the time since then.
+/// Initial values of these elements, and the time since the start of the substep.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassStart {
     /// Displacement and velocity of the mass at the start of the substep.
@@ -76,7 +79,7 @@ impl MassForces {
         MassForces { ends, by_start: NO_ENDS }
     }
 
-    /// Computes the derivatives over the start.
+    /// Computes the derivatives with respect to the start.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
@@ -84,7 +87,7 @@ impl MassForces {
             from.propagate(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
     }
 
-    /// Returns the force on the mass and its derivative over the displacement of the mass.
+    /// Returns the force on the mass and its derivative with respect to the displacement of the mass.
     #[inline(always)]
     pub(super) fn force(&self) -> [f64; 2] {
         let mut sum = [0.0; 2];
@@ -109,8 +112,8 @@ impl MassForces {
         }
     }
 
-    /// Returns the derivative of the force in a direction of displacement, velocity and states at the start. The end of
-    /// the mass is fixed.
+    /// Returns the derivative of the force in a direction of initial displacement, velocity and states. The final
+    /// displacement of the mass is fixed.
     #[inline(always)]
     pub(super) fn force_by_start(&self, start: [f64; 2], states: &States) -> f64 {
         self.along(1, start, states).into_iter().sum()

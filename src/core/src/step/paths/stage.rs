@@ -20,11 +20,11 @@ use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
-/// Relative size of the last Newton step in a stage: the remaining error is about its square.
+/// Relative size of the last Newton step in a stage. The remaining error is about the square of this size.
 const TOLERANCE: f64 = 1e-5;
 
-/// A solved stage: all that a derivative of the step needs. `ON` is the set of elements that act in it
-/// ([`crate::paths::acting`]).
+/// A solved stage, with the values that are necessary for derivatives of the step. `ON` is the set of elements that act
+/// in the stage ([`crate::paths::acting`]).
 #[derive(Clone, Copy, Debug)]
 pub struct PathsStage<'a, T: Tables, const ON: u32> {
     paths: &'a Paths<T>,
@@ -45,17 +45,17 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     /// Velocity of the mass after the stage.
     pub u: f64,
     g: f64,
-    /// Time over which the state of a lagging valve was advanced.
+    /// Step factor of the valve's state: see `Known::since`.
     since: f64,
     pub(super) valve_jumps: bool,
-    /// Factor by which the valve raised the force.
+    /// Factor by which the valve increased the force.
     pub(super) raised: f64,
     known: [f64; STATES],
     from_start: MassStart,
     has_states_on_mass: bool,
-    /// States that were clamped to their ranges, as bits.
+    /// Bit set of the states that were clamped to their ranges.
     pub(super) kept: u32,
-    /// Whether the void counts as closed after the stage, even if a rounding error of it remains.
+    /// Whether the void counts as closed after the stage, even if rounding leaves a nonzero depth.
     pub(super) shuts: bool,
     /// Derivative of the FV curve.
     derivative: f64,
@@ -81,9 +81,9 @@ pub struct Seed {
     pub standing: f64,
     /// Force of the FV curve relative to that at standstill, at the velocities of [`StageDerivatives::valve_read`].
     pub read: [f64; 2],
-    /// Force of the series path, all else constant: see [`StageDerivatives::series_by_frame`].
+    /// Force of the series path at constant motion and states: see [`StageDerivatives::series_by_frame`].
     pub series: f64,
-    /// Restoring force of springs and inertia on the mass, all else constant.
+    /// Restoring force of springs and inertia on the mass, at constant motion and states.
     pub drag: f64,
 }
 
@@ -111,7 +111,7 @@ pub struct Derivative {
     pub force: f64,
 }
 
-/// Quantities that follow from an oil velocity, with their derivatives.
+/// Quantities computed from an oil velocity, with their derivatives.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     residual: Residual,
@@ -119,7 +119,8 @@ struct Look {
     column: Column,
     /// Flow through the bypass of the valves.
     past: Past,
-    /// e with its derivatives over F_h, velocity of the moving end and E, and those of the oil's part of e − E.
+    /// The void e. The derivatives of e, and of the oil's part of e − E, are with respect to F_h, the moving end's
+    /// velocity, and E.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
@@ -129,7 +130,7 @@ struct Look {
     u: f64,
     /// Relaxing deflections of the bushing.
     relaxed: Relaxed,
-    /// Derivative of (k_1 z + k_2 y)/k_s over the rate of the deflection.
+    /// Derivative of (k_1 z + k_2 y)/k_s with respect to the rate of the deflection.
     relaxing_by_rate: f64,
     law: series::Derivatived,
     inner: Response,
@@ -168,10 +169,10 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             factors,
         };
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
-        // Limit for a stage so short that the mass moves by less than a picometer.
+        // Tolerance at which the last step moves the mass by at most a nanometer. It matters in long stages.
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
         let tolerance = min(short, TOLERANCE);
-        // If nothing lies between the moving end and the valves, the oil moves with the end.
+        // If no element lies between the moving end and the valves, the oil has the velocity of the moving end.
         let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
         let (from, rounds) = if is_sought { (guess, ITERATIONS) } else { (path.v, 0) };
         let mut at = Look::NONE;
@@ -204,12 +205,12 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         }
     }
 
-    /// Evaluates the equation again at the root itself, for the derivatives.
+    /// Evaluates the equation again at the solution, for the derivatives.
     ///
-    /// The derivatives of the last evaluation belong to a point one Newton step away. If a force is strongly nonlinear,
-    /// as in a bushing or in a void with expanding gas, the weights of the method amplify that error. It reaches a
-    /// hundredth of the derivative of the step. No other element is so nonlinear within a Newton step. States and
-    /// forces do not change.
+    /// The derivatives of the last evaluation belong to a point one Newton step away. With a strongly nonlinear force,
+    /// as of a bushing or a void with expanding gas, the weights of the method amplify this error. The error then
+    /// reaches a hundredth of the derivative of the step. No other element is so nonlinear within a Newton step. States
+    /// and forces do not change.
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
@@ -237,7 +238,8 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
     }
 
-    /// Computes the derivatives of the elements with a state on the mass over the start of the substep.
+    /// Computes the derivatives, with respect to the start of the substep, of the elements that act on the mass and
+    /// have a state.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<T>) {
         if self.on_mass().is_some() {
@@ -245,7 +247,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         }
     }
 
-    /// Returns the forces of the elements with a state on the mass, if there are any.
+    /// Returns the forces of the elements that act on the mass and have a state, if such elements exist.
     #[inline(always)]
     pub(super) fn on_mass(&self) -> Option<&MassForces> {
         (acts::<ON>(self.paths, WHOLE) && self.has_states_on_mass).then_some(&self.at.on_mass)
@@ -304,7 +306,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             read: seed.read,
             selective: known[place::SELECTIVE],
         };
-        // First with w constant, then with the derivative of w.
+        // Compute the derivatives first at constant w, then add the effect of the derivative of w.
         let [held, ..] = at.valves.along::<ON>(e, &moves, leaks);
         let mut u_held = at.u_by_force * held;
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
@@ -442,11 +444,10 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     }
 }
 
-/// Evaluates the force on the mass parallel to the oil, linear beyond the reach of the series spring about the moving
-/// end.
+/// Evaluates the force on the mass parallel to the oil. The force is linear beyond the reach of the series spring.
 ///
-/// The plain step has the same limit: with a hardening spring, Newton's method from a distant guess would converge
-/// slowly.
+/// The plain step has the same limit. Without it, Newton's method from a distant guess would converge slowly with a
+/// hardening spring.
 #[inline(always)]
 fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
@@ -456,7 +457,7 @@ fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, 
 }
 
 impl Look {
-    /// The value before any evaluation.
+    /// The initial value before any evaluation.
     const NONE: Look = Look {
         residual: Residual { value: 0.0, by_w: 0.0, by_curve: 0.0 },
         valves: Valves::NONE,
