@@ -324,7 +324,7 @@ mod tests {
             // Nothing of another language slips in where a text exists.
             if language != words::Language::English {
                 for english in
-                    [words::EN.axis_velocity, words::EN.fv_caption, words::EN.single_about, words::EN.key_section]
+                    [words::EN.axis_velocity, words::EN.fv_caption, words::EN.tests_caption, words::EN.key_section]
                 {
                     assert!(!html.contains(english), "{code}: {english}");
                 }

@@ -2,6 +2,7 @@
 
 use super::numbers::digits;
 use crate::words::Words;
+use dashpot_messages::Message;
 use dashpot_records::{Record, TestMetadata, clock};
 
 /// Most values that are listed one by one.
@@ -20,8 +21,9 @@ pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
         }
         in_short(&values, words)
     };
-    let needed =
-        |text: &str, value: Option<String>| words.fill(text, &[("text", value.as_deref().unwrap_or(words.to_fill_in))]);
+    let needed = |text: Message, value: Option<String>| {
+        words.fill(text, &[("text", value.as_deref().unwrap_or(words.to_fill_in))])
+    };
     let mut lines = vec![
         needed(words.subject_part, said(|about| &about.part)),
         needed(words.subject_serial, said(|about| &about.serial)),

@@ -4,7 +4,7 @@ use super::axes::{Axis, LABEL, TICK, TITLE, text_width};
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use crate::numbers::{digits, error};
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
 /// Effects with a hue of their own; the palette has eight, of which the last stands for all smaller ones.
@@ -52,7 +52,7 @@ impl Band {
         if self.high < APART * self.low {
             return words.number(&text((self.low * self.high).sqrt()));
         }
-        words.number(&fill(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
+        words.number(&words.fill_as_is(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
     }
 
     /// Root mean square over its tests.

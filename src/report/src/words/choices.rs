@@ -82,6 +82,6 @@ mod tests {
             // They stand in a list of a narrow panel.
             assert!(choice[1..].iter().all(|word| !word.is_empty() && word.chars().count() <= 21), "{choice:?}");
         }
-        assert_eq!([EN, DE, FR, ZH].map(|words| words.choice("groove")), ["groove", "Nut", "rainure", "沟槽"]);
+        assert_eq!([&EN, &DE, &FR, &ZH].map(|words| words.choice("groove")), ["groove", "Nut", "rainure", "沟槽"]);
     }
 }

@@ -762,7 +762,7 @@ mod tests {
         let all: Vec<&str> =
             EFFECTS.iter().copied().chain(GROUPS.iter().map(|group| group.name)).chain(parameters).collect();
         for identifier in all {
-            for words in [EN, DE, FR, ZH] {
+            for words in [&EN, &DE, &FR, &ZH] {
                 assert!(words.name_of(identifier).is_some(), "{identifier} has no name in {}", words.code);
             }
         }

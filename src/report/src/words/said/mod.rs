@@ -96,10 +96,8 @@ mod tests {
     #[test]
     fn every_velocity_is_in_millimeters_a_second() {
         // The figures of a report are in mm, mm/s and N. A velocity in m/s would be a second unit system.
-        let own = Language::ALL.into_iter().flat_map(|(_, language)| language.words().all());
-        let own = own.map(|(_, text)| text);
         let said = [records::ALL, identification::ALL, diagnosis::ALL].into_iter().flatten().flatten().copied();
-        for text in said.chain(own) {
+        for text in said {
             let in_meters = text.match_indices("m/s").filter(|(at, _)| {
                 let before = text[..*at].chars().next_back();
                 let is_acceleration = text[at + 3..].starts_with(['²', '^']);
