@@ -557,3 +557,422 @@ measurement-section = Die Messung selbst
 aside-section = Beiseitegelassen
 aside = Versuche, die zu keiner Gruppe gehören: { $tests }.
 without-test = Zeilen der Gruppenliste, zu denen es in den Daten nichts gibt: { $tests }.
+
+# Names of effects, elements and parameters are short, and without commas, since they stand in lists.
+
+## Names. Effects and elements.
+
+name-fv-curve = FV-Kurve
+name-gas-preload = konstante Gaskraft
+name-gas-spring = Gasfeder
+name-coulomb-friction = Trockenreibung
+name-stribeck-friction = Reibung mit Losbrechkraft
+name-presliding-friction = Reibung mit Vorgleiten
+name-viscous-friction = viskose Reibung
+name-side-force-friction = Reibung durch Seitenkraft
+name-series-compliance = Reihennachgiebigkeit
+name-bushing = Gummilager
+name-parallel-spring = Parallelfeder
+name-oil-compressibility = Nachgiebigkeit des Öls
+name-aeration = Luft im Öl
+name-cavitation = Kavitation
+name-gas-warming = Gaskraft über der Temperatur
+name-temperature-fade = Nachlassen mit der Temperatur
+name-position-dependent-damping = hubabhängige Dämpfung
+name-bump-stop = Druckanschlag
+name-rebound-stop = Zuganschlag
+name-free-play = Spiel
+name-frequency-selective-damping = frequenzselektive Dämpfung
+name-valve-hysteresis = Ventilhysterese
+name-moving-mass = bewegte Masse
+name-lagged-polynomial = Polynom mit Verzögerung
+name-integration = Integration
+name-cylinder-expansion = Zylinderaufweitung
+
+## Names. Effects of the rig, and what looks like something that has no name.
+
+name-channel-delay = Verzug des Kraftkanals
+name-force-offset = Nullpunktfehler der Kraftmessdose
+name-force-drift = Nullpunktdrift der Kraftmessdose
+name-gain-drift = Verstärkungsdrift des Kraftkanals
+name-load-dependent-friction = lastabhängige Reibung
+name-load-cell-hysteresis = Hysterese der Kraftmessdose
+name-resonance = Resonanz
+
+## Names. Their numbers.
+
+name-delay = Verzug
+name-rig-mass = Masse an der Kraftmessdose
+name-offset = Nullpunktfehler
+name-drift = Drift
+name-whole-drift = Drift insgesamt
+name-share = Anteil
+name-share-across = Anteil in Querphase
+name-share-growth = Zunahme des Anteils
+name-cooling-rate = Abkühlrate
+
+## Names. Parts of the FV curve that change as one.
+
+name-rebound-curve = Kraft der Zugstufe
+name-compression-curve = Kraft der Druckstufe
+name-rebound-low-speed = Zugstufe bei kleiner Geschwindigkeit
+name-compression-low-speed = Druckstufe bei kleiner Geschwindigkeit
+name-rebound-high-speed = Zugstufe bei hoher Geschwindigkeit
+name-compression-high-speed = Druckstufe bei hoher Geschwindigkeit
+
+## Names. The FV curve.
+
+name-fv-form = Form der FV-Kurve
+name-fv-interpolation = Interpolation der FV-Kurve
+name-fv-velocity = Geschwindigkeit der FV-Kurve
+name-fv-force = Kraft der FV-Kurve
+name-fv-rebound-c1 = erste Steigung der Zugstufe
+name-fv-rebound-c2 = zweite Steigung der Zugstufe
+name-fv-rebound-c3 = dritte Steigung der Zugstufe
+name-fv-rebound-v1 = erster Knick der Zugstufe
+name-fv-rebound-v2 = zweiter Knick der Zugstufe
+name-fv-compression-c1 = erste Steigung der Druckstufe
+name-fv-compression-c2 = zweite Steigung der Druckstufe
+name-fv-compression-v1 = Knick der Druckstufe
+
+## Names. In series.
+
+name-series-stiffness = Reihensteifigkeit
+name-series-damping = Reihendämpfung
+name-internal-mass = innere Masse
+name-series-load = Last der Reihenfeder
+name-free-play-gap = Größe des Spiels
+name-free-play-load = Last auf dem Spiel
+name-free-play-force = Weichheit der Anlage
+name-bushing-hardening = Verhärtung des Gummis
+name-bushing-loss-stiffness = dynamische Versteifung des Gummis
+name-bushing-loss-time = Relaxationszeit des Gummis
+name-bushing-slip = Gleitweg des Gummis
+name-bushing-stop = Gummiweg bis zum Anschlag
+name-bushing-stop-stiffness = Steifigkeit des Gummianschlags
+name-bushing-slow-stiffness = langsame Versteifung des Gummis
+name-bushing-slow-time = langsame Relaxationszeit des Gummis
+
+## Names. Oil.
+
+name-oil-stiffness = Steifigkeit der Ölsäule
+name-oil-shortening = Verkürzung der Ölsäule
+name-oil-chambers = nachgiebige Kammern
+name-oil-compression = Verhältnis der Ölsteifigkeiten
+name-aeration-stroke = Luftweg
+name-aeration-force = Kraft zum Schließen der Luft
+name-aeration-compression = Luftverhältnis der Druckstufe
+name-cavitation-force = Kavitationsgrenze
+name-cavitation-side = kavitierende Richtung
+name-cavitation-return = Kraft auf dem Rückweg
+name-cavitation-form = Form der Kavitation
+name-cavitation-velocity = Grenzgeschwindigkeit des Bodenventils
+name-cavitation-unfilled = nicht nachgefüllter Anteil
+name-lost-stroke = Totgang
+name-cavitation-onset = Beginn der Kavitation
+name-cavitation-expansion = Aufweitung des Hohlraums
+
+## Names. Over the stroke.
+
+name-bypass-share = fehlender Anteil in der Zone
+name-bypass-centre = Mitte der Zone
+name-bypass-half-width = halbe Breite der Zone
+name-bypass-blend = Übergang der Zone
+name-bypass-strokes = Richtungen der Zone
+name-bypass-form = Form der Zone
+name-bypass-flow = Strom durch die Nut
+
+## Names. Heat.
+
+name-fade-source = Herkunft der Temperatur
+name-fade-coefficient = Abfall je Kelvin
+name-fade-reference = Bezugstemperatur
+name-heat-capacity = Wärmekapazität
+name-heat-transfer = Wärmeabgabe je Kelvin
+name-fade-laminar-force = Grenzkraft laminarer Strömung
+name-fade-slackening = Abflachen des Abfalls
+
+## Names. Valves.
+
+name-fsd-form = Form der Frequenzabhängigkeit
+name-fsd-share = Verlust bei schnellen Hüben
+name-fsd-time = Zeitkonstante der Frequenzabhängigkeit
+name-fsd-velocity = Füllgeschwindigkeit der Steuerkammer
+name-fsd-flow = Bypass-Strom
+name-fsd-force = Füllkraft der Steuerkammer
+name-fsd-laminar-force = Laminargrenze des Bypasses
+name-valve-hysteresis-share = Anteil der Ventilhysterese
+name-valve-opening-force = Öffnungskraft des Ventils
+name-valve-closing-ratio = Verhältnis Schließ- zu Öffnungskraft
+name-valve-time = Stellzeit des Ventils
+name-valve-width = Öffnungsbereich des Ventils
+name-valve-form = Form der Ventilhysterese
+name-valve-play = Spiel des Ventils
+name-valve-damping = Dämpfungsmaß des Ventils
+
+## Names. Springs.
+
+name-spring-linear = lineare Federrate
+name-spring-quadratic = quadratische Federrate
+name-spring-cubic = kubische Federrate
+name-spring-quartic = Federrate vierten Grades
+name-spring-displacement = Weg der Federtabelle
+name-spring-force = Kraft der Federtabelle
+
+## Names. Friction.
+
+name-coulomb-force = Reibkraft
+name-coulomb-steepness = Steilheit der Reibung
+name-stribeck-form = Stribeck-Form
+name-stribeck-breakaway-force = Losbrechkraft
+name-stribeck-coulomb-force = Reibkraft nach dem Losbrechen
+name-stribeck-breakaway-velocity = Losbrechgeschwindigkeit
+name-stribeck-velocity = Stribeck-Geschwindigkeit
+name-stribeck-fall = Exponent des Abfalls
+name-stribeck-rise = Höhe der Spitze
+name-stribeck-rise-power = Exponent des Anstiegs
+name-viscous-coefficient = viskoser Beiwert
+name-side-force-coefficient = Reibung je Seitenkraft
+name-side-force-steepness = Steilheit der Seitenkraftreibung
+name-presliding-force = Reibkraft bei Vorgleiten
+name-presliding-length = Vorgleitweg
+name-presliding-power = Form des Vorgleitens
+name-presliding-return = Rückgang nach der Umkehr
+name-presliding-creep = Kriechgeschwindigkeit
+
+## Names. Gas.
+
+name-gas-force = Gaskraft
+name-gas-warming-rate = Zuwachs der Gaskraft je Kelvin
+name-gas-warming-reference = Bezugstemperatur der Gaskraft
+name-gas-stiffness = Gassteifigkeit
+name-gas-length = Länge der Gassäule
+name-gas-adiabatic-index = Adiabatenexponent
+name-gas-thermal-time = Wärmezeit des Gases
+
+## Names. The model of the literature.
+
+name-polynomial = Koeffizienten des Polynoms
+name-lag-slow = Verzögerung bei kleiner Geschwindigkeit
+name-lag-fast = Verzögerung bei großer Geschwindigkeit
+name-lag-v1 = untere Geschwindigkeit der Verzögerung
+name-lag-v2 = obere Geschwindigkeit der Verzögerung
+
+## Names. Masses and stops.
+
+name-moving-mass-time = Nacheilen der bewegten Masse
+name-moving-mass-place = Ort der bewegten Masse
+name-bump-stop-clearance = Weg bis zum Druckanschlag
+name-bump-stop-stiffness = Steifigkeit des Druckanschlags
+name-bump-stop-progression = Progression des Druckanschlags
+name-bump-stop-loss = Verlust des Druckanschlags
+name-bump-stop-damping = Dämpfung des Druckanschlags
+name-bump-stop-flow = Strömung des Druckanschlags
+name-rebound-stop-clearance = Weg bis zum Zuganschlag
+name-rebound-stop-stiffness = Steifigkeit des Zuganschlags
+name-rebound-stop-progression = Progression des Zuganschlags
+name-rebound-stop-loss = Verlust des Zuganschlags
+name-rebound-stop-damping = Dämpfung des Zuganschlags
+name-rebound-stop-flow = Strömung des Zuganschlags
+
+## Names. The step.
+
+name-method = Integrationsverfahren
+name-substeps = Teilschritte
+
+## Choices of a parameter: they stand in a list of a narrow panel.
+
+choice-automatic = automatisch
+choice-both = beide
+choice-bypass = Umgehung
+choice-cap = begrenzte Kraft
+choice-compression = Druckstufe
+choice-cubic-each-side = kubisch je Seite
+choice-driven-end = bewegtes Ende
+choice-elastic = elastisch zurück
+choice-euler = Euler
+choice-factor = Faktor
+choice-filter = Filter
+choice-foot-valve = Bodenventil
+choice-fourth-order = vierte Ordnung
+choice-full = vollständig
+choice-gap = Spalt
+choice-groove = Nut
+choice-hydraulic = hydraulische Kraft
+choice-inside = innen
+choice-linear = linear
+choice-measured = gemessen
+choice-monotone-cubic = monoton kubisch
+choice-opening = Öffnung
+choice-orifice = Blende
+choice-piecewise = gerade Stücke
+choice-play = Reibung des Schiebers
+choice-rebound = Zugstufe
+choice-second-order = zweite Ordnung
+choice-self-heating = Eigenerwärmung
+choice-simplified = vereinfacht
+choice-slips = gleitet sofort
+choice-spool = Masse des Schiebers
+choice-stroke = in jedem Hub
+choice-table = Tabelle
+choice-third-order = dritte Ordnung
+choice-three-stage = drei Stufen
+choice-whole = gesamte Kraft
+
+## What elements and effects are. Names of forms such as `bypass` stand in model files and are not translated.
+
+element-fv-curve = Grunddämpfer: die Kraft-Geschwindigkeits-Kurve (FV-Kurve)
+element-series-compliance = Feder und Dämpfer in Reihe mit der inneren Masse (Nachgiebigkeit von Gas, Öl und Lager)
+element-free-play = Spiel in einem Auge oder Lager; braucht series_compliance
+element-bushing = Gummi in Reihe mit dem Dämpfer: die Reihenfeder wird härter und verliert Energie; braucht series_compliance
+element-oil-compressibility = Nachgiebigkeit der Ölsäule (mit der Aufweitung des Zylinders) vor den Ventilen
+element-aeration = Luft im Öl: die Ölsäule ist weich, solange die Kraft klein ist
+element-cavitation = Kavitation: die hydraulische Kraft einer Richtung ist begrenzt, und ein Hohlraum muss erst wieder geschlossen werden
+element-position-dependent-damping = Dämpfung, die über einen Teil des Hubs schwächer (Bypass) oder straffer ist
+element-temperature-fade = Dämpfung, die mit der Temperatur des Öls fällt, gemessen oder durch die eigene Wärme
+element-frequency-selective-damping = Dämpfung, die in schnellen Hüben schwächer ist als in langsamen gleicher Geschwindigkeit
+element-valve-hysteresis = Überdruckventil, das spät öffnet und spät schließt: mehr Kraft bei steigender Geschwindigkeit
+element-parallel-spring = Feder parallel zum Grunddämpfer: linear, quadratisch, kubisch, vierten Grades oder als Tabelle
+element-coulomb-friction = Trockenreibung konstanter Höhe, F_s tanh(K v)
+element-stribeck-friction = Trockenreibung mit Losbrechspitze
+element-viscous-friction = viskose Reibung, F_v v|v|
+element-side-force-friction = Trockenreibung proportional zur Seitenkraft
+element-gas-preload = konstante Gaskraft
+element-gas-warming = Gaskraft, die mit der Temperatur des Dämpfers wächst
+element-lagged-polynomial = FV-Kurve als Polynom mit Verzögerung erster Ordnung, deren Zeitkonstante mit der Geschwindigkeit übergeht
+element-presliding-friction = Reibung, die nach jeder Umkehr innerhalb eines kurzen Wegs umschlägt (Dahl)
+element-gas-spring = Zunahme der Gaskraft mit dem Weg der Stange, langsam bis schnell
+element-moving-mass = vom bewegten Ende zwischen Kraftmessdose und Dämpfer oder vom Kolben bewegte Masse
+element-bump-stop = Anschlag am Ende der Druckstufe, Gummi oder hydraulisch
+element-rebound-stop = Anschlag am Ende der Zugstufe, Gummi oder hydraulisch
+element-integration = Einstellungen der Integration mit fester Schrittweite
+element-channel-delay = der Kraftkanal kommt später als die Kanäle der Bewegung (Prüfstand)
+element-force-offset = die Kraftmessdose zeigt ohne Last nicht null (Prüfstand)
+element-force-drift = der Nullpunkt der Kraftmessdose wandert mit der Zeit (Prüfstand)
+
+## What parameters mean.
+
+parameter-fv-form = FV-Kurve aus der Tabelle oder aus Steigungen und Knicken
+parameter-fv-interpolation = Verlauf der FV-Tabelle zwischen ihren Punkten
+parameter-fv-velocity = Geschwindigkeiten der FV-Tabelle, Zugstufe positiv, steigend
+parameter-fv-force = Kräfte der FV-Tabelle, Zugkraft positiv, nicht fallend
+parameter-fv-rebound-c1 = Cr1: Steigung der Zugstufe unter dem ersten Knick
+parameter-fv-rebound-c2 = Cr2: Steigung der Zugstufe zwischen den Knicken
+parameter-fv-rebound-c3 = Cr3: Steigung der Zugstufe über dem zweiten Knick
+parameter-fv-rebound-v1 = erster Knick der Zugstufe
+parameter-fv-rebound-v2 = zweiter Knick der Zugstufe
+parameter-fv-compression-c1 = Cc1: Steigung der Druckstufe unter dem Knick
+parameter-fv-compression-c2 = Cc2: Steigung der Druckstufe über dem Knick
+parameter-fv-compression-v1 = Knick der Druckstufe, als Geschwindigkeitsbetrag
+parameter-series-stiffness = Steifigkeit der Reihenfeder, k_s
+parameter-series-damping = Dämpfung neben der Reihenfeder, c_s
+parameter-internal-mass = bewegte Masse von Stange, Öl und Gas, m
+parameter-series-load = was die Reihenfeder trägt: die hydraulische Kraft und die Federn an der Masse, oder auch Reibung und Gaskraft, wie ein Auge oder Lager
+parameter-free-play-gap = freier Weg von Anlage zu Anlage, 2 g
+parameter-free-play-force = Kraft, bei der das Spiel halb geschlossen ist, F_0: Weichheit der Anlage
+parameter-free-play-load = Kraft in der Mitte des Spiels, F_1: Gewicht am Auge, Gaskraft, die es trägt, Verspannung
+parameter-bushing-hardening = Einfederung, bei der die Reihenfeder die doppelte Kraft hat, d_h
+parameter-bushing-loss-stiffness = Anteil der Reihensteifigkeit, den schnelle oder kleine Bewegung hinzufügt, k_1/k_s
+parameter-bushing-loss-time = Zeit, in der dieser Anteil nachgibt, tau
+parameter-bushing-slip = Einfederung, in der dieser Anteil durch Reibung nachgibt, d_f; groß: allein durch Zeit
+parameter-bushing-stop = Einfederung, bei der der Gummi nach jeder Seite einen Anschlag trifft, L
+parameter-bushing-stop-stiffness = Anteil der Reihensteifigkeit, den der Anschlag hinzufügt, k_e/k_s; 0: kein Anschlag
+parameter-bushing-slow-stiffness = Anteil der Reihensteifigkeit, der langsam nachgibt, k_2/k_s
+parameter-bushing-slow-time = Zeit, in der dieser Anteil nachgibt, tau_2
+parameter-oil-stiffness = Steifigkeit der Ölsäule bei x = 0, Aufweitung des Zylinders eingeschlossen, k_o
+parameter-oil-shortening = Kehrwert der Länge der Säule bei x = 0, lambda; 0: überall gleiche Steifigkeit
+parameter-oil-chambers = welche Säule nachgibt: die der Zugkammer oder die der Kammer unter Druck
+parameter-oil-compression = Steifigkeit der Säule in der Druckstufe, als Anteil der in der Zugstufe, r_o
+parameter-aeration-stroke = Weg, den die Luft in der Zugstufe aufnimmt, d_a
+parameter-aeration-force = Kraft, bei der die Hälfte dieses Wegs aufgenommen ist, F_a
+parameter-aeration-compression = Weg, den die Luft in der Druckstufe aufnimmt, als Anteil des Wegs in der Zugstufe, r_a
+parameter-cavitation-force = größte hydraulische Kraft dieser Richtung, C
+parameter-cavitation-side = Richtung, deren Kraft begrenzt ist
+parameter-cavitation-return = Anteil der Grenzkraft, der auf dem Rückweg bleibt, während der Hohlraum sich schließt: 1 Gas drückt weiter, 0 Leerweg
+parameter-cavitation-form = Hohlraum durch die begrenzte Kraft dieser Richtung oder durch ein Bodenventil, das die Kammer dahinter nicht nachfüllt
+parameter-cavitation-velocity = Bodenventil: Geschwindigkeit dieser Richtung, über der die Kammer nicht nachgefüllt wird, v_f
+parameter-cavitation-unfilled = Bodenventil: Anteil des Stroms über dieser Geschwindigkeit, der fehlt, a
+parameter-cavitation-onset = Grenzkraft: Anteil davon, bei dem der Hohlraum sich öffnet, alpha; 1: bei der Grenzkraft selbst
+parameter-cavitation-expansion = Grenzkraft: Hohlraum, über den die Hälfte des Rests gewonnen wird, während sein Gas sich ausdehnt, e_1
+parameter-bypass-share = Anteil der FV-Kraft, der in der Zone fehlt, a; negativ: eine straffere Zone
+parameter-bypass-centre = Weg in der Mitte der Zone, c
+parameter-bypass-half-width = halbe Länge der Zone, w
+parameter-bypass-blend = Länge, über die die Zone ausläuft, b
+parameter-bypass-strokes = Richtungen, in denen es wirkt
+parameter-bypass-form = Faktor auf die FV-Kraft oder Strom neben den Ventilen
+parameter-bypass-flow = Nut: Kolbengeschwindigkeit, die in der Zone bei einer hydraulischen Kraft von 1 kN vorbeiströmt, q_b
+parameter-fade-source = Temperatur wie gegeben, oder die der Umgebung und der Anstieg durch die eigene Wärme des Dämpfers
+parameter-fade-coefficient = Abfall der Dämpfung je Kelvin, alpha
+parameter-fade-reference = Temperatur der FV-Kurve, T_0
+parameter-heat-capacity = Wärmekapazität von Öl und Gehäuse, C_h
+parameter-heat-transfer = je Kelvin an die Umgebung abgegebene Wärme, h
+parameter-fade-laminar-force = Kraft, bei der die Hälfte davon noch laminar ist und nachlässt, F_l; groß: alles lässt nach
+parameter-fade-slackening = wie bald der Abfall je Kelvin kleiner wird, kappa; 0: exponentiell, 1/(T_0 + 95 degC): Gesetz von Vogel
+parameter-fsd-form = nacheilender Anteil, Anteil, der in jedem Hub wiederkehrt, oder Strom neben den Ventilen, der in jedem Hub endet
+parameter-fsd-share = Anteil der Kraft, den schnelle Hübe verlieren, a
+parameter-fsd-time = Zeit, die schnell von langsam scheidet, tau
+parameter-fsd-velocity = Form „stroke“: Geschwindigkeit, die die Steuerkammer füllt, u_0
+parameter-fsd-flow = Form „bypass“: Kolbengeschwindigkeit, die bei einer hydraulischen Kraft von 1 kN vorbeiströmt, q_s
+parameter-fsd-force = Form „bypass“: hydraulische Kraft, über der die Steuerkammer sich mit voller Rate füllt, F_0
+parameter-fsd-laminar-force = Form „bypass“: hydraulische Kraft, unter der ihre Strömung laminar ist, F_l
+parameter-valve-hysteresis-share = Form „opening“: Anteil der Kraft, den die Verspätung hinzufügt, eta
+parameter-valve-opening-force = Kraft, bei der das Ventil öffnet
+parameter-valve-closing-ratio = Form „opening“: Kraft, bei der es schließt, über der, bei der es öffnet; 1: allein die Zeit macht es spät
+parameter-valve-time = Zeit, in der es sich bewegt, tau; Schieber: die seiner Schwingung durch 2 pi
+parameter-valve-width = Kraft, über die es öffnet, b
+parameter-valve-form = eine Öffnung, die spät kommt und geht, oder ein Ventil, das bei jeder Öffnung durch Reibung oder seine Masse nacheilt
+parameter-valve-play = Form „play“: Kraft, der das Ventil nicht folgt, P
+parameter-valve-damping = Form „spool“: Dämpfungsmaß, zeta
+parameter-spring-linear = k_p in k_p x
+parameter-spring-quadratic = k_p in k_p x|x|
+parameter-spring-cubic = k_p in k_p x^3
+parameter-spring-quartic = k_p in k_p x^3|x|
+parameter-spring-displacement = Wege der Tabellenfeder, steigend; leer: keine Tabelle
+parameter-spring-force = Kräfte der Tabellenfeder, nicht fallend
+parameter-coulomb-force = Höhe der Reibung, F_s
+parameter-coulomb-steepness = Steilheit des Vorzeichenwechsels, K
+parameter-stribeck-form = welche der beiden Stribeck-Formen
+parameter-stribeck-breakaway-force = Spitzenkraft (Übergangskraft), F_brk oder F_t
+parameter-stribeck-coulomb-force = Höhe nach der Spitze, F_c oder F_s
+parameter-stribeck-breakaway-velocity = Geschwindigkeit der Spitze, v_brk oder V_fs
+parameter-stribeck-velocity = volle Form: Geschwindigkeitsmaß des Abfalls, V_s
+parameter-stribeck-fall = volle Form: Exponent des Abfalls, a (1 Tustin, 2 Gauß)
+parameter-stribeck-rise = volle Form: wie nahe die Spitze an F_t kommt, c
+parameter-stribeck-rise-power = volle Form: Exponent des Anstiegs, d
+parameter-viscous-coefficient = F_v in F_v v|v|
+parameter-side-force-coefficient = Reibung je Seitenkraft, k_avg
+parameter-side-force-steepness = Steilheit des Vorzeichenwechsels, K
+parameter-gas-force = Gaskraft, positiv, wo sie die Stange hinausdrückt
+parameter-gas-warming-rate = Zuwachs der Gaskraft je Kelvin, c
+parameter-gas-warming-reference = Temperatur, bei der die Gaskraft die der anderen Elemente ist, T_0
+parameter-polynomial = Koeffizienten von v^0, v^1, ...
+parameter-lag-slow = Zeitkonstante bei kleiner Geschwindigkeit
+parameter-lag-fast = Zeitkonstante bei großer Geschwindigkeit
+parameter-lag-v1 = Geschwindigkeit, ab der die Zeitkonstante sich ändert
+parameter-lag-v2 = Geschwindigkeit, bei der sie sich geändert hat
+parameter-presliding-force = Höhe der Reibung nach langem Weg, F_c
+parameter-presliding-length = Weg, auf dem die Kraft sich ihrer Höhe um den Faktor e nähert, z_0
+parameter-presliding-power = 1: gleitet von Anfang an (Dahl); größer: biegt sich elastisch, bevor sie gleitet, n
+parameter-presliding-return = nach einer Umkehr gleitet ein gebogener Kontakt sofort oder federt zuerst zurück
+parameter-presliding-creep = Geschwindigkeit, unter der der Kontakt kriecht, v_c
+parameter-gas-stiffness = langsame (isotherme) Steifigkeit bei x = 0, k
+parameter-gas-length = Gasvolumen bei x = 0 durch die Fläche der Stange, L: wie bald es steifer wird
+parameter-gas-adiabatic-index = Verhältnis von schneller zu langsamer Steifigkeit, gamma
+parameter-gas-thermal-time = Zeit, in der das Gas die Temperatur seiner Wand annimmt, tau
+parameter-moving-mass = Masse, M
+parameter-moving-mass-time = Zeit, um die ihre Kraft nacheilt, tau; kurz gegen die Bewegung
+parameter-moving-mass-place = was sie bewegt: das angetriebene Ende oder der Kolben hinter der Reihensteifigkeit
+parameter-bump-stop-clearance = Einfederung von x = 0 aus, bei der der Anschlag getroffen wird, als positive Länge
+parameter-bump-stop-stiffness = Steifigkeit beim ersten Kontakt
+parameter-bump-stop-progression = Tiefe, in der die Feder die doppelte Kraft einer geraden hat
+parameter-bump-stop-loss = Anteil der Federkraft, der auf dem Weg hinein und wieder hinaus verloren geht
+parameter-bump-stop-damping = hydraulische Dämpfung auf dem Weg hinein, in der Tiefe der Progression
+parameter-bump-stop-flow = hydraulische Kraft mit der Geschwindigkeit oder ihrem Quadrat (bei 1 m/s gleich)
+parameter-rebound-stop-clearance = Ausfederung von x = 0 aus, bei der der Anschlag getroffen wird
+parameter-rebound-stop-stiffness = Steifigkeit beim ersten Kontakt
+parameter-rebound-stop-progression = Tiefe, in der die Feder die doppelte Kraft einer geraden hat
+parameter-rebound-stop-loss = Anteil der Federkraft, der auf dem Weg hinein und wieder hinaus verloren geht
+parameter-rebound-stop-damping = hydraulische Dämpfung auf dem Weg hinein, in der Tiefe der Progression
+parameter-rebound-stop-flow = hydraulische Kraft mit der Geschwindigkeit oder ihrem Quadrat (bei 1 m/s gleich)
+parameter-method = Verfahren innerhalb eines Schritts; automatic: das billigste, das den Fehler eines Schritts von 1 ms unter einem Tausendstel hält
+parameter-substeps = Teilschritte innerhalb eines Schritts des Programms; 0: so viele, wie Steifigkeit und Dämpfung des Modells verlangen

@@ -557,3 +557,264 @@ measurement-section = The measurement itself
 aside-section = Left aside
 aside = Tests that belong to no group: { $tests }.
 without-test = Lines of the list of groups that name nothing in the data: { $tests }.
+
+# Names of effects, elements and parameters are short, and without commas, since they stand in lists.
+
+## Names. Effects and elements.
+
+name-fv-curve = FV curve
+name-gas-preload = constant gas force
+name-gas-spring = gas spring
+name-coulomb-friction = dry friction
+name-stribeck-friction = friction with break-away
+name-presliding-friction = presliding friction
+name-viscous-friction = viscous friction
+name-side-force-friction = friction by side force
+name-series-compliance = series compliance
+name-bushing = rubber bush
+name-parallel-spring = parallel spring
+name-oil-compressibility = compressible oil
+name-aeration = air in the oil
+name-cavitation = cavitation
+name-gas-warming = gas force over temperature
+name-temperature-fade = fading with temperature
+name-position-dependent-damping = damping that depends on the position
+name-bump-stop = bump stop
+name-rebound-stop = rebound stop
+name-free-play = free play
+name-frequency-selective-damping = frequency-selective damping
+name-valve-hysteresis = valve hysteresis
+name-moving-mass = moving mass
+name-lagged-polynomial = polynomial with lag
+name-integration = integration
+name-cylinder-expansion = widening of the cylinder
+
+## Names. Effects of the rig, and what looks like something that has no name.
+
+name-channel-delay = delay of the force channel
+name-force-offset = zero error of the load cell
+name-force-drift = zero drift of the load cell
+name-gain-drift = gain drift of the force channel
+name-load-dependent-friction = friction that grows with the load
+name-load-cell-hysteresis = hysteresis of the load cell
+name-resonance = resonance
+
+## Names. Their numbers.
+
+name-delay = delay
+name-rig-mass = mass on the load cell
+name-offset = zero error
+name-drift = drift
+name-whole-drift = drift in all
+name-share = share
+name-share-across = share across
+name-share-growth = growth of the share
+name-cooling-rate = cooling rate
+
+## Names. Parts of the FV curve that change as one.
+
+name-rebound-curve = rebound force
+name-compression-curve = compression force
+name-rebound-low-speed = rebound force at low speed
+name-compression-low-speed = compression force at low speed
+name-rebound-high-speed = rebound force at high speed
+name-compression-high-speed = compression force at high speed
+
+## Names. The FV curve.
+
+name-fv-form = form of the FV curve
+name-fv-interpolation = interpolation of the FV curve
+name-fv-velocity = velocity of the FV curve
+name-fv-force = force of the FV curve
+name-fv-rebound-c1 = first rebound slope
+name-fv-rebound-c2 = second rebound slope
+name-fv-rebound-c3 = third rebound slope
+name-fv-rebound-v1 = first rebound knee
+name-fv-rebound-v2 = second rebound knee
+name-fv-compression-c1 = first compression slope
+name-fv-compression-c2 = second compression slope
+name-fv-compression-v1 = compression knee
+
+## Names. In series.
+
+name-series-stiffness = series stiffness
+name-series-damping = series damping
+name-internal-mass = internal mass
+name-series-load = load of the series spring
+name-free-play-gap = size of the play
+name-free-play-load = load on the play
+name-free-play-force = softness of the contact
+name-bushing-hardening = hardening of the rubber
+name-bushing-loss-stiffness = dynamic stiffening of the rubber
+name-bushing-loss-time = relaxation time of the rubber
+name-bushing-slip = slip travel of the rubber
+name-bushing-stop = travel of the rubber to its stop
+name-bushing-stop-stiffness = stiffness of the rubber’s stop
+name-bushing-slow-stiffness = slow stiffening of the rubber
+name-bushing-slow-time = slow relaxation time of the rubber
+
+## Names. Oil.
+
+name-oil-stiffness = stiffness of the oil column
+name-oil-shortening = shortening of the oil column
+name-oil-chambers = chambers that yield
+name-oil-compression = oil stiffness ratio of compression
+name-aeration-stroke = stroke taken up by air
+name-aeration-force = force that closes the air
+name-aeration-compression = air ratio of compression
+name-cavitation-force = cavitation limit
+name-cavitation-side = stroke that cavitates
+name-cavitation-return = force on the return
+name-cavitation-form = form of the cavitation
+name-cavitation-velocity = speed limit of the foot valve
+name-cavitation-unfilled = share not refilled
+name-lost-stroke = lost stroke
+name-cavitation-onset = onset of the cavitation
+name-cavitation-expansion = expansion of the void
+
+## Names. Over the stroke.
+
+name-bypass-share = missing share in the zone
+name-bypass-centre = middle of the zone
+name-bypass-half-width = half-width of the zone
+name-bypass-blend = transition of the zone
+name-bypass-strokes = strokes of the zone
+name-bypass-form = form of the zone
+name-bypass-flow = flow through the groove
+
+## Names. Heat.
+
+name-fade-source = source of the temperature
+name-fade-coefficient = fall per kelvin
+name-fade-reference = reference temperature
+name-heat-capacity = heat capacity
+name-heat-transfer = heat given off per kelvin
+name-fade-laminar-force = laminar force limit
+name-fade-slackening = slackening of the fall
+
+## Names. Valves.
+
+name-fsd-form = form of the frequency dependence
+name-fsd-share = share lost by fast strokes
+name-fsd-time = time between fast and slow
+name-fsd-velocity = filling speed of the chamber
+name-fsd-flow = bypass flow
+name-fsd-force = filling force of the chamber
+name-fsd-laminar-force = laminar limit of the bypass
+name-valve-hysteresis-share = share of the valve hysteresis
+name-valve-opening-force = opening force of the valve
+name-valve-closing-ratio = closing to opening force
+name-valve-time = time of the valve
+name-valve-width = opening range of the valve
+name-valve-form = form of the valve hysteresis
+name-valve-play = play of the valve
+name-valve-damping = damping ratio of the valve
+
+## Names. Springs.
+
+name-spring-linear = linear spring rate
+name-spring-quadratic = quadratic spring rate
+name-spring-cubic = cubic spring rate
+name-spring-quartic = quartic spring rate
+name-spring-displacement = displacement of the spring table
+name-spring-force = force of the spring table
+
+## Names. Friction.
+
+name-coulomb-force = friction force
+name-coulomb-steepness = steepness of the friction
+name-stribeck-form = Stribeck form
+name-stribeck-breakaway-force = break-away force
+name-stribeck-coulomb-force = friction after break-away
+name-stribeck-breakaway-velocity = break-away velocity
+name-stribeck-velocity = Stribeck velocity
+name-stribeck-fall = exponent of the fall
+name-stribeck-rise = height of the peak
+name-stribeck-rise-power = exponent of the rise
+name-viscous-coefficient = viscous coefficient
+name-side-force-coefficient = friction per side force
+name-side-force-steepness = steepness of the side-force friction
+name-presliding-force = presliding friction force
+name-presliding-length = presliding travel
+name-presliding-power = shape of the presliding
+name-presliding-return = return after a reversal
+name-presliding-creep = creep velocity
+
+## Names. Gas.
+
+name-gas-force = gas force
+name-gas-warming-rate = growth of the gas force per kelvin
+name-gas-warming-reference = reference temperature of the gas force
+name-gas-stiffness = gas stiffness
+name-gas-length = length of the gas column
+name-gas-adiabatic-index = adiabatic index
+name-gas-thermal-time = thermal time of the gas
+
+## Names. The model of the literature.
+
+name-polynomial = coefficients of the polynomial
+name-lag-slow = lag at low speed
+name-lag-fast = lag at high speed
+name-lag-v1 = lower speed of the lag
+name-lag-v2 = upper speed of the lag
+
+## Names. Masses and stops.
+
+name-moving-mass-time = lag of the moving mass
+name-moving-mass-place = place of the moving mass
+name-bump-stop-clearance = travel to the bump stop
+name-bump-stop-stiffness = stiffness of the bump stop
+name-bump-stop-progression = progression of the bump stop
+name-bump-stop-loss = loss of the bump stop
+name-bump-stop-damping = damping of the bump stop
+name-bump-stop-flow = flow of the bump stop
+name-rebound-stop-clearance = travel to the rebound stop
+name-rebound-stop-stiffness = stiffness of the rebound stop
+name-rebound-stop-progression = progression of the rebound stop
+name-rebound-stop-loss = loss of the rebound stop
+name-rebound-stop-damping = damping of the rebound stop
+name-rebound-stop-flow = flow of the rebound stop
+
+## Names. The step.
+
+name-method = method of integration
+name-substeps = substeps
+
+## Choices of a parameter: they stand in a list of a narrow panel.
+
+choice-automatic = automatic
+choice-both = both
+choice-bypass = bypass
+choice-cap = limited force
+choice-compression = compression
+choice-cubic-each-side = cubic each side
+choice-driven-end = driven end
+choice-elastic = elastic return
+choice-euler = Euler
+choice-factor = factor
+choice-filter = filter
+choice-foot-valve = foot valve
+choice-fourth-order = fourth order
+choice-full = full
+choice-gap = gap
+choice-groove = groove
+choice-hydraulic = hydraulic force
+choice-inside = inside
+choice-linear = linear
+choice-measured = measured
+choice-monotone-cubic = monotone cubic
+choice-opening = opening
+choice-orifice = orifice
+choice-piecewise = straight pieces
+choice-play = friction of the spool
+choice-rebound = rebound
+choice-second-order = second order
+choice-self-heating = self-heating
+choice-simplified = simplified
+choice-slips = slips at once
+choice-spool = mass of the spool
+choice-stroke = within each stroke
+choice-table = table
+choice-third-order = third order
+choice-three-stage = three stages
+choice-whole = whole force

@@ -557,3 +557,422 @@ measurement-section = La mesure elle-même
 aside-section = Laissés de côté
 aside = Essais qui n’appartiennent à aucun groupe : { $tests }.
 without-test = Lignes de la liste des groupes qui ne correspondent à rien dans les données : { $tests }.
+
+# Names of effects, elements and parameters are short, and without commas, since they stand in lists.
+
+## Names. Effects and elements.
+
+name-fv-curve = courbe FV
+name-gas-preload = effort de gaz constant
+name-gas-spring = ressort à gaz
+name-coulomb-friction = frottement sec
+name-stribeck-friction = frottement avec décollement
+name-presliding-friction = frottement à préglissement
+name-viscous-friction = frottement visqueux
+name-side-force-friction = frottement dû à l’effort latéral
+name-series-compliance = souplesse en série
+name-bushing = articulation élastique
+name-parallel-spring = ressort parallèle
+name-oil-compressibility = compressibilité de l’huile
+name-aeration = air dans l’huile
+name-cavitation = cavitation
+name-gas-warming = effort du gaz selon la température
+name-temperature-fade = baisse avec la température
+name-position-dependent-damping = amortissement dépendant de la position
+name-bump-stop = butée de compression
+name-rebound-stop = butée de détente
+name-free-play = jeu
+name-frequency-selective-damping = amortissement sélectif en fréquence
+name-valve-hysteresis = hystérésis de clapet
+name-moving-mass = masse mobile
+name-lagged-polynomial = polynôme avec retard
+name-integration = intégration
+name-cylinder-expansion = dilatation du cylindre
+
+## Names. Effects of the rig, and what looks like something that has no name.
+
+name-channel-delay = retard de la voie d’effort
+name-force-offset = erreur de zéro du capteur d’effort
+name-force-drift = dérive du zéro du capteur d’effort
+name-gain-drift = dérive du gain de la voie d’effort
+name-load-dependent-friction = frottement croissant avec la charge
+name-load-cell-hysteresis = hystérésis du capteur d’effort
+name-resonance = résonance
+
+## Names. Their numbers.
+
+name-delay = retard
+name-rig-mass = masse sur le capteur d’effort
+name-offset = erreur de zéro
+name-drift = dérive
+name-whole-drift = dérive totale
+name-share = part
+name-share-across = part en quadrature
+name-share-growth = croissance de la part
+name-cooling-rate = vitesse de refroidissement
+
+## Names. Parts of the FV curve that change as one.
+
+name-rebound-curve = effort en détente
+name-compression-curve = effort en compression
+name-rebound-low-speed = effort en détente à basse vitesse
+name-compression-low-speed = effort en compression à basse vitesse
+name-rebound-high-speed = effort en détente à haute vitesse
+name-compression-high-speed = effort en compression à haute vitesse
+
+## Names. The FV curve.
+
+name-fv-form = forme de la courbe FV
+name-fv-interpolation = interpolation de la courbe FV
+name-fv-velocity = vitesse de la courbe FV
+name-fv-force = effort de la courbe FV
+name-fv-rebound-c1 = première pente en détente
+name-fv-rebound-c2 = deuxième pente en détente
+name-fv-rebound-c3 = troisième pente en détente
+name-fv-rebound-v1 = premier coude en détente
+name-fv-rebound-v2 = second coude en détente
+name-fv-compression-c1 = première pente en compression
+name-fv-compression-c2 = deuxième pente en compression
+name-fv-compression-v1 = coude en compression
+
+## Names. In series.
+
+name-series-stiffness = raideur en série
+name-series-damping = amortissement en série
+name-internal-mass = masse interne
+name-series-load = charge du ressort en série
+name-free-play-gap = grandeur du jeu
+name-free-play-load = charge sur le jeu
+name-free-play-force = souplesse du contact
+name-bushing-hardening = durcissement du caoutchouc
+name-bushing-loss-stiffness = raidissement dynamique du caoutchouc
+name-bushing-loss-time = temps de relaxation du caoutchouc
+name-bushing-slip = course de glissement du caoutchouc
+name-bushing-stop = course du caoutchouc à la butée
+name-bushing-stop-stiffness = raideur de la butée du caoutchouc
+name-bushing-slow-stiffness = raidissement lent du caoutchouc
+name-bushing-slow-time = temps de relaxation lente du caoutchouc
+
+## Names. Oil.
+
+name-oil-stiffness = raideur de la colonne d’huile
+name-oil-shortening = raccourcissement de la colonne d’huile
+name-oil-chambers = chambres souples
+name-oil-compression = rapport des raideurs de l’huile
+name-aeration-stroke = course absorbée par l’air
+name-aeration-force = effort qui absorbe l’air
+name-aeration-compression = rapport d’air en compression
+name-cavitation-force = limite de cavitation
+name-cavitation-side = course qui cavite
+name-cavitation-return = effort au retour
+name-cavitation-form = forme de la cavitation
+name-cavitation-velocity = vitesse limite du clapet de pied
+name-cavitation-unfilled = part non remplie
+name-lost-stroke = course perdue
+name-cavitation-onset = début de la cavitation
+name-cavitation-expansion = expansion du vide
+
+## Names. Over the stroke.
+
+name-bypass-share = part manquante dans la zone
+name-bypass-centre = milieu de la zone
+name-bypass-half-width = demi-largeur de la zone
+name-bypass-blend = transition de la zone
+name-bypass-strokes = courses de la zone
+name-bypass-form = forme de la zone
+name-bypass-flow = débit de la rainure
+
+## Names. Heat.
+
+name-fade-source = origine de la température
+name-fade-coefficient = baisse par kelvin
+name-fade-reference = température de référence
+name-heat-capacity = capacité thermique
+name-heat-transfer = chaleur cédée par kelvin
+name-fade-laminar-force = effort limite laminaire
+name-fade-slackening = atténuation de la baisse
+
+## Names. Valves.
+
+name-fsd-form = forme de la dépendance en fréquence
+name-fsd-share = perte en courses rapides
+name-fsd-time = constante de temps en fréquence
+name-fsd-velocity = vitesse de remplissage
+name-fsd-flow = débit de dérivation
+name-fsd-force = effort de remplissage
+name-fsd-laminar-force = limite laminaire de la dérivation
+name-valve-hysteresis-share = part de l’hystérésis de clapet
+name-valve-opening-force = effort d’ouverture du clapet
+name-valve-closing-ratio = rapport fermeture/ouverture
+name-valve-time = temps du clapet
+name-valve-width = plage d’ouverture du clapet
+name-valve-form = forme de l’hystérésis de clapet
+name-valve-play = jeu du clapet
+name-valve-damping = taux d’amortissement du clapet
+
+## Names. Springs.
+
+name-spring-linear = raideur linéaire
+name-spring-quadratic = raideur quadratique
+name-spring-cubic = raideur cubique
+name-spring-quartic = raideur du quatrième degré
+name-spring-displacement = déplacement de la table du ressort
+name-spring-force = effort de la table du ressort
+
+## Names. Friction.
+
+name-coulomb-force = effort de frottement
+name-coulomb-steepness = raideur du frottement
+name-stribeck-form = forme de Stribeck
+name-stribeck-breakaway-force = effort de décollement
+name-stribeck-coulomb-force = frottement après décollement
+name-stribeck-breakaway-velocity = vitesse de décollement
+name-stribeck-velocity = vitesse de Stribeck
+name-stribeck-fall = exposant de la chute
+name-stribeck-rise = hauteur de la pointe
+name-stribeck-rise-power = exposant de la montée
+name-viscous-coefficient = coefficient visqueux
+name-side-force-coefficient = frottement par effort latéral
+name-side-force-steepness = raideur du frottement latéral
+name-presliding-force = effort de frottement à préglissement
+name-presliding-length = course de préglissement
+name-presliding-power = forme du préglissement
+name-presliding-return = retour après inversion
+name-presliding-creep = vitesse de fluage
+
+## Names. Gas.
+
+name-gas-force = effort de gaz
+name-gas-warming-rate = hausse de l’effort de gaz par kelvin
+name-gas-warming-reference = température de référence du gaz
+name-gas-stiffness = raideur du gaz
+name-gas-length = longueur de la colonne de gaz
+name-gas-adiabatic-index = exposant adiabatique
+name-gas-thermal-time = temps thermique du gaz
+
+## Names. The model of the literature.
+
+name-polynomial = coefficients du polynôme
+name-lag-slow = retard à basse vitesse
+name-lag-fast = retard à haute vitesse
+name-lag-v1 = vitesse basse du retard
+name-lag-v2 = vitesse haute du retard
+
+## Names. Masses and stops.
+
+name-moving-mass-time = retard de la masse mobile
+name-moving-mass-place = place de la masse mobile
+name-bump-stop-clearance = course jusqu’à la butée de compression
+name-bump-stop-stiffness = raideur de la butée de compression
+name-bump-stop-progression = progressivité de la butée de compression
+name-bump-stop-loss = perte de la butée de compression
+name-bump-stop-damping = amortissement de la butée de compression
+name-bump-stop-flow = écoulement de la butée de compression
+name-rebound-stop-clearance = course jusqu’à la butée de détente
+name-rebound-stop-stiffness = raideur de la butée de détente
+name-rebound-stop-progression = progressivité de la butée de détente
+name-rebound-stop-loss = perte de la butée de détente
+name-rebound-stop-damping = amortissement de la butée de détente
+name-rebound-stop-flow = écoulement de la butée de détente
+
+## Names. The step.
+
+name-method = méthode d’intégration
+name-substeps = sous-pas
+
+## Choices of a parameter: they stand in a list of a narrow panel.
+
+choice-automatic = automatique
+choice-both = les deux
+choice-bypass = dérivation
+choice-cap = effort limité
+choice-compression = compression
+choice-cubic-each-side = cubique par côté
+choice-driven-end = extrémité menée
+choice-elastic = retour élastique
+choice-euler = Euler
+choice-factor = facteur
+choice-filter = filtre
+choice-foot-valve = clapet de pied
+choice-fourth-order = quatrième ordre
+choice-full = complète
+choice-gap = jeu
+choice-groove = rainure
+choice-hydraulic = effort hydraulique
+choice-inside = à l’intérieur
+choice-linear = linéaire
+choice-measured = mesurée
+choice-monotone-cubic = cubique monotone
+choice-opening = ouverture
+choice-orifice = orifice
+choice-piecewise = par morceaux
+choice-play = frottement du tiroir
+choice-rebound = détente
+choice-second-order = deuxième ordre
+choice-self-heating = échauffement propre
+choice-simplified = simplifiée
+choice-slips = glisse aussitôt
+choice-spool = masse du tiroir
+choice-stroke = à chaque course
+choice-table = tableau
+choice-third-order = troisième ordre
+choice-three-stage = trois étages
+choice-whole = effort total
+
+## What elements and effects are. Names of forms such as `bypass` stand in model files and are not translated.
+
+element-fv-curve = amortisseur de base : la courbe effort-vitesse (FV)
+element-series-compliance = ressort et amortisseur en série avec la masse interne (souplesse du gaz, de l’huile et de l’articulation)
+element-free-play = jeu dans un œillet ou une articulation ; demande series_compliance
+element-bushing = caoutchouc en série avec l’amortisseur : le ressort en série durcit et perd de l’énergie ; demande series_compliance
+element-oil-compressibility = compressibilité de la colonne d’huile (avec la dilatation du cylindre) devant les clapets
+element-aeration = air dans l’huile : la colonne d’huile est souple tant que l’effort est petit
+element-cavitation = cavitation : l’effort hydraulique d’une course est plafonné et un vide reste à refermer
+element-position-dependent-damping = amortissement plus faible (dérivation) ou plus ferme sur une partie de la course
+element-temperature-fade = amortissement qui baisse avec la température de l’huile, mesurée ou due à sa propre chaleur
+element-frequency-selective-damping = amortissement plus faible dans les courses rapides que dans les lentes de même vitesse
+element-valve-hysteresis = clapet de décharge qui s’ouvre tard et se ferme tard : plus d’effort quand la vitesse croît
+element-parallel-spring = ressort en parallèle avec l’amortisseur de base : linéaire, quadratique, cubique, du quatrième degré ou en table
+element-coulomb-friction = frottement sec de niveau constant, F_s tanh(K v)
+element-stribeck-friction = frottement sec avec pointe de décollement
+element-viscous-friction = frottement visqueux, F_v v|v|
+element-side-force-friction = frottement sec proportionnel à l’effort latéral
+element-gas-preload = effort du gaz constant
+element-gas-warming = effort du gaz qui croît avec la température de l’amortisseur
+element-lagged-polynomial = courbe FV polynomiale avec un retard du premier ordre dont la constante de temps varie avec la vitesse
+element-presliding-friction = frottement qui se retourne sur un court trajet après chaque inversion (Dahl)
+element-gas-spring = croissance de l’effort du gaz avec le déplacement de la tige, de lent à rapide
+element-moving-mass = masse mue par l’extrémité entraînée, entre capteur d’effort et amortisseur, ou par le piston
+element-bump-stop = butée en fin de compression, caoutchouc ou hydraulique
+element-rebound-stop = butée en fin de détente, caoutchouc ou hydraulique
+element-integration = réglages de l’intégration à pas fixe
+element-channel-delay = la voie d’effort retarde sur les voies de mouvement (banc)
+element-force-offset = le capteur d’effort n’indique pas zéro sans charge (banc)
+element-force-drift = le zéro du capteur d’effort dérive avec le temps (banc)
+
+## What parameters mean.
+
+parameter-fv-form = courbe FV de la table, ou de pentes et de coudes
+parameter-fv-interpolation = allure de la table FV entre ses points
+parameter-fv-velocity = vitesses de la table FV, détente positive, croissantes
+parameter-fv-force = efforts de la table FV, traction positive, non décroissants
+parameter-fv-rebound-c1 = Cr1 : pente en détente sous le premier coude
+parameter-fv-rebound-c2 = Cr2 : pente en détente entre les coudes
+parameter-fv-rebound-c3 = Cr3 : pente en détente au-dessus du second coude
+parameter-fv-rebound-v1 = premier coude en détente
+parameter-fv-rebound-v2 = second coude en détente
+parameter-fv-compression-c1 = Cc1 : pente en compression sous le coude
+parameter-fv-compression-c2 = Cc2 : pente en compression au-dessus du coude
+parameter-fv-compression-v1 = coude en compression, en valeur absolue de la vitesse
+parameter-series-stiffness = raideur du ressort en série, k_s
+parameter-series-damping = amortissement à côté du ressort en série, c_s
+parameter-internal-mass = masse mobile de tige, huile et gaz, m
+parameter-series-load = ce que porte le ressort en série : l’effort hydraulique et les ressorts sur la masse, ou aussi frottement et effort du gaz, comme un œillet ou une articulation
+parameter-free-play-gap = course libre de contact à contact, 2 g
+parameter-free-play-force = effort auquel le jeu est à moitié refermé, F_0 : souplesse du contact
+parameter-free-play-load = effort au milieu du jeu, F_1 : poids sur l’œillet, effort du gaz qu’il porte, serrage
+parameter-bushing-hardening = flexion à laquelle le ressort en série a doublé son effort, d_h
+parameter-bushing-loss-stiffness = part de la raideur en série que le mouvement rapide ou petit ajoute, k_1/k_s
+parameter-bushing-loss-time = temps dans lequel cette part cède, tau
+parameter-bushing-slip = flexion dans laquelle cette part cède par frottement, d_f ; grande : par le temps seul
+parameter-bushing-stop = flexion à laquelle le caoutchouc rencontre une butée, de chaque côté, L
+parameter-bushing-stop-stiffness = part de la raideur en série que la butée ajoute, k_e/k_s ; 0 : pas de butée
+parameter-bushing-slow-stiffness = part de la raideur en série qui cède lentement, k_2/k_s
+parameter-bushing-slow-time = temps dans lequel cette part cède, tau_2
+parameter-oil-stiffness = raideur de la colonne d’huile en x = 0, dilatation du cylindre comprise, k_o
+parameter-oil-shortening = inverse de la longueur de la colonne en x = 0, lambda ; 0 : même raideur partout
+parameter-oil-chambers = quelle colonne cède : celle de la chambre de détente, ou celle de la chambre sous pression
+parameter-oil-compression = raideur de la colonne en compression, rapportée à celle en détente, r_o
+parameter-aeration-stroke = course que l’air absorbe en détente, d_a
+parameter-aeration-force = effort auquel la moitié de cette course est absorbée, F_a
+parameter-aeration-compression = course que l’air absorbe en compression, rapportée à celle en détente, r_a
+parameter-cavitation-force = plus grand effort hydraulique de cette course, C
+parameter-cavitation-side = course dont l’effort est plafonné
+parameter-cavitation-return = part du plafond qui demeure au retour pendant que le vide se referme : 1 le gaz continue de pousser, 0 course morte
+parameter-cavitation-form = vide par l’effort limité de cette course, ou par un clapet de pied qui ne remplit pas la chambre derrière lui
+parameter-cavitation-velocity = clapet de pied : vitesse de cette course au-delà de laquelle la chambre n’est plus remplie, v_f
+parameter-cavitation-unfilled = clapet de pied : part du débit au-delà de cette vitesse qui manque, a
+parameter-cavitation-onset = plafond : part de celui-ci à laquelle le vide s’ouvre, alpha ; 1 : au plafond même
+parameter-cavitation-expansion = plafond : vide sur lequel la moitié du reste est gagnée pendant que son gaz se détend, e_1
+parameter-bypass-share = part de l’effort FV qui manque dans la zone, a ; négative : une zone plus ferme
+parameter-bypass-centre = déplacement au milieu de la zone, c
+parameter-bypass-half-width = demi-longueur de la zone, w
+parameter-bypass-blend = longueur sur laquelle la zone s’estompe, b
+parameter-bypass-strokes = courses sur lesquelles elle agit
+parameter-bypass-form = facteur sur l’effort FV, ou débit à côté des clapets
+parameter-bypass-flow = rainure : vitesse de piston qui passe à côté pour un effort hydraulique de 1 kN dans la zone, q_b
+parameter-fade-source = température donnée, ou celle de l’ambiance plus l’échauffement propre de l’amortisseur
+parameter-fade-coefficient = baisse de l’amortissement par kelvin, alpha
+parameter-fade-reference = température de la courbe FV, T_0
+parameter-heat-capacity = capacité thermique de l’huile et du corps, C_h
+parameter-heat-transfer = chaleur cédée à l’ambiance par kelvin, h
+parameter-fade-laminar-force = effort auquel la moitié est encore laminaire et baisse, F_l ; grand : tout baisse
+parameter-fade-slackening = à quelle allure la baisse par kelvin diminue, kappa ; 0 : exponentielle, 1/(T_0 + 95 degC) : loi de Vogel
+parameter-fsd-form = part en retard, part qui revient dans chaque course, ou débit à côté des clapets qui cesse dans chaque course
+parameter-fsd-share = part de l’effort que perdent les courses rapides, a
+parameter-fsd-time = temps qui sépare le rapide du lent, tau
+parameter-fsd-velocity = forme « stroke » : vitesse qui remplit la chambre de commande, u_0
+parameter-fsd-flow = forme « bypass » : vitesse de piston qui passe à côté pour un effort hydraulique de 1 kN, q_s
+parameter-fsd-force = forme « bypass » : effort hydraulique au-dessus duquel la chambre de commande se remplit à plein débit, F_0
+parameter-fsd-laminar-force = forme « bypass » : effort hydraulique au-dessous duquel son écoulement est laminaire, F_l
+parameter-valve-hysteresis-share = forme « opening » : part de l’effort que le retard ajoute, eta
+parameter-valve-opening-force = effort auquel le clapet s’ouvre
+parameter-valve-closing-ratio = forme « opening » : effort de fermeture sur effort d’ouverture ; 1 : le temps seul le retarde
+parameter-valve-time = temps dans lequel il se meut, tau ; tiroir : période de son oscillation sur 2 pi
+parameter-valve-width = effort sur lequel il s’ouvre, b
+parameter-valve-form = une ouverture qui vient et part tard, ou un clapet en retard à toute ouverture par frottement ou par sa masse
+parameter-valve-play = forme « play » : effort que le clapet ne suit pas, P
+parameter-valve-damping = forme « spool » : taux d’amortissement, zeta
+parameter-spring-linear = k_p de k_p x
+parameter-spring-quadratic = k_p de k_p x|x|
+parameter-spring-cubic = k_p de k_p x^3
+parameter-spring-quartic = k_p de k_p x^3|x|
+parameter-spring-displacement = déplacements du ressort en table, croissants ; vide : pas de table
+parameter-spring-force = efforts du ressort en table, non décroissants
+parameter-coulomb-force = niveau du frottement, F_s
+parameter-coulomb-steepness = raideur du changement de signe, K
+parameter-stribeck-form = laquelle des deux formes de Stribeck
+parameter-stribeck-breakaway-force = effort de pointe (de transition), F_brk ou F_t
+parameter-stribeck-coulomb-force = niveau après la pointe, F_c ou F_s
+parameter-stribeck-breakaway-velocity = vitesse de la pointe, v_brk ou V_fs
+parameter-stribeck-velocity = forme complète : échelle de vitesse de la chute, V_s
+parameter-stribeck-fall = forme complète : exposant de la chute, a (1 Tustin, 2 Gauss)
+parameter-stribeck-rise = forme complète : de combien la pointe approche F_t, c
+parameter-stribeck-rise-power = forme complète : exposant de la montée, d
+parameter-viscous-coefficient = F_v de F_v v|v|
+parameter-side-force-coefficient = frottement par effort latéral, k_avg
+parameter-side-force-steepness = raideur du changement de signe, K
+parameter-gas-force = effort du gaz, positif s’il pousse la tige dehors
+parameter-gas-warming-rate = accroissement de l’effort du gaz par kelvin, c
+parameter-gas-warming-reference = température à laquelle l’effort du gaz est celui des autres éléments, T_0
+parameter-polynomial = coefficients de v^0, v^1, ...
+parameter-lag-slow = constante de temps à basse vitesse
+parameter-lag-fast = constante de temps à haute vitesse
+parameter-lag-v1 = vitesse à laquelle la constante de temps commence à changer
+parameter-lag-v2 = vitesse à laquelle elle a changé
+parameter-presliding-force = niveau du frottement après un long trajet, F_c
+parameter-presliding-length = trajet dans lequel l’effort approche son niveau d’un facteur e, z_0
+parameter-presliding-power = 1 : glisse dès le début (Dahl) ; plus : fléchit élastiquement avant de glisser, n
+parameter-presliding-return = après une inversion un contact fléchi glisse aussitôt, ou revient d’abord élastiquement
+parameter-presliding-creep = vitesse au-dessous de laquelle le contact flue, v_c
+parameter-gas-stiffness = raideur lente (isotherme) en x = 0, k
+parameter-gas-length = volume de gaz en x = 0 sur l’aire de la tige, L : à quelle allure il raidit
+parameter-gas-adiabatic-index = rapport de la raideur rapide à la lente, gamma
+parameter-gas-thermal-time = temps dans lequel le gaz prend la température de sa paroi, tau
+parameter-moving-mass = masse, M
+parameter-moving-mass-time = temps dont son effort retarde, tau ; court devant le mouvement
+parameter-moving-mass-place = ce qui la meut : l’extrémité entraînée, ou le piston derrière la raideur en série
+parameter-bump-stop-clearance = compression depuis x = 0 à laquelle la butée est rencontrée, en longueur positive
+parameter-bump-stop-stiffness = raideur au premier contact
+parameter-bump-stop-progression = profondeur à laquelle le ressort a deux fois l’effort d’un ressort linéaire
+parameter-bump-stop-loss = part de l’effort du ressort perdue à l’aller et de nouveau au retour
+parameter-bump-stop-damping = amortissement hydraulique à l’aller, à la profondeur de la progression
+parameter-bump-stop-flow = effort hydraulique avec la vitesse, ou avec son carré (égaux à 1 m/s)
+parameter-rebound-stop-clearance = détente depuis x = 0 à laquelle la butée est rencontrée
+parameter-rebound-stop-stiffness = raideur au premier contact
+parameter-rebound-stop-progression = profondeur à laquelle le ressort a deux fois l’effort d’un ressort linéaire
+parameter-rebound-stop-loss = part de l’effort du ressort perdue à l’aller et de nouveau au retour
+parameter-rebound-stop-damping = amortissement hydraulique à l’aller, à la profondeur de la progression
+parameter-rebound-stop-flow = effort hydraulique avec la vitesse, ou avec son carré (égaux à 1 m/s)
+parameter-method = méthode dans un pas ; automatic : la moins coûteuse qui garde l’erreur d’un pas de 1 ms sous un millième
+parameter-substeps = sous-pas dans un pas de l’hôte ; 0 : autant que la raideur et l’amortissement du modèle en demandent

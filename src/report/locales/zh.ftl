@@ -557,3 +557,422 @@ measurement-section = 测量本身
 aside-section = 未分组
 aside = 不属于任何组的试验：{ $tests }。
 without-test = 分组列表中在数据里找不到对应试验的行：{ $tests }。
+
+# Names of effects, elements and parameters are short, and without commas, since they stand in lists.
+
+## Names. Effects and elements.
+
+name-fv-curve = FV 曲线
+name-gas-preload = 恒定气体力
+name-gas-spring = 气体弹簧
+name-coulomb-friction = 干摩擦
+name-stribeck-friction = 带起动峰值的摩擦
+name-presliding-friction = 预滑移摩擦
+name-viscous-friction = 黏性摩擦
+name-side-force-friction = 侧向力引起的摩擦
+name-series-compliance = 串联柔度
+name-bushing = 橡胶衬套
+name-parallel-spring = 并联弹簧
+name-oil-compressibility = 油液可压缩性
+name-aeration = 油中含气
+name-cavitation = 空化
+name-gas-warming = 气体力随温度的变化
+name-temperature-fade = 温升衰减
+name-position-dependent-damping = 位置相关阻尼
+name-bump-stop = 压缩限位
+name-rebound-stop = 复原限位
+name-free-play = 间隙
+name-frequency-selective-damping = 频率选择阻尼
+name-valve-hysteresis = 阀滞后
+name-moving-mass = 运动质量
+name-lagged-polynomial = 带滞后的多项式
+name-integration = 积分设置
+name-cylinder-expansion = 缸筒膨胀
+
+## Names. Effects of the rig, and what looks like something that has no name.
+
+name-channel-delay = 力通道延迟
+name-force-offset = 力传感器零点误差
+name-force-drift = 力传感器零点漂移
+name-gain-drift = 力通道增益漂移
+name-load-dependent-friction = 随载荷增大的摩擦
+name-load-cell-hysteresis = 力传感器滞后
+name-resonance = 共振
+
+## Names. Their numbers.
+
+name-delay = 延迟
+name-rig-mass = 力传感器上的质量
+name-offset = 零点误差
+name-drift = 漂移
+name-whole-drift = 总漂移
+name-share = 比例
+name-share-across = 正交比例
+name-share-growth = 比例的增长
+name-cooling-rate = 冷却速率
+
+## Names. Parts of the FV curve that change as one.
+
+name-rebound-curve = 复原力
+name-compression-curve = 压缩力
+name-rebound-low-speed = 低速复原力
+name-compression-low-speed = 低速压缩力
+name-rebound-high-speed = 高速复原力
+name-compression-high-speed = 高速压缩力
+
+## Names. The FV curve.
+
+name-fv-form = FV 曲线的形式
+name-fv-interpolation = FV 曲线的插值
+name-fv-velocity = FV 曲线的速度
+name-fv-force = FV 曲线的力
+name-fv-rebound-c1 = 复原第一斜率
+name-fv-rebound-c2 = 复原第二斜率
+name-fv-rebound-c3 = 复原第三斜率
+name-fv-rebound-v1 = 复原第一拐点
+name-fv-rebound-v2 = 复原第二拐点
+name-fv-compression-c1 = 压缩第一斜率
+name-fv-compression-c2 = 压缩第二斜率
+name-fv-compression-v1 = 压缩拐点
+
+## Names. In series.
+
+name-series-stiffness = 串联刚度
+name-series-damping = 串联阻尼
+name-internal-mass = 内部质量
+name-series-load = 串联弹簧的载荷
+name-free-play-gap = 间隙大小
+name-free-play-load = 间隙处的载荷
+name-free-play-force = 接触柔软度
+name-bushing-hardening = 橡胶硬化
+name-bushing-loss-stiffness = 橡胶动态增刚
+name-bushing-loss-time = 橡胶松弛时间
+name-bushing-slip = 橡胶滑移量
+name-bushing-stop = 橡胶到限位的行程
+name-bushing-stop-stiffness = 橡胶限位刚度
+name-bushing-slow-stiffness = 橡胶慢速增刚
+name-bushing-slow-time = 橡胶慢速松弛时间
+
+## Names. Oil.
+
+name-oil-stiffness = 油柱刚度
+name-oil-shortening = 油柱缩短率
+name-oil-chambers = 受压变形的腔
+name-oil-compression = 压缩与复原油柱刚度比
+name-aeration-stroke = 空气吸收的行程
+name-aeration-force = 压缩空气所需的力
+name-aeration-compression = 压缩侧空气行程比
+name-cavitation-force = 空化限力
+name-cavitation-side = 发生空化的行程
+name-cavitation-return = 返程保留的力
+name-cavitation-form = 空化的形式
+name-cavitation-velocity = 底阀极限速度
+name-cavitation-unfilled = 未补充的比例
+name-lost-stroke = 空行程
+name-cavitation-onset = 空化起点
+name-cavitation-expansion = 空穴膨胀
+
+## Names. Over the stroke.
+
+name-bypass-share = 区域内缺失的比例
+name-bypass-centre = 区域中点
+name-bypass-half-width = 区域半宽
+name-bypass-blend = 区域过渡长度
+name-bypass-strokes = 区域起作用的行程
+name-bypass-form = 区域的形式
+name-bypass-flow = 沟槽流量
+
+## Names. Heat.
+
+name-fade-source = 温度来源
+name-fade-coefficient = 每开尔文的下降
+name-fade-reference = 参考温度
+name-heat-capacity = 热容
+name-heat-transfer = 每开尔文散热
+name-fade-laminar-force = 层流限力
+name-fade-slackening = 下降趋缓系数
+
+## Names. Valves.
+
+name-fsd-form = 频率相关的形式
+name-fsd-share = 快速行程损失比例
+name-fsd-time = 快慢分界时间
+name-fsd-velocity = 控制腔充满速度
+name-fsd-flow = 旁通流量
+name-fsd-force = 控制腔充液力
+name-fsd-laminar-force = 旁通层流限力
+name-valve-hysteresis-share = 阀滞后比例
+name-valve-opening-force = 阀开启力
+name-valve-closing-ratio = 关闭与开启力之比
+name-valve-time = 阀动作时间
+name-valve-width = 阀开启范围
+name-valve-form = 阀滞后的形式
+name-valve-play = 阀间隙
+name-valve-damping = 阀阻尼比
+
+## Names. Springs.
+
+name-spring-linear = 线性刚度
+name-spring-quadratic = 二次刚度
+name-spring-cubic = 三次刚度
+name-spring-quartic = 四次刚度
+name-spring-displacement = 弹簧表的位移
+name-spring-force = 弹簧表的力
+
+## Names. Friction.
+
+name-coulomb-force = 摩擦力
+name-coulomb-steepness = 摩擦换向陡度
+name-stribeck-form = Stribeck 形式
+name-stribeck-breakaway-force = 起动力
+name-stribeck-coulomb-force = 起动后的摩擦力
+name-stribeck-breakaway-velocity = 起动速度
+name-stribeck-velocity = Stribeck 速度
+name-stribeck-fall = 下降指数
+name-stribeck-rise = 峰值高度
+name-stribeck-rise-power = 上升指数
+name-viscous-coefficient = 黏性系数
+name-side-force-coefficient = 单位侧向力的摩擦
+name-side-force-steepness = 侧向力摩擦陡度
+name-presliding-force = 预滑移摩擦力
+name-presliding-length = 预滑移位移
+name-presliding-power = 预滑移形状
+name-presliding-return = 换向后的回弹
+name-presliding-creep = 蠕动速度
+
+## Names. Gas.
+
+name-gas-force = 气体力
+name-gas-warming-rate = 每开尔文的气体力增量
+name-gas-warming-reference = 气体力参考温度
+name-gas-stiffness = 气体刚度
+name-gas-length = 气柱长度
+name-gas-adiabatic-index = 绝热指数
+name-gas-thermal-time = 气体热时间
+
+## Names. The model of the literature.
+
+name-polynomial = 多项式系数
+name-lag-slow = 低速滞后
+name-lag-fast = 高速滞后
+name-lag-v1 = 滞后的低速界
+name-lag-v2 = 滞后的高速界
+
+## Names. Masses and stops.
+
+name-moving-mass-time = 运动质量的滞后
+name-moving-mass-place = 运动质量的位置
+name-bump-stop-clearance = 到压缩限位的行程
+name-bump-stop-stiffness = 压缩限位刚度
+name-bump-stop-progression = 压缩限位渐进深度
+name-bump-stop-loss = 压缩限位损失
+name-bump-stop-damping = 压缩限位阻尼
+name-bump-stop-flow = 压缩限位流动形式
+name-rebound-stop-clearance = 到复原限位的行程
+name-rebound-stop-stiffness = 复原限位刚度
+name-rebound-stop-progression = 复原限位渐进深度
+name-rebound-stop-loss = 复原限位损失
+name-rebound-stop-damping = 复原限位阻尼
+name-rebound-stop-flow = 复原限位流动形式
+
+## Names. The step.
+
+name-method = 积分方法
+name-substeps = 子步数
+
+## Choices of a parameter: they stand in a list of a narrow panel.
+
+choice-automatic = 自动
+choice-both = 两者
+choice-bypass = 旁通
+choice-cap = 力限幅
+choice-compression = 压缩
+choice-cubic-each-side = 分侧三次
+choice-driven-end = 驱动端
+choice-elastic = 弹性回复
+choice-euler = 欧拉法
+choice-factor = 系数
+choice-filter = 滤波
+choice-foot-valve = 底阀
+choice-fourth-order = 四阶
+choice-full = 完整
+choice-gap = 间隙
+choice-groove = 沟槽
+choice-hydraulic = 液压力
+choice-inside = 内部
+choice-linear = 线性
+choice-measured = 实测
+choice-monotone-cubic = 单调三次
+choice-opening = 开口
+choice-orifice = 节流孔
+choice-piecewise = 分段
+choice-play = 阀芯摩擦
+choice-rebound = 复原
+choice-second-order = 二阶
+choice-self-heating = 自发热
+choice-simplified = 简化
+choice-slips = 立即滑移
+choice-spool = 阀芯质量
+choice-stroke = 每个行程内
+choice-table = 表格
+choice-third-order = 三阶
+choice-three-stage = 三级
+choice-whole = 全部力
+
+## What elements and effects are. Names of forms such as `bypass` stand in model files and are not translated.
+
+element-fv-curve = 主减振器：力—速度（FV）曲线
+element-series-compliance = 串联弹簧和阻尼及内部质量（气体、油液和支座的可压缩性）
+element-free-play = 吊环或支座中的间隙；需要 series_compliance
+element-bushing = 与减振器串联的橡胶：串联弹簧变硬并耗散能量；需要 series_compliance
+element-oil-compressibility = 阀前油柱的可压缩性（含缸筒膨胀）
+element-aeration = 油中有空气：力小时油柱偏软
+element-cavitation = 空化：一个行程方向的液压力被限制，留下的空穴需要先闭合
+element-position-dependent-damping = 在部分行程上较弱（旁通）或较强的阻尼
+element-temperature-fade = 随油温（实测或自身发热）下降的阻尼
+element-frequency-selective-damping = 速度相同时，高频行程中的阻尼弱于低频行程
+element-valve-hysteresis = 卸荷阀开得晚、关得晚：速度上升时力较大
+element-parallel-spring = 与主减振器并联的弹簧：线性、二次、三次、四次或查表
+element-coulomb-friction = 恒定水平的干摩擦，F_s tanh(K v)
+element-stribeck-friction = 带起动峰值的干摩擦
+element-viscous-friction = 黏性摩擦，F_v v|v|
+element-side-force-friction = 与侧向力成正比的干摩擦
+element-gas-preload = 恒定气体力
+element-gas-warming = 随减振器温度增大的气体力
+element-lagged-polynomial = 多项式 FV 曲线，带一阶滞后，其时间常数随速度变化
+element-presliding-friction = 每次换向后在短位移内反转的摩擦（Dahl）
+element-gas-spring = 气体力随活塞杆位移的增长，由慢到快
+element-moving-mass = 由驱动端（力传感器与减振器之间）或活塞带动的质量
+element-bump-stop = 压缩行程末端的限位，橡胶或液压
+element-rebound-stop = 复原行程末端的限位，橡胶或液压
+element-integration = 定步长积分的设置
+element-channel-delay = 力通道滞后于运动通道（试验台）
+element-force-offset = 力传感器无载荷时不为零（试验台）
+element-force-drift = 力传感器零点随时间漂移（试验台）
+
+## What parameters mean.
+
+parameter-fv-form = FV 曲线取自表格，或由斜率和拐点给出
+parameter-fv-interpolation = FV 表在各点之间的走向
+parameter-fv-velocity = FV 表的速度，复原为正，递增
+parameter-fv-force = FV 表的力，拉力为正，不递减
+parameter-fv-rebound-c1 = Cr1：第一拐点以下的复原斜率
+parameter-fv-rebound-c2 = Cr2：两拐点之间的复原斜率
+parameter-fv-rebound-c3 = Cr3：第二拐点以上的复原斜率
+parameter-fv-rebound-v1 = 复原第一拐点
+parameter-fv-rebound-v2 = 复原第二拐点
+parameter-fv-compression-c1 = Cc1：拐点以下的压缩斜率
+parameter-fv-compression-c2 = Cc2：拐点以上的压缩斜率
+parameter-fv-compression-v1 = 压缩拐点，以速率计
+parameter-series-stiffness = 串联弹簧刚度，k_s
+parameter-series-damping = 串联弹簧旁的阻尼，c_s
+parameter-internal-mass = 活塞杆、油液和气体的运动质量，m
+parameter-series-load = 串联弹簧承受的力：作用于质量的液压力和弹簧力，或者还包括摩擦力和气体力（如吊环或支座）
+parameter-free-play-gap = 从一侧接触到另一侧接触的自由行程，2 g
+parameter-free-play-force = 间隙闭合一半时的力，F_0：接触的柔软程度
+parameter-free-play-load = 间隙中点处的力，F_1：吊环上的重量、所承受的气体力、夹紧力
+parameter-bushing-hardening = 串联弹簧力达到线性值两倍时的变形，d_h
+parameter-bushing-loss-stiffness = 快速或小幅运动所增加的刚度占串联刚度的比例，k_1/k_s
+parameter-bushing-loss-time = 该部分松弛的时间，tau
+parameter-bushing-slip = 该部分因摩擦松弛的变形，d_f；很大时仅随时间松弛
+parameter-bushing-stop = 橡胶在任一侧碰到限位时的变形，L
+parameter-bushing-stop-stiffness = 限位所增加的刚度占串联刚度的比例，k_e/k_s；0：无限位
+parameter-bushing-slow-stiffness = 缓慢松弛的刚度占串联刚度的比例，k_2/k_s
+parameter-bushing-slow-time = 该部分松弛的时间，tau_2
+parameter-oil-stiffness = x = 0 处油柱刚度（含缸筒膨胀），k_o
+parameter-oil-shortening = x = 0 处油柱长度的倒数，lambda；0：各处刚度相同
+parameter-oil-chambers = 哪一油柱变形：复原腔的，或受压腔的
+parameter-oil-compression = 压缩时油柱刚度与复原时之比，r_o
+parameter-aeration-stroke = 复原时空气吸收的行程，d_a
+parameter-aeration-force = 该行程被吸收一半时的力，F_a
+parameter-aeration-compression = 压缩时空气吸收的行程与复原时之比，r_a
+parameter-cavitation-force = 该行程方向的最大液压力，C
+parameter-cavitation-side = 力被限制的行程方向
+parameter-cavitation-return = 返程中空穴闭合时保留的限力比例：1 气体继续推，0 空行程
+parameter-cavitation-form = 空穴来自该行程的限力，或来自底阀未能补充其后的腔室
+parameter-cavitation-velocity = 底阀：超过该速度腔室不再被充满，v_f
+parameter-cavitation-unfilled = 底阀：超过该速度的流量中缺失的比例，a
+parameter-cavitation-onset = 限力：空穴在其多大比例时出现，alpha；1：恰在限力处
+parameter-cavitation-expansion = 限力：空穴中气体膨胀、获得其余一半力时的空穴长度，e_1
+parameter-bypass-share = 区域内缺失的 FV 力比例，a；负值：较强的区域
+parameter-bypass-centre = 区域中点的位移，c
+parameter-bypass-half-width = 区域长度的一半，w
+parameter-bypass-blend = 区域过渡的长度，b
+parameter-bypass-strokes = 起作用的行程方向
+parameter-bypass-form = FV 力的系数，或阀旁的流量
+parameter-bypass-flow = 槽：区域内液压力为 1 kN 时旁流所对应的活塞速度，q_b
+parameter-fade-source = 温度取给定值，或环境温度加减振器自身发热的温升
+parameter-fade-coefficient = 每开尔文阻尼的下降，alpha
+parameter-fade-reference = FV 曲线的温度，T_0
+parameter-heat-capacity = 油液和壳体的热容，C_h
+parameter-heat-transfer = 每开尔文向环境的散热，h
+parameter-fade-laminar-force = 一半仍为层流并衰减时的力，F_l；很大时全部衰减
+parameter-fade-slackening = 每开尔文的下降变小的快慢，kappa；0：指数，1/(T_0 + 95 degC)：Vogel 定律
+parameter-fsd-form = 滞后的部分、在每个行程内恢复的部分，或在每个行程内终止的阀旁流量
+parameter-fsd-share = 快速行程损失的力的比例，a
+parameter-fsd-time = 区分快慢的时间，tau
+parameter-fsd-velocity = stroke 形式：充满控制腔的速度，u_0
+parameter-fsd-flow = bypass 形式：液压力为 1 kN 时旁流所对应的活塞速度，q_s
+parameter-fsd-force = bypass 形式：超过该液压力控制腔以全速充满，F_0
+parameter-fsd-laminar-force = bypass 形式：低于该液压力时其流动为层流，F_l
+parameter-valve-hysteresis-share = opening 形式：滞后所增加的力的比例，eta
+parameter-valve-opening-force = 阀开启时的力
+parameter-valve-closing-ratio = opening 形式：关闭力与开启力之比；1：仅由时间造成滞后
+parameter-valve-time = 其运动的时间，tau；滑阀：振荡周期除以 2 pi
+parameter-valve-width = 开启过程所经历的力的范围，b
+parameter-valve-form = 一次开启得晚、关闭得晚，或在任何开度下因摩擦或自身质量而滞后的阀
+parameter-valve-play = play 形式：阀不跟随的力，P
+parameter-valve-damping = spool 形式：阻尼比，zeta
+parameter-spring-linear = k_p x 中的 k_p
+parameter-spring-quadratic = k_p x|x| 中的 k_p
+parameter-spring-cubic = k_p x^3 中的 k_p
+parameter-spring-quartic = k_p x^3|x| 中的 k_p
+parameter-spring-displacement = 查表弹簧的位移，递增；空：不查表
+parameter-spring-force = 查表弹簧的力，不递减
+parameter-coulomb-force = 摩擦力水平，F_s
+parameter-coulomb-steepness = 换向的陡度，K
+parameter-stribeck-form = 两种 Stribeck 形式中的哪一种
+parameter-stribeck-breakaway-force = 峰值（过渡）力，F_brk 或 F_t
+parameter-stribeck-coulomb-force = 峰值之后的水平，F_c 或 F_s
+parameter-stribeck-breakaway-velocity = 峰值处的速度，v_brk 或 V_fs
+parameter-stribeck-velocity = 完整形式：下降的速度尺度，V_s
+parameter-stribeck-fall = 完整形式：下降的指数，a（1 Tustin，2 Gauss）
+parameter-stribeck-rise = 完整形式：峰值接近 F_t 的程度，c
+parameter-stribeck-rise-power = 完整形式：上升的指数，d
+parameter-viscous-coefficient = F_v v|v| 中的 F_v
+parameter-side-force-coefficient = 单位侧向力的摩擦力，k_avg
+parameter-side-force-steepness = 换向的陡度，K
+parameter-gas-force = 气体力，把活塞杆推出为正
+parameter-gas-warming-rate = 每开尔文的气体力增量，c
+parameter-gas-warming-reference = 气体力等于其他元件给出值时的温度，T_0
+parameter-polynomial = v^0、v^1、... 的系数
+parameter-lag-slow = 低速时的时间常数
+parameter-lag-fast = 高速时的时间常数
+parameter-lag-v1 = 时间常数开始变化的速度
+parameter-lag-v2 = 时间常数变化完毕的速度
+parameter-presliding-force = 长位移之后的摩擦力水平，F_c
+parameter-presliding-length = 力以因子 e 接近其水平所需的位移，z_0
+parameter-presliding-power = 1：一开始就滑动（Dahl）；更大：先弹性变形再滑动，n
+parameter-presliding-return = 换向之后，变形的接触立即滑动，或先弹回
+parameter-presliding-creep = 低于该速度时接触蠕动，v_c
+parameter-gas-stiffness = x = 0 处的慢速（等温）刚度，k
+parameter-gas-length = x = 0 处气体体积与活塞杆面积之比，L：变硬的快慢
+parameter-gas-adiabatic-index = 快速与慢速刚度之比，gamma
+parameter-gas-thermal-time = 气体达到壁温所需的时间，tau
+parameter-moving-mass = 质量，M
+parameter-moving-mass-time = 其力滞后的时间，tau；与运动相比很短
+parameter-moving-mass-place = 由什么带动：驱动端，或串联刚度后的活塞
+parameter-bump-stop-clearance = 从 x = 0 起压缩到碰到限位的长度，取正值
+parameter-bump-stop-stiffness = 初始接触时的刚度
+parameter-bump-stop-progression = 弹簧力达到线性弹簧两倍时的深度
+parameter-bump-stop-loss = 压入和退出时各损失的弹簧力比例
+parameter-bump-stop-damping = 压入时、渐进深度处的液压阻尼
+parameter-bump-stop-flow = 液压力与速度成正比，或与其平方成正比（1 m/s 时相同）
+parameter-rebound-stop-clearance = 从 x = 0 起伸长到碰到限位的长度
+parameter-rebound-stop-stiffness = 初始接触时的刚度
+parameter-rebound-stop-progression = 弹簧力达到线性弹簧两倍时的深度
+parameter-rebound-stop-loss = 压入和退出时各损失的弹簧力比例
+parameter-rebound-stop-damping = 压入时、渐进深度处的液压阻尼
+parameter-rebound-stop-flow = 液压力与速度成正比，或与其平方成正比（1 m/s 时相同）
+parameter-method = 步内方法；automatic：使 1 ms 步长误差低于千分之一的最省方法
+parameter-substeps = 主机一步内的子步数；0：按模型刚度与阻尼所需

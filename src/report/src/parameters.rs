@@ -38,7 +38,7 @@ pub struct ParameterRow {
 /// What a table says of a parameter beside its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remark {
-    /// What it means, in the kernel's words.
+    /// What the parameter of this name means.
     Meaning(&'static str),
     /// At which velocity a force of the FV table stands, m/s.
     AtVelocity(f64),
@@ -50,13 +50,13 @@ pub enum Remark {
 
 impl Remark {
     fn of(name: &str) -> Remark {
-        parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.meaning))
+        parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.name))
     }
 
     /// In words.
     fn said(self, words: &Words) -> String {
         match self {
-            Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
+            Remark::Meaning(name) => words.meaning_of_parameter(name).to_owned(),
             Remark::AtVelocity(v) => {
                 words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm/s", digits(1e3 * v, 4))))])
             }
@@ -162,7 +162,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     low,
                     high,
                     source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
-                    remark: Remark::Meaning(p.meaning),
+                    remark: Remark::Meaning(p.name),
                     assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
             }

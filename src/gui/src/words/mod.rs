@@ -70,11 +70,6 @@ impl Words {
         units::typed(value).replace('.', self.of.words().decimal_sign)
     }
 
-    /// What an element or a parameter means; the reports say it with the same words.
-    pub fn meaning(&self, english: &'static str) -> &'static str {
-        self.of.words().meaning(english)
-    }
-
     /// The name of a channel.
     pub fn channel(&self, channel: Channel) -> &'static str {
         match channel {

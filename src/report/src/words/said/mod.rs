@@ -84,16 +84,6 @@ mod tests {
     }
 
     #[test]
-    fn what_an_effect_is_and_what_its_element_means_is_one_text() {
-        for said in diagnosis::ALL.iter().filter(|said| said[0].split(' ').count() > 2) {
-            for (k, (_, language)) in Language::ALL.iter().enumerate() {
-                let meaning = language.words().meaning(said[0]);
-                assert!(k == 0 || meaning == said[0] || meaning == said[k], "{meaning} and {}", said[k]);
-            }
-        }
-    }
-
-    #[test]
     fn every_velocity_is_in_millimeters_a_second() {
         // The figures of a report are in mm, mm/s and N. A velocity in m/s would be a second unit system.
         let said = [records::ALL, identification::ALL, diagnosis::ALL].into_iter().flatten().flatten().copied();
