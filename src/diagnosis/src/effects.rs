@@ -4,7 +4,7 @@ use super::phrases;
 use dashpot_core::element;
 use dashpot_core::parameter::GROUPS;
 use dashpot_estimation::situation::Situation;
-use dashpot_records::sentence::{Sentence, Template};
+use dashpot_messages::{Sentence, Template};
 
 /// What is known of an effect apart from its equations, which are the kernel's, and the starts of its search, which are in the
 /// vocabulary.

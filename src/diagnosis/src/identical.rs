@@ -1,7 +1,8 @@
 //! Whether the reference holds the very measurements that are compared with it: then nothing can have changed.
 
 use super::phrases;
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 
 /// A sentence with the tests that the reference holds value for value.
 pub(super) fn identical(records: &[&Record], reference: &[Record]) -> Option<Sentence> {

@@ -11,8 +11,9 @@ use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::{Record, Sentence};
 
 /// Intervals of all scalars of the last explanation, whose numbers have these ends; they are its bounds where nothing is known of them.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {

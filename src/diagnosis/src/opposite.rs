@@ -2,8 +2,9 @@
 //! hardly two, and what one shows in rebound is then compared with what the other shows in compression.
 
 use super::phrases;
+use dashpot_messages::Sentence;
 use dashpot_records::record::Counted;
-use dashpot_records::{Positive, Record, Sentence};
+use dashpot_records::{Positive, Record};
 
 /// A sentence where they were, and the user did not say so of both.
 pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {

@@ -1,8 +1,7 @@
 //! Every text that a diagnosis says, in English, in one place: a language that lacks one of them is found by a test.
 
-use dashpot_records::sentence::Template;
-
-dashpot_records::phrases! {
+dashpot_messages::phrases! {
+    "diagnosis-";
     // How far a diagnosis is.
     PREPARING: "preparing records";
     FITTING_REFERENCE: "fitting the model to the reference";
@@ -197,8 +196,3 @@ pub(super) const FORMS: &[&str] = &[
     "zero set anew during the campaign",
     "settles as the rig warms up",
 ];
-
-/// Every template of a sentence.
-pub fn templates() -> &'static [Template] {
-    TEMPLATES
-}

@@ -5,7 +5,7 @@ use super::outcome::CouldNotTest;
 use super::phrases;
 use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// What is left of an effect's response, in σ² over all tests, below which it leaves no trace at typical strength.
 const TRACE: f64 = 20.0;

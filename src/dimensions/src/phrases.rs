@@ -1,8 +1,9 @@
 //! Every text that an explanation says, in English, in one place: a language that lacks one of them is found by a test.
 
-use dashpot_records::sentence::each_once;
+use dashpot_messages::Template;
 
-dashpot_records::phrases! {
+dashpot_messages::phrases! {
+    "dimensions-";
     // Why a quantity cannot be told.
     NO_GAS_FORCE: "the model has no gas force; a slow test shows it";
     GAS_FORCE_OPEN: "the records leave the gas force open; a slow test shows it";
@@ -75,8 +76,12 @@ const WORDS: [&str; 5] = [
     "oil_stiffness or aeration_stroke",
 ];
 
-/// Every English text of an explanation, each once: sentences with the places of their values, and words.
-pub fn texts() -> Vec<&'static str> {
-    let quantities = QUANTITIES.iter().map(|(_, noun)| *noun);
-    each_once(TEMPLATES, quantities.chain(NOUNS).chain(WORDS))
+/// Every message.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every word that stands in a message: quantities, and units that are words.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    QUANTITIES.iter().map(|(_, noun)| *noun).chain(NOUNS).chain(WORDS)
 }

@@ -4,7 +4,7 @@ use crate::phrases;
 use crate::short::in_words;
 use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// A sentence for each number of a model that has a prior of its own: what was expected, or that the records contradict it.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {

@@ -14,7 +14,7 @@ use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 use dashpot_records::{clock, read_small_text};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,10 +1,9 @@
 //! Every text that a fit says, in English, in one place: a language that lacks one of them is found by a test.
 //!
-//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_records::sentence::Reader`]).
+//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_messages::Reader`]).
 
-use dashpot_records::sentence::Template;
-
-dashpot_records::phrases! {
+dashpot_messages::phrases! {
+    "identification-";
     // Lists.
     COMMA: ", ";
     SEMICOLON: "; ";
@@ -91,8 +90,3 @@ dashpot_records::phrases! {
 
 /// Kinds of tests that a number may be identified from.
 pub(crate) const KINDS_OF_TESTS: [&str; 3] = ["slow tests", "small strokes", "large strokes"];
-
-/// Every template of a sentence.
-pub fn templates() -> &'static [Template] {
-    TEMPLATES
-}

@@ -1,9 +1,14 @@
 //! All that a fit says, for those who translate it.
 
 use super::phrases::{KINDS_OF_TESTS, TEMPLATES};
-use dashpot_records::sentence::each_once;
+use dashpot_messages::Template;
 
-/// Every English text that is said of a fit, each once: sentences with the places of their values, and words.
-pub fn texts() -> Vec<&'static str> {
-    each_once(TEMPLATES, KINDS_OF_TESTS)
+/// Every message.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every word that stands in a message.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    KINDS_OF_TESTS.into_iter().chain(["rebound", "compression"])
 }

@@ -7,6 +7,8 @@ mod catalog;
 pub mod file;
 mod id;
 mod interface;
+mod sentence;
 
 pub use catalog::Catalog;
 pub use id::{Message, kebab};
+pub use sentence::{Locale, Reader, Sentence, Template, is_number, word_id};

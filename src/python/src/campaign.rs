@@ -2,7 +2,7 @@
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
-use dashpot_records::sentence::Reader;
+use dashpot_messages::Reader;
 use dashpot_records::{Options, Profile, Record, load};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
@@ -47,9 +47,7 @@ type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<Pat
 /// Those of reading, and of the fit whose findings were taken out of records.
 static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
-    let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
-    let words: Vec<&str> = texts.filter(|text| templates.iter().all(|t| t.english() != *text)).collect();
-    Reader::new(templates, words)
+    Reader::new(templates, dashpot_records::words().chain(dashpot_identification::words()))
 });
 
 /// Makes the sentences of a campaign what they were before they were written as JSON.

@@ -976,3 +976,794 @@ parameter-rebound-stop-damping = amortissement hydraulique à l’aller, à la p
 parameter-rebound-stop-flow = effort hydraulique avec la vitesse, ou avec son carré (égaux à 1 m/s)
 parameter-method = méthode dans un pas ; automatic : la moins coûteuse qui garde l’erreur d’un pas de 1 ms sous un millième
 parameter-substeps = sous-pas dans un pas de l’hôte ; 0 : autant que la raideur et l’amortissement du modèle en demandent
+
+# What reading says of records.
+
+## What reading says of records. Lists.
+
+records-comma = ,{ " " }
+records-semicolon = { " " };{ " " }
+records-quoted = « { $test } »
+records-and-more = { $names } et { $count } autres
+records-or = { " " }ou{ " " }
+
+## What reading says of records. Files and tables.
+
+records-profile = lu selon { $file }
+records-stray = dans { $folder }, non lus comme mesures : { $names }
+records-below = les sous-dossiers de { $folder } contiennent { $count } fichiers qui n’ont pas été lus ({ $names }) ; si ce sont des essais du même amortisseur, --subfolders les lit aussi
+records-columns-not-read = colonnes non lues : { $names }
+records-by-unit = « { $column } » est lu comme { $channel } d’après sa seule unité ; si une autre colonne est visée, --column le dit
+records-converted = converti en SI : { $channels }
+records-from-unit = { $channel } depuis { $unit }
+records-time-of-day = heure du jour comptée à partir de la première ligne
+records-one-clock = les mesures sont mises sur une même horloge d’après la date et l’heure que portent leurs fichiers, de { $first } à { $last } : la chaleur et les dérives passent d’un fichier à l’autre
+records-dates-assumed = dans la date { $date } (de { $at }), le jour ou le mois peut venir d’abord, et rien dans les fichiers n’en décide ; elle a été lue comme { $read }, { $why }. --dates day-first (jour d’abord) ou month-first (mois d’abord) le précise (dates dans campaign.toml)
+records-dates-close = car les essais sont ainsi rapprochés
+records-dates-american = le mois d’abord, comme entre barres obliques en Amérique
+records-dates-usual = le jour d’abord, comme il est d’usage entre traits d’union
+records-own-clocks = chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d’un fichier à l’autre : { $why }
+records-some-without-date = seuls { $count } fichiers sur { $all } portent l’heure du début de l'essai
+records-too-far-apart = d’après les heures que portent leurs fichiers, elles sont trop éloignées pour être une seule campagne
+records-clocks-overlap = d’après les heures que portent leurs fichiers, elles se chevauchent ; ce sont peut-être les heures d’une exportation
+records-two-rates = mesuré à une cadence plus élevée dans un groupe à part, et ramené par interpolation linéaire aux instants des voies plus lentes : { $names }
+records-cut-off = l’écriture du fichier s’est interrompue, il manque donc des données à la fin ; les { $rows } lignes complètes précédentes ont été lues. Refaire l’essai s’il devait être plus long
+records-stale-rows = les { $count } premières lignes (jusqu’à la ligne { $line }) appartiennent à un passage antérieur, car le temps revient ensuite de { $from } s à { $to } s ; elles ont été écartées
+records-crank = le temps est calculé d’après l’angle de la manivelle à { $rpm } tours par minute
+records-resampled = mesuré à une autre cadence, et ramené par droites aux instants de force et de mouvement : { $names }
+records-below-heading = la ligne { $line }, sous l’en-tête, ne contient pas de chiffres : { $text }
+records-below-table = à partir de la ligne { $line }, sous le tableau, non lu : { $text }
+records-between-rows = { $count } lignes entre les mesures ne contiennent pas de chiffres et ont été ignorées (ligne { $lines }), la première : { $text }
+records-behind-rows = { $count } lignes contiennent, après les colonnes de l’en-tête, du texte qui n’a pas été lu (ligne { $lines }), le premier : { $text }
+records-longer-rows = { $count } lignes contiennent plus de chiffres que l’en-tête n’a de colonnes, de sorte qu’on ne sait pas lequel va où ; ces lignes sont omises (ligne { $lines }). En trop dans la première : { $text }
+
+## What reading says of records. Gaps in time.
+
+records-of-file = { $file } : { $text }
+records-gaps = trous dans le temps : { $places }{ $more }. Lu comme { $count } essais{ $rest }
+records-gap = { $seconds } s sans échantillons après { $from } s (ligne { $line })
+records-more-gaps = { " " }et { $count } autres
+records-too-few-between = { " " }; { $count } échantillons entre des trous sont trop peu pour un essai
+records-stumps = { $count } morceaux à côté d’un trou ne contiennent aucun cycle entier et ont été écartés : { $places }
+records-from-to = { $from } à { $to } s
+records-at-speeds = { $count } essais à la suite, des courses à vitesse constante séparées là où la vitesse change ; l’horloge continue, la chaleur se transmet donc
+records-speed-of-strokes = la vitesse est celle de chaque course entière, car une course a trop peu d’échantillons pour en tirer une évolution
+records-at-settings = { $count } essais l’un après l’autre sans pause, séparés là où la course ou la fréquence change et se maintient ; l’horloge continue, pour que la chaleur se transmette
+records-at-rests = { $count } essais l’un après l’autre, séparés aux repos entre eux d’après le mouvement avant et après ; le repos est coupé autour des cycles entiers, et l’horloge continue, de sorte que la chaleur se transmet
+
+## What reading says of records. Rows.
+
+records-rows-dropped = { $count } lignes sur { $rows } écartées pour cellules vides ou sans nombre (ligne { $lines })
+records-setting-held = { $count } des { $rows } valeurs du réglage « { $setting } » manquent ; chacune est prise égale à la précédente
+records-setting-empty = la colonne du réglage « { $setting } » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit
+records-small-current = le courant est d’au plus { $current } mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A
+records-filled = { $count } valeurs manquantes de la voie { $channel } complétées par des droites
+records-empty-column = la colonne de la voie { $channel } est vide et a été écartée
+records-repeated-rows = { $count } lignes en { $blocks } blocs répètent des lignes précédentes avec leurs horodatages, d’abord à la ligne { $line } ; retirées
+records-repeated-blocks = { $blocks } blocs, { $rows } lignes en tout, répètent les lignes qui les précèdent sous de nouveaux horodatages (le premier : { $first } lignes à partir de la ligne { $line }) ; retirés, et le temps qui suit est recollé
+records-out-of-order = le temps a reculé { $count } fois, d’abord à la ligne { $line } ; { $moved } lignes remises en ordre
+records-shared-stamps = { $count } lignes sur { $rows } avaient l’horodatage de la ligne précédente ; elles ont été réparties également jusqu’au suivant
+
+## What reading says of records. Samples.
+
+records-clipped-motion = la voie { $channel } est écrêtée à { $value } { $unit } sur { $percent } % des échantillons, d’abord à la ligne { $line } ; elle est écartée et tirée de la voie { $other }
+records-rounded = { $channel } reste à { $value } { $unit } dans { $count } échantillons, d’abord à la ligne { $line } ; d’autres essais vont plus loin, si bien que cela est pris pour un retournement et non pour la fin de la plage
+records-clipped-force = l’effort est écrêté à { $value } N, d’abord à la ligne { $line } (échantillons : { $count }, { $percent } %) ; ces échantillons sont écartés
+records-spiky = la voie { $channel } est hérissée de pics : { $percent } % des échantillons s’écartent de leurs voisins ; trop pour des pics isolés, laissés tels quels
+records-spikes = pics de la voie { $channel } remplacés par des droites, le premier à la ligne { $line }, le plus grand écarté de { $largest } { $unit } (pics : { $spikes }, échantillons : { $count })
+
+## What reading says of records. Motion.
+
+records-consistent = la vitesse vaut { $gain } fois la dérivée du déplacement et la suit de { $lag } ms ({ $percent } % de la variance du déplacement inexpliqués)
+records-differentiated = vitesse dérivée du déplacement par cubiques locales sur { $points } échantillons ({ $window } s), sans déphasage, −3 dB à { $frequency } Hz{ $shorter }
+records-shorter = { " " }; sur moins là où le mouvement tourne dedans, { $percent } % des échantillons
+records-integrated = déplacement intégré de la vitesse, à partir de { $start } mm ; décalage de vitesse de { $offset } mm/s retiré, soit une dérive de { $drift } mm sur la mesure ({ $basis })
+records-not-periodic-ends = la mesure n’est pas périodique : l’amortisseur est supposé finir où il a commencé
+records-cycles-return = d’après des cycles entiers, dans chacun desquels l’amortisseur revient
+
+## What reading says of records. What the user knows of the sensors.
+
+records-force-zero = zéro d’effort de { $force } N retranché, comme indiqué
+records-gain = effort multiplié par { $gain }, comme indiqué
+records-displacement-zero = zéro de déplacement de { $displacement } mm retranché, comme indiqué
+records-force-turned = signe de l’effort inversé, comme demandé
+records-motion-turned = signe du déplacement et de la vitesse inversé, comme demandé
+records-gain-of = { $channel } multiplié par { $gain }
+records-mass-taken-off = effort qui meut une masse de { $mass } kg sur le capteur retranché, comme indiqué
+records-early-as-given = l’effort vient { $delay } ms avant le mouvement, comme indiqué ; le mouvement y a été déplacé, les échantillons d’effort sont tels qu’enregistrés
+records-late-as-given = l’effort vient { $delay } ms après le mouvement, comme indiqué ; le mouvement y a été déplacé, les échantillons d’effort sont tels qu’enregistrés
+records-taken-out = ce que l’identification a trouvé comme erreur de mesure a été retiré
+
+## What reading says of records. Cycles.
+
+records-no-cycles = aucun cycle entier trouvé ; la mesure est gardée entière ({ $samples } échantillons)
+records-trimmed = coupé { $before } s ({ $samples_before } échantillons) de repos et de lancement avant le premier cycle entier et { $after } s ({ $samples_after } échantillons) après le dernier ({ $tail }) ; { $cycles } cycles à { $frequency } Hz gardés
+records-unlike-cycles = en { $places } endroits entre les cycles, le mouvement n’est pas un cycle entier comme les autres (pause ou perturbation) ; gardé dans la mesure, exclu de ses cycles
+records-noisy-last = le dernier cycle (à partir de { $start } s) s’écarte des autres de { $last } N efficaces, eux-mêmes de { $typical } N ; écarté
+records-displacement-drifts = le déplacement moyen dérive de { $drift } mm sur { $cycles } cycles ({ $percent } % de la course) ; laissé tel quel
+records-force-drifts = l’effort moyen dérive de { $drift } N sur { $cycles } cycles ({ $percent } % de son étendue) ; laissé tel quel
+
+## What reading says of records. Figures that no damper has.
+
+records-no-force = l’effort ne montre que du bruit dans { $tests } ; vérifier le capteur d’effort ou écarter ces essais
+records-small-amplitude = la plus grande amplitude est de { $amplitude } mm : l’unité du déplacement est-elle juste ?
+records-slow = l’essai le plus rapide atteint { $velocity } mm/s : les unités de temps et de mouvement sont-elles justes ? À partir d’essais lents seuls, un modèle n’apprend rien de la conduite
+records-small-force = l’effort ne varie jamais de plus de { $force } N : son unité est-elle juste ?
+records-torn = { $test } : contient moins d’un cycle et finit au milieu d’une course, à { $velocity } mm/s sur { $peak } mm/s au plus ; si le fichier est tronqué, l’exporter à nouveau, ou le laisser de côté par --exclude
+records-twins = { $test } contient les mêmes échantillons que { $twin } et compte double
+
+## What reading says of records. A force that comes late.
+
+records-late = l’effort vient environ { $delay } ms après le mouvement : pris ainsi, une courbe selon la vitesse laisse { $left } % de sa variance inexpliqués, contre { $recorded } % tel qu’enregistré
+records-late-not-moved = { $late }{ $energy }. L’hystérésis compte ici comme retard : dashpot fit les distingue et ôte le retard. Rien n’a été déplacé ; pour corriger sans fit, donner { $option }
+records-would-feed = { " " }; tel qu’enregistré, l’amortisseur fournirait de l’énergie dans { $count } essais sur { $all }
+
+## What reading says of records. The direction that the files count positive.
+
+records-standstill = l’effort à l’arrêt est de { $force } N ± { $error } N tel que comptent les fichiers ; le gaz pousse la tige dehors, ce qui { $verdict }
+records-speaks-for-tension = indique que la traction est positive (détente)
+records-speaks-for-push = indique que la poussée est positive (compression)
+records-too-small-to-tell = est trop petit pour indiquer le sens
+records-no-standstill = pas de points de retour à l’arrêt, l’effort du gaz ne peut donc être connu
+records-asymmetry = du lent au rapide, l’effort croît { $ratio } fois autant à vitesse positive qu’à vitesse négative (connu à un facteur { $error } près) ; la plupart des amortisseurs résistent plus en détente, ce qui { $verdict }
+records-speaks-for-rebound = indique que la détente est positive
+records-speaks-for-compression = indique que la compression est positive
+records-tells-nothing = ne dit rien
+records-contradict = effort du gaz et asymétrie se contredisent ; le plus fort des deux a été suivi
+records-not-dissipating = aucun essai ne dissipe nettement d’énergie : il n’est pas certain que l’effort et le mouvement aillent ensemble
+records-maybe-exchanged = déplacement et force semblent échangés, de sorte que rien de cela n’est sûr
+records-sign-unsure = que les fichiers comptent { $direction } positif n’est sûr qu’à { $percent } % : { $reasons }. Le préciser : { $option } si c’est juste, sinon l’autre sens
+records-negative-gas = compté ainsi, le gaz tirerait la tige vers l’intérieur avec { $force } N, ce qu’aucun gaz ne fait : ou le sens est faux (--positive), ou le capteur d’effort a un zéro décalé (--force-zero)
+records-sign-of-rig = { $file } : seule, la mesure serait comptée { $own } positif (sûr à { $percent } %) ; les mesures les plus sûres du banc disent { $other } positif ({ $sure } %), elle est donc comptée de même. Si elle vient d’un autre banc, indiquer --positive
+records-signs-disagree = { $file } : compte { $own } positif (sûr à { $percent } %), les mesures auxquelles elle est comparée comptent { $other } positif ({ $sure } %) ; si elles viennent du même banc, l’une est fausse : indiquer --positive
+records-weak = les indices sont faibles ; dire ce qu’il en est avec --positive rebound ou --positive compression
+records-turned-round = retournés à la fois en mouvement et en force, { $tests } iraient avec les autres essais, tels que lus non : à vitesses pareilles, la force à mi-chemin entre détente et compression est de { $own } N dans { $test } et de { $usual } N dans les autres. Vérifier si ces fichiers comptent dans un autre sens, et corriger l’export ou les laisser de côté par --exclude
+records-other-settings = { $first } a { $times } fois l’effort de { $second } dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). { $belong }
+records-several-settings = les essais ont été mesurés à { $count } réglages ({ $name }), et un modèle n’en contient qu’un : { $settings }. Les ajuster comme un seul amortisseur ({ $name }) avec dashpot fit --setting { $option }, ou chacun à part, les autres écartés avec --exclude ; dashpot diagnose --group les compare
+records-setting-at = { $value } : { $names }
+records-setting-varies = à la valve de l’amortisseur, { $setting } varie entre { $low } et { $high } pendant tout l’essai
+records-setting-changes = { $change }. dashpot fit --setting { $option } en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)
+records-setting-steps = à la valve de l’amortisseur, { $setting } saute entre { $low } et { $high } pendant l’essai (sauts : { $count })
+records-setting-name = le nom de { $test } indique { $named }, et sa voie { $setting } montre { $shown } : la voie compte (essais dont le nom et la voie se contredisent : { $count }). Vérifier lequel est juste ; pour prendre les noms, écrire leurs valeurs dans campaign.toml sous settings
+records-settings = D’après leurs efforts vont ensemble, du plus souple au plus dur : { $settings }{ $open }
+records-setting = { $number }) { $names }
+records-setting-all = tous ceux de '{ $name }' ({ $count })
+records-setting-open = { " " }; pour { $names }, l’effort ne le dit pas
+records-zero-off = la force de { $tests } s’écarte de { $low } à { $high } N de celle des autres essais à vitesses pareilles, autant dans les deux sens : le zéro du capteur de force s’est déplacé, ou le gaz était plus chaud. Régler le zéro avant chaque essai ; frottement et force de gaz en souffrent
+records-given = { $direction } positive a été indiquée
+records-against-given = { $direction } positive a été indiquée, mais les données indiquent l’inverse : { $reasons }
+
+## What reading says of records. What a campaign does without.
+
+records-left-out = écarté : { $fault }
+records-no-record = écarté, n’étant pas une mesure : { $fault }
+records-first-and-more = { $first } ; { $count } autres
+records-more-left-out = { $count } autres fichiers et essais ont été écartés
+
+## What reading says of records. Faults of files.
+
+records-unknown-type = { $file } : n’est pas une mesure ; les mesures sont des fichiers { $kinds }
+records-not-read = { $file } : est { $is }, ce qui n’est pas lu ; { $instead }
+records-empty-file = { $file } : est vide (0 octet) ; l’exporter de nouveau
+records-workbook = { $file } : ne peut être lu comme classeur ({ $cause }) ; l’enregistrer de nouveau en .xlsx, ou exporter la feuille en CSV
+records-rpc = { $file } : ne peut être lu comme historique RPC III ({ $cause })
+records-binary = { $file } : ne peut être lu comme { $kind } ({ $cause })
+records-mat = { $file } : ne peut être lu comme fichier MAT ({ $cause }) ; l’enregistrer de nouveau avec save(..., '-v7')
+records-no-header = { $at } : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « { $found } ».{ $near }
+records-best-line = { " " }La mieux comprise est la ligne { $line }, avec { $known } ; un en-tête demande deux colonnes comprises.
+records-taken-for = « { $column } » pour { $channel }
+records-figures-alone = { " " }Elle contient { $count } colonnes de chiffres sans en-têtes : dites en une fois laquelle est quoi, par leurs numéros, et dans quelles unités, par exemple { $options }.
+records-no-data = { $at } : a un en-tête mais aucune ligne de données
+
+## What reading says of records. What is wrong with what was asked for.
+
+records-not-found = { $file } : il n’y a ni fichier ni dossier de ce nom ; vérifier le chemin
+records-cannot-read = { $file } : ne peut être lu ({ $cause })
+records-is-peak-table = { $file } : est un tableau de valeurs de crête et non une mesure en fonction du temps ; dashpot import peaks { $file } -o damper.toml en fait un modèle
+records-not-regular = { $file } : n’est pas un fichier ordinaire mais un tube, un périphérique ou un dossier ; en enregistrer le contenu dans un fichier et le nommer
+records-too-large = { $file } : compte { $size }, et les fichiers sont lus jusqu’à { $largest } ; le découper par essai, ou l’enregistrer avec moins de voies ou à une cadence plus faible
+records-too-costly = { $at } : se décompresse au-delà de ce qu’un fichier de cette taille peut donner ; l’enregistrer de nouveau en CSV ou le découper par essai
+records-too-many-columns = { $at }, ligne { $line } : a { $found } colonnes, plus que les { $most } qu’une mesure peut avoir ; n’enregistrer que celles qui sont nécessaires
+records-empty-folder = { $folder } : ne contient aucune mesure ; un dossier de campagne contient { $kinds }
+records-in-subfolders = { $folder } : ne contient lui-même aucune mesure ; { $count } fichiers se trouvent dans ses sous-dossiers : { $names }. Si ce sont des essais d’un même amortisseur, --subfolders les lit comme une campagne ; si chacun est un amortisseur à part, en nommer un, ou les comparer par dashpot diagnose --group folders
+records-kinds = { $others } et { $last }
+records-no-paths = aucune mesure donnée ; nommer un fichier de mesure ou un dossier de campagne
+records-excludes-nothing = --exclude { $pattern } ne désigne aucun fichier ni essai ; le premier fichier s’appelle { $first }
+records-excludes-all = --exclude ne laisse aucune mesure ; les { $count } fichiers et essais sont tous désignés
+records-profiles-disagree = { $first } et { $second } donnent des sens positifs différents ; les accorder, ou donner --positive
+records-indispensable = { $channel } ne peut manquer aux mesures ; l’ôter de --ignore
+records-in-line = { $at }, ligne { $line } : { $cause }
+
+## What reading says of records. Headings and units.
+
+records-understood = { $header } Sont compris : { $understood }. D’autres en-têtes se donnent par --column force="Load Cell 1"
+records-swapped = { $at } : les en-têtes « { $first } » et « { $second } » semblent intervertis : { $evidence }. Corriger l’en-tête, ou donner --column { $of_first }="{ $second }" --column { $of_second }="{ $first }" (et --unit si l’unité l’est aussi) ; s’ils sont justes, insister par --unit { $of_first }=...
+records-wrong-unit = { $evidence } ; cela indique des { $likely } écrits comme { $written }. Donner --unit { $channel }={ $likely }, ou insister par --unit { $channel }={ $written }
+records-files-unit = { $count } des { $all } essais ne vont pas avec les autres, d’une manière qu’une unité explique : { $tests }. { $test } montre ±{ $force } N à { $velocity } mm/s, les autres ±{ $usual } N à { $there } mm/s ; cela indique des { $likely } écrits comme { $written }.{ $either } Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit { $channel }={ $first }, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit { $channel }={ $written } que tous les fichiers sont en { $written }
+records-or-the-others = { " " }Si ceux-ci sont justes, ce sont, à l’inverse, les autres qui sont faux : { $others }.
+records-missing-column = { $at }, ligne { $line } : aucune colonne pour { $missing } ; les colonnes sont { $found }.{ $near } Nommer la colonne par --column { $example }="en-tête"{ $otherwise }{ $units }
+records-units-too = . Des unités manquent aussi : donnez-les telles que le fichier les a, par exemple { $options }
+records-or-sample-rate = , ou, si le fichier n’en a pas, dire --sample-rate 1000 (échantillons par seconde)
+records-several-columns = { $at }, ligne { $line } : plusieurs colonnes pourraient être { $channel } : { $names } ; en choisir une par --column { $channel }="{ $first }"
+records-no-such-column = { $at }, ligne { $line } : il n’y a pas de colonne « { $wanted } » pour { $channel } ; les colonnes sont { $found }.{ $near }
+records-no-setting-column = aucun essai n’a de colonne « { $wanted } » pour le réglage : vérifier l’en-tête, avec --column setting=HEADING ou dans campaign.toml
+records-meant = { " " }S’agit-il de « { $near } » ?
+records-missing-unit = { $at }, ligne { $line } : la colonne « { $column } » n’a pas d’unité ; l’écrire dans l’en-tête, « { $column } [{ $example }] », ou donner --unit { $channel }={ $example }. Compris pour { $channel } : { $understood }
+records-missing-units = { $at }, ligne { $line } : aucune unité n’est donnée pour { $columns } ; dites-la telle que le fichier l’a, par exemple { $options }{ $in_heading }. Compris : { $understood }
+records-or-in-heading = , ou écrivez-la dans chaque en-tête, par exemple « Force [N] »
+records-unknown-unit = { $at }, ligne { $line } : la colonne « { $column } » a l’unité « { $unit } », qui n’est pas comprise pour { $channel } ; sont comprises { $understood }. Donner --unit { $channel }=... si l’en-tête est faux
+
+## What reading says of records. What speaks for swapped headings.
+
+records-time-stands = la colonne lue comme temps recule ou stagne dans { $percent } % des lignes, celle lue comme { $other } jamais
+records-spans = le déplacement couvrirait { $displacement } mm et l’effort { $force } N
+records-force-smoother = { $spans }, et l’effort serait le plus lisse des deux
+records-derivative-of-force = la vitesse est la dérivée de la colonne lue comme effort (corrélation { $with_force }), non de celle lue comme déplacement ({ $with_displacement })
+records-displacement-rougher = la colonne lue comme déplacement est { $times } fois plus rugueuse que celle lue comme effort, et l’amortisseur fournirait de l’énergie ; { $spans }
+
+## What reading says of records. What speaks for another unit.
+
+records-too-quick = { $record } ferait ±{ $amplitude } mm à { $frequency } Hz pendant { $seconds } s
+records-too-long = le plus rapide de { $count } essais atteindrait { $velocity } mm/s, le plus long durerait { $hours } h, avec un échantillon toutes les { $step } s
+records-too-stiff = aucun essai ne dépasserait ±{ $amplitude } mm, et { $force } N à { $velocity } mm/s feraient un amortissement de { $damping } N s/m
+records-mixed-current = { $record } : le courant de la valve de l’amortisseur atteindrait { $current } A, et { $others } A au plus dans les autres essais ; cela parle pour des mA sous un en-tête en A. Corriger l’en-tête de ce fichier, ou l’écarter avec --exclude '{ $test }' ; donner --unit current=A pour insister
+records-too-much-current = le courant de la valve de l’amortisseur atteindrait { $current } A
+records-too-weak = le plus fort de { $count } essais montrerait ±{ $strongest } N, et { $test } ±{ $force } N à { $velocity } mm/s, soit un amortissement de { $damping } N s/m
+
+## What reading says of records. What no damper has.
+
+records-absurd = { $record } : montre { $what }, ce qu’aucun amortisseur de suspension n’a ; { $advice }
+records-an-amplitude = une amplitude de { $amplitude } m
+records-a-velocity = une vitesse de pointe de { $velocity } mm/s
+records-a-force = un effort de { $force } N
+records-say-mm = si le fichier est en mm, le dire : --unit displacement=mm, ou velocity=mm/s quand on intègre
+records-check-motion-units = vérifier les unités de la vitesse et du temps : --unit velocity=mm/s, --unit time=s
+records-no-more-force = un effort d’au plus { $force } N
+records-say-stronger = si le fichier donne une autre unité, le préciser : --unit force=kN
+records-unit-was-given = l’unité était indiquée, c’en est donc une autre, ou la colonne, le facteur ou le capteur est faux : les vérifier, et omettre --unit si l’en-tête porte l’unité
+records-say-n = si le fichier est en N, le dire : --unit force=N
+
+## What reading says of records. All tests of a campaign.
+
+records-all-without-force = { $count } essais sur { $all } ne montrent aucun effort : dans { $record } il ne sort pas de son bruit de { $noise } N, bien que l’amortisseur bouge. Vérifier le capteur d’effort et sa voie (--column force="en-tête")
+records-feeds-energy = l’amortisseur fournirait de l’énergie au banc, un signe est donc faux : { $cause }
+records-few-feed = { $fewer } essais sur { $count } fournissent de l’énergie, les { $more } autres non : { $names }. { $apart }{ $also }
+records-few-take = { $fewer } essais sur { $count } dissipent de l’énergie, les { $more } autres non : { $names }. { $apart }{ $also }
+records-apart = Ces fichiers comptent l’effort ou le mouvement dans un autre sens que les autres. Les charger à part, avec --flip force ou --flip motion pour ceux qui fournissent de l’énergie, ou corriger l’export
+records-all-feed = dans les { $count } essais à boucle nette l’effort agit dans le sens du mouvement (corrélation { $correlation }), effort et mouvement sont donc comptés en sens opposés ; { $culprit }{ $also }
+records-exchanged = déplacement et force semblent échangés dans { $count } essais sur { $all } : { $names }. Dans { $test }, la colonne lue comme force suit un sinus, comme le fait un banc (ses harmoniques en font { $of_force } %), et celle lue comme déplacement non ({ $of_displacement } %)
+records-exchanged-feed = { $exchanged } ; lu ainsi, l’amortisseur fournirait de l’énergie au banc. Donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et --unit là où les unités suivent. Si seuls quelques fichiers sont concernés, placez-les dans un dossier à part, dites-le là avec dashpot import-profile, et nommez les deux dossiers
+records-exchanged-doubt = { $exchanged }. Si c’est le cas, rien de ce qui suit n’est juste : donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et retirez --flip
+records-or-late = . Ou bien { $late } ; donner alors { $option }
+records-flip-motion = l’effort à l’arrêt est une poussée comptée négative, comme en donne le gaz quand la traction est positive ; déplacement et vitesse sont donc positifs en compression. Donner --flip motion (ou corriger l’export)
+records-flip-force = l’effort à l’arrêt est une poussée comptée positive, comme en donne le gaz quand la compression est positive ; déplacement et vitesse sont donc positifs en détente. Donner --flip force (ou corriger l’export)
+records-flip-either = l’effort à l’arrêt est trop petit pour dire lequel des deux. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)
+
+## What reading says of records. A motion to be imposed.
+
+records-motion-gap = { $at }, ligne { $line } : { $channel } manque ou n’est pas un nombre ; un mouvement est pris tel quel, combler ou couper la lacune
+records-motion-time = { $at }, ligne { $line } : le temps n’augmente pas : { $to } s vient après { $from } s ; un mouvement demande un temps croissant
+records-short-motion = { $at } : a une ligne ; un mouvement en demande au moins deux
+records-several-motions = { $file } : contient plusieurs essais, « { $first } » et « { $second } » ; un mouvement n’en est qu’un, couper le fichier
+
+## What reading says of records. Faults of tests.
+
+records-too-few = { $at } : n’a que { $samples } échantillons utilisables ; un essai en demande au moins { $needed }, donc le mesurer de nouveau
+records-missing = { $at }, ligne { $line } : la voie { $channel } manque ou n’est pas un nombre, ici et dans { $count } lignes sur { $rows } en tout ; trop pour les écarter. Réparer l’export{ $advice }
+records-or-ignore = , ou écarter la voie avec --ignore { $channel }
+records-time-backwards = { $at }, ligne { $line } : le temps recule de { $from } s à { $to } s. Si le fichier contient plusieurs essais à la suite, nommer « test » la colonne qui les distingue, ou le diviser ; sinon couper le bloc étranger
+records-constant-time = { $at } : le temps n’avance pas, il vaut { $time } s à chaque ligne ; vérifier que la bonne colonne est lue comme temps
+records-frozen = { $at }, lignes { $first } à { $last } : la voie { $channel } est figée à { $value } { $unit } pendant { $seconds } s alors que { $moving } ; { $advice }
+records-clipped = { $at }, d’abord à la ligne { $line } : la voie { $channel } est écrêtée à { $value } { $unit } sur { $percent } % des échantillons, ce qui en laisse trop peu de fiables ; { $advice }
+records-no-motion = { $at } : l’amortisseur ne bouge pas : la voie { $channel } ne montre que du bruit, dans { $range } { $unit }. Mesurer l’essai de nouveau ou, s’il doit rester à l’arrêt, le retirer
+records-constant-force = { $at } : l’effort vaut { $value } N à chaque ligne alors que l’amortisseur bouge ; vérifier le capteur d’effort et son câble, et mesurer de nouveau
+records-cell = { $at }, ligne { $line }, colonne « { $column } » : « { $text } » n’est pas un nombre{ $hint }
+records-fields = { $at }, ligne { $line } : a { $found } champs là où l’en-tête en a { $expected }{ $hint }
+records-contradiction = { $at } : déplacement et vitesse se contredisent : { $cause }
+
+## What reading says of records. What moves while a channel is frozen, and what to do.
+
+records-damper-moves = l’amortisseur bouge
+records-velocity-moves = la vitesse dit qu’il bouge
+records-force-changes = l’effort change
+records-displacement-changes = le déplacement change
+records-check-cell = vérifier le capteur d’effort et son câble, et couper ces lignes ou mesurer de nouveau
+records-read-displacement-only = couper ces lignes, ou ne lire que le déplacement : --ignore velocity
+records-read-velocity-only = couper ces lignes, ou ne lire que la vitesse : --ignore displacement
+records-cut-or-measure = couper ces lignes ou mesurer de nouveau
+
+## What reading says of records. What to do about a clipped channel.
+
+records-no-other-motion = il n’y a pas d’autre voie de mouvement ; mesurer de nouveau avec une plus grande étendue
+records-larger-range = mesurer de nouveau avec une plus grande étendue du capteur d’effort ou de son amplificateur
+
+## What reading says of records. Why a cell or a row may be wrong.
+
+records-without-separators = { " " }; l’écrire sans séparateurs de milliers
+records-format-as-numbers = { " " }; mettre les cellules au format nombre
+records-quote-decimal-commas = { " " }; les virgules décimales demandent des guillemets autour des cellules, ou un point-virgule ou une tabulation entre les colonnes
+
+## What reading says of records. How displacement and velocity contradict each other.
+
+records-velocity-late = « { $column } » vient { $lag } ms { $side } la dérivée du déplacement, comme après un filtre ; la colonne n’a pas été utilisée, et la vitesse est tirée du déplacement
+records-behind = après
+records-ahead = avant
+records-other-motion = l’intégrale de la vitesse n’explique que { $percent } % du déplacement ; ils n’appartiennent pas au même mouvement. Vérifier que les bonnes colonnes sont lues (--column velocity="heading"), { $advice }
+records-opposite-signs = ils ont des signes opposés (la vitesse vaut { $gain } fois la dérivée du déplacement). Inverser l’un d’eux dans l’export, { $advice }
+records-unit-slip = la vitesse vaut { $gain } fois la dérivée du déplacement : une erreur d’unité, { $slip }. Donner l’unité (--unit velocity=mm/s, --unit displacement=mm), { $advice }
+records-other-scale = la vitesse vaut { $gain } fois la dérivée du déplacement. Vérifier les unités et l’étalonnage des deux, l’unité de temps, et si l’échantillonnage est assez rapide pour le mouvement, { $advice }
+records-read-one-only = ou n’en lire qu’un : --ignore velocity (ou --ignore displacement)
+records-mm-not-m = le déplacement ou la vitesse est en mm là où l’en-tête dit m
+records-cm-not-m = le déplacement ou la vitesse est en cm là où l’en-tête dit m
+records-mm-not-cm = le déplacement ou la vitesse est en mm là où l’en-tête dit cm
+records-inch-not-mm = l’un des deux est en pouces là où l’en-tête dit mm, ou l’inverse
+records-inch-not-m = l’un des deux est en pouces là où l’en-tête dit m, ou l’inverse
+
+## What reading says of records. Channels.
+
+records-channel-time = temps
+records-channel-displacement = déplacement
+records-channel-velocity = vitesse
+records-channel-force = effort
+records-channel-side-force = effort latéral
+records-channel-temperature = température
+records-channel-current = courant
+records-channel-setting = réglage
+
+## What reading says of records. Files in formats that are not read, and what to do.
+
+records-famos = un fichier imc FAMOS
+records-old-workbook = un classeur d’Excel 97 à 2003 (.xls), ou un document de cette époque
+records-open-document = un fichier OpenDocument
+records-diadem-heading = l’en-tête d’un jeu de données DIAdem, dont les nombres sont dans d’autres fichiers
+records-diadem = un jeu de données DIAdem
+records-hdf5 = un fichier HDF5
+records-database = une base de données
+records-zip = une archive zip
+records-gzip = un fichier compressé (gzip)
+records-pdf = un PDF
+records-xml = un fichier XML
+records-catman = un fichier binaire de catman
+records-export-from-imc = l’exporter d’imc FAMOS ou d’imc STUDIO en CSV, MDF 4 ou TDMS
+records-save-as-xlsx = l’enregistrer en .xlsx
+records-save-as-tdms = l’enregistrer dans DIAdem en TDMS
+records-save-channels = enregistrer ses voies en CSV ou en fichier MAT
+records-export-as-csv = exporter l’essai en CSV
+records-unpack-folder = la décompresser et nommer le dossier
+records-unpack = le décompresser
+records-export-from-catman = l’exporter de catman en ASCII, MDF 4 ou MAT
+
+# What a fit says.
+
+## What a fit says. Lists.
+
+identification-comma = ,{ " " }
+identification-semicolon = { " " };{ " " }
+identification-that = , que{ " " }
+
+## What a fit says. Which tests a number was identified from.
+
+identification-share-of = { $tests } { $percent } %
+identification-no-test = aucun essai ne le montre
+
+## What a fit says. The inventory.
+
+identification-carries = { $effect } : { $force } N efficaces, { $share } de l’effort ; probabilité { $probability }
+identification-carries-in-form = { $effect } ({ $form }) : { $force } N efficaces, { $share } de l’effort ; probabilité { $probability }
+
+## What a fit says. What the data does not determine.
+
+identification-not-identified = { $name } n’a pu être identifié de ces données ({ $why }) ; son élément est désactivé
+identification-needs-side-forces = il faut des essais lents à deux efforts latéraux ou plus, avec une voie d’effort latéral
+identification-taken-up = une courbe FV libre absorbe un terme en v²
+identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value } { $unit }
+identification-at-bound = { $name } a atteint la borne de son domaine à { $value } { $unit } : les données demandent ce que cet élément ne peut faire
+
+## What a fit says. What was known of the damper beside its records.
+
+identification-expected = { $name } était attendu à { $value } { $unit } (95 % : { $low } à { $high }) d’après les dimensions de l’amortisseur : { $facts }
+identification-contradicts = { $name } contredit les dimensions de l’amortisseur : { $value } { $unit }, soit { $ratio } fois les { $expected } { $unit } que donnent { $facts }
+
+## What a fit says. What the campaign cannot show.
+
+identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course à trois fois la fréquence les distinguerait
+identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
+identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
+identification-no-slow-test = il n’y a pas d’essai lent (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
+identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
+identification-zero-moves = le modèle laisse de chaque essai un autre effort constant, de { $low } à { $high } N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables
+
+## What a fit says. What the measurement is off by.
+
+identification-found-early = la voie d’effort est en avance de { $value } ms (95 % : { $low } à { $high })
+identification-found-delay = la voie d’effort est en retard de { $value } ms (95 % : { $low } à { $high })
+identification-found-mass = le capteur d’effort entraîne une masse propre de { $value } kg (95 % : { $low } à { $high })
+identification-found-gain-drift = le gain de la voie d’effort dérive de { $value } % par minute (95 % : { $low } à { $high })
+identification-found-drift = le zéro de la voie d’effort dérive de { $value } N par minute (95 % : { $low } à { $high })
+identification-or-warm-gas = aucune température n’a été enregistrée dans tous les essais : un gaz qui chauffe au fil de la campagne fait aussi baisser l’effort au repos. La température les distingue
+identification-gas-at = gas_force vaut à { $temperature } °C, milieu des températures mesurées ; avec gas_warming_rate il croît avec elles
+identification-taken-out-here = { $finding } : retiré ici, absent du modèle ; validate et diagnose le retirent aussi de ces mesures{ $option }
+identification-give-option = { " " }; pour d’autres mesures de ce banc, donner { $option }, ou l’écrire dans leur campaign.toml
+identification-taken-out-as-the-fit-did = retiré des mesures, comme l’a fait l’identification du modèle : { $findings }
+identification-found-in-its-own = l’identification du modèle a trouvé dans ses propres mesures que { $findings } ; celles-ci en sont d’autres, et rien n’en a été retiré{ $option }
+identification-if-the-same-rig = { " " }: si le même banc les a mesurées, donner { $options }
+
+## What a fit says. What a model file holds that does nothing.
+
+identification-idle = le fichier de modèle donne { $names }, mais l’élément { $element } est désactivé, et cela reste sans effet ; pour s’en servir, l’ajouter à elements
+
+## What a fit says. Numbers that a model file does not give, and numbers that are not those of its fit.
+
+identification-family-worse = la famille s’écarte { $ratio } fois autant qu’une identification de ce seul réglage : une valeur commune à tous peut être différente ici, ou ces essais sont trop peu nombreux pour le montrer
+identification-alone-worse = un ajustement de ce réglage seul s’écarte { $ratio } fois autant que la famille, sa recherche a donc fini à une structure moins bonne : le rapport à lui ne dit rien
+identification-on-defaults = l’élément { $element } est actif, mais le fichier de modèle ne donne pas { $names } : les valeurs par défaut de docs/parameters.md s’appliquent
+identification-edited = { $names } : hors de l’intervalle à 95 % laissé par l’identification dans le fichier de modèle, donc modifié depuis ; ce que l’identification en savait est omis
+
+## What a fit says. How far a fit is.
+
+identification-preparing = préparation des mesures
+identification-plain-curve = courbe FV simple
+identification-first-fit = premier ajustement depuis plusieurs départs
+identification-choosing-structure = comparaison du frottement, des ressorts, du chemin en série et des erreurs de mesure
+identification-refining = affinage de l’ensemble
+identification-piecewise = courbe linéaire par morceaux
+identification-with-lag = polynôme avec retard
+identification-done = terminé
+
+## What a fit says. A damper over a setting.
+
+identification-family-each = chaque réglage à part
+identification-family-joint = tous les réglages ensemble : ce qui leur est commun et ce qui en dépend
+identification-family-left-out = chaque réglage prédit par les autres
+identification-family-actuator = réponse de la valve d’après les essais à réglage variable
+identification-changing-setting = essais à réglage variable
+identification-no-actuator = les { $count } essais à réglage variable ({ $setting }) ne montrent aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit
+identification-actuator-open = les mesures ne déterminent pas { $names } : les valeurs sont celles que montrent d’ordinaire les valves
+identification-family-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, au plus { $most } par réglage et { $changing } dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
+identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation
+identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie { $names } : énergie accumulée ou force au repos
+identification-family-no-setting = aucun essai n’indique { $name }. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté
+identification-family-other-setting = aucun essai n’indique { $name } ; les essais ont un réglage nommé { $known } : donner --setting avec ce nom
+identification-family-without = { $count } essais n’indiquent pas { $name } : { $tests }. Les écarter avec --exclude, nommer leur colonne (--column setting=HEADING), ou le donner dans campaign.toml sous settings
+identification-family-one = tous les essais à { $name } constant ont la même valeur, { $value } : un modèle en fonction de ce réglage en demande au moins deux. Les ajuster sans --setting, ou vérifier l’unité de la colonne
+identification-family-only-changing = { $name } varie pendant chacun des { $count } essais : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve
+identification-family-too-many = les essais ont { $count } valeurs de { $name }, et un modèle en contient { $most } : en écarter avec --exclude ou --hold-out, ou indiquer le réglage dans campaign.toml sous [settings]
+identification-family-at = à { $name } = { $value } : { $why }
+identification-family-kernel = les réglages ne font pas un modèle : { $parameter } { $why }
+identification-family-not-finite = aucun effort fini n’a pu être calculé pour tous les réglages ensemble ; ajuster chacun à part pour trouver l’essai en cause
+
+## What a fit says. Why there is no fit.
+
+identification-no-tests = il n’y a aucun essai à ajuster : donner un dossier ou des fichiers avec au moins une mesure
+identification-unknown-element = il n’y a pas d’élément { $name } ; les éléments sont { $known }
+identification-not-fitted = fit n’identifie pas { $name } : dashpot diagnose l’ajoute au modèle ajusté où il le trouve, sinon à la main ; fit connaît { $known }
+identification-other-family = { $name } est un modèle à part et n’admet aucun autre élément ; utiliser --model lag
+identification-one-sided = les essais ne bougent jamais en { $direction } : une courbe effort-vitesse demande les deux sens
+identification-not-finite = aucun effort fini n’a pu être calculé pour l’essai { $test } ; regarder ses voies (un saut du déplacement ?)
+
+# What a diagnosis says.
+
+## What a diagnosis says. How far a diagnosis is.
+
+diagnosis-preparing = préparation des mesures
+diagnosis-fitting-reference = ajustement du modèle à la référence
+diagnosis-refitting = réajustement du modèle tel quel
+diagnosis-each-effect = réajustement de l’ensemble avec chaque effet
+diagnosis-weighing = pesée de chaque nom avec les autres présents
+diagnosis-what-is-left = examen de ce qui reste
+diagnosis-done = terminé
+
+## What a diagnosis says. Why there is no diagnosis.
+
+diagnosis-no-tests = il n’y a aucun essai à diagnostiquer : donner un dossier ou des fichiers avec au moins une mesure, et ne pas tout écarter
+diagnosis-unknown-name = il n’y a pas d’effet { $name } ; les effets sont { $known }
+diagnosis-nothing-to-compare = la campagne de référence n’a aucun des essais de celle-ci (mêmes amplitude, fréquence, déplacement moyen et effort latéral, à 5 % près) : mener la même matrice sur les deux amortisseurs{ $turned }
+diagnosis-besides = { " " }; { $said }
+diagnosis-opposite = la campagne a été lue comme comptant { $own } positivement, la référence comme comptant { $good } positivement ; si les deux viennent du même banc, lire les deux avec --positive rebound, ou les deux avec --positive compression
+diagnosis-identical = les mêmes mesures, valeur pour valeur, sont dans la référence : { $tests } ; rien ne peut y avoir changé, vérifier donc que la référence est le bon dossier
+diagnosis-not-finite = le modèle ne donne pas d’effort fini pour ces mesures : dashpot validate montre où
+
+## What a diagnosis says. Lists.
+
+diagnosis-comma = ,{ " " }
+diagnosis-and = { " " }et{ " " }
+
+## What a diagnosis says. The answer.
+
+diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
+diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
+diagnosis-instead-of = , à la place de { $effect }
+diagnosis-has-effect = cet amortisseur montre { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe{ $also }
+diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe{ $also }
+diagnosis-also-changed = { " " }; également changé : { $changes }
+diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
+diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
+diagnosis-at-no-setting = à aucun réglage il ne manque au modèle un effet que ces enregistrements puissent nommer
+diagnosis-changed-at-all-settings = { $name } a changé à chaque réglage (sûr à { $sure })
+diagnosis-changed-at-some-settings = { $name } a changé à { $names } (sûr à { $sure }) ; aux autres réglages aucun changement n’en apparaît
+diagnosis-changed-at-no-setting = à aucun réglage rien n’a changé que ces mesures puissent nommer
+diagnosis-no-name-at-all-settings = à chaque réglage il manque quelque chose qui n’a pas encore de nom
+diagnosis-no-name-at-some-settings = à { $names } il manque quelque chose qui n’a pas encore de nom
+diagnosis-needless = il ne manque rien ; ces mesures ne demandent pas { $effects }
+diagnosis-not-explained = { $percent } du désaccord ne sont pas expliqués par ce qui a été nommé : une autre forme, ou autre chose
+diagnosis-immaterial = le modèle amélioré a en outre { $effects }, sans être nommé : dans aucun essai la force ne dépasse le bruit et 0,5 % de la force mesurée
+diagnosis-test-and-times = { $test } ({ $times } fois)
+diagnosis-still-missed = trop rare ou trop petit pour être nommé, mais ces essais sont manqués : { $tests }
+diagnosis-nothing-missing = il ne manque rien que ces mesures puissent montrer (sûr à { $percent }) : le modèle s’écarte de { $times }{ $not_seen }{ $not_confirmed }
+diagnosis-unchanged = rien n’a changé que ces mesures puissent montrer (sûr à { $percent }) : le modèle de la référence s’écarte de { $times }{ $not_seen }{ $not_confirmed }
+diagnosis-warmer = des essais étaient jusqu’à { $kelvin } K plus { $sense } que sur la référence ({ $test } : { $here } et { $there } °C en moyenne) : la force du gaz croît de 0,34 % par kelvin et l’huile chaude amortit moins, une partie de l’écart peut donc venir de la température, surtout une dérive du zéro de force ; comparez des campagnes de même température
+diagnosis-warmer-sense = chaud
+diagnosis-colder-sense = froid
+diagnosis-changed = { $numbers }{ $more }
+diagnosis-nothing-else = { " " }; rien d’autre n’a changé
+diagnosis-nothing-else-large = { " " }; rien d’autre n’a changé de plus de 0,5 % de l’effort
+diagnosis-more-may-have-changed = { " " }; davantage a pu changer, car le modèle s’écarte encore de { $times }
+diagnosis-changed-both = effort d’amortissement { $percent } % en détente et en compression ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-rebound = effort en détente { $percent } % à toutes les vitesses ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-compression = effort en compression { $percent } % à toutes les vitesses ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-rebound-low = effort en détente à basse vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-compression-low = effort en compression à basse vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-rebound-high = effort en détente à haute vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-changed-compression-high = effort en compression à haute vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
+diagnosis-other-number = { $name } { $reference } → { $value }
+diagnosis-more-numbers = { " " }et { $count } autres
+diagnosis-cannot-show = { " " }; elles ne peuvent montrer { $effects }
+diagnosis-not-confirmed = { " " }; aucun essai n’a été mis de côté pour le confirmer
+diagnosis-cannot-tell = il manque quelque chose : le modèle s’écarte de { $times }, et { $why }
+diagnosis-too-few-tests = { $effect } est le plus probable, mais trop peu d’essais l’appuient pour le nommer
+diagnosis-not-apart = ces mesures ne peuvent distinguer { $effects }
+diagnosis-unknown-effect = le modèle s’écarte de { $times }, et aucun des effets connus n’est assez probable pour l’expliquer{ $nearest }
+diagnosis-looks-like = { " " }; cela ressemble à { $what }
+diagnosis-nearest = { " " }; le plus proche, { $effect }, explique { $percent }
+diagnosis-explains = explique { $percent } du désaccord
+
+## What a diagnosis says. What a disagreement without a name looks like.
+
+diagnosis-like-guides = un frottement qui croît avec l’effort, comme en fait dans les guides une traverse ou un œil de travers
+diagnosis-like-load-cell = une boucle selon l’effort quelle que soit la vitesse, comme en trace un capteur d’effort à hystérésis
+diagnosis-like-resonance = une résonance dans le chemin de l’effort, comme celle d’un bâti ou de l’huile dans un flexible
+
+## What a diagnosis says. Regions.
+
+diagnosis-region = { $direction }, { $slow }–{ $fast } mm/s{ $phase }, { $place } : { $missing } (efficace { $rms } N, bruit { $noise } N)
+diagnosis-rebound = détente
+diagnosis-compression = compression
+diagnosis-speeding-up = { " " }en accélérant
+diagnosis-slowing-down = { " " }en ralentissant
+diagnosis-in-all-tests = dans tous les essais qui y passent
+diagnosis-in-test = dans l’essai { $test }
+diagnosis-more-tensile = l’effort mesuré est de { $mean } ± { $error } N plus en traction que l’effort calculé
+diagnosis-more-compressive = l’effort mesuré est de { $mean } ± { $error } N plus en compression que l’effort calculé
+diagnosis-off-both-ways = { $rms } N efficaces d’écart dans les deux sens
+
+## What a diagnosis says. Tests that would tell more.
+
+diagnosis-run-sine = réaliser un sinus de { $amplitude } { $unit } à { $frequency } Hz{ $about }{ $under } : { $a } et { $b } y diffèrent de { $difference } N efficaces
+diagnosis-about-mean = { " " }autour de { $mean } { $unit } au compte des fichiers
+diagnosis-under-side-force = { " " }sous { $force } N d’effort latéral
+diagnosis-shows-best = { $effect } se montre le mieux ainsi : { $remedy }
+diagnosis-no-trace = à un niveau habituel, il ne laisserait pas de trace dans ces essais : { $remedy }
+diagnosis-sum-alone = le tube s’élargit avec la pression comme cède la colonne d’huile : un banc montre leur somme, que représente la compressibilité de l’huile (oil_compressibility)
+
+## What a diagnosis says. The test that shows an effect best.
+
+diagnosis-show-more = plus d’amplitudes et de fréquences
+diagnosis-show-slow = triangles lents de 0,5 à 30 mm/s, deux courses, deux températures
+diagnosis-show-spring = parcourir lentement toute la course, et une fois à 1 Hz, à deux positions moyennes
+diagnosis-show-gas-warming = l’effort au repos au milieu de la course, à froid et après une forte sollicitation, en enregistrant la température
+diagnosis-show-mount = sinus de 0,05 à 0,5 mm de 1 à 30 Hz
+diagnosis-show-zero = lire l’effort au repos, avec et sans l’amortisseur accroché
+diagnosis-show-presliding = courses de 0,1 à 2 mm à 0,1 et 1 Hz : des boucles égales l’indiquent
+diagnosis-show-side-force = le même sinus sous 0, 500 et 1000 N d’effort latéral
+diagnosis-show-oil = une même vitesse de pointe à plusieurs courses et fréquences, à deux positions moyennes
+diagnosis-show-aeration = un essai après une nuit de repos et après 200 cycles
+diagnosis-show-cavitation = une même vitesse de pointe à plusieurs courses, avec la pression de gaz augmentée
+diagnosis-show-fade = un essai de référence répété à froid et à chaud, en ordre mélangé, avec la température enregistrée
+diagnosis-show-position = sinus de 5 à 10 mm à cinq positions moyennes ou plus
+diagnosis-show-bump-stop = pousser lentement dans la butée, puis à deux vitesses
+diagnosis-show-rebound-stop = tirer lentement dans la butée, puis à deux vitesses
+diagnosis-show-free-play = de petites courses avec une précharge qui empêche l’effort de passer par zéro, et sans
+diagnosis-show-frequency = une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz
+diagnosis-show-valve = des rampes de vitesse lentes à travers le coude, en montant et en descendant
+diagnosis-show-mass = faire tourner le banc sans l’amortisseur
+diagnosis-show-delay = monter un ressort à la place de l’amortisseur : sa boucle doit se fermer
+diagnosis-show-drift = répéter un essai de référence au début, au milieu et à la fin
+
+## What a diagnosis says. Why records cannot show an effect.
+
+diagnosis-needs-series = il fait partie du chemin en série : le modèle a d’abord besoin de la souplesse en série (series_compliance)
+diagnosis-needs-fixed-curve = une courbe FV libre absorbe un terme en v² : il faut que la courbe soit fixée par une spécification
+diagnosis-needs-side-force = l’effort latéral ne varie pas : réaliser le même sinus sous deux efforts latéraux ou plus, en enregistrant la voie
+diagnosis-needs-temperature = aucune voie de température ne varie, et les horloges des mesures ne montrent pas d’échauffement : enregistrer la température de l’huile ou du tube, ou répéter un essai à froid et après une forte sollicitation
+diagnosis-needs-measured-temperature = aucune voie de température ne varie : enregistrer la température de l’huile ou du tube dans tous les essais
+diagnosis-needs-places = tous les essais passent aux mêmes endroits aux mêmes vitesses : réaliser un petit sinus à cinq positions moyennes ou plus, ou une même vitesse de pointe à plusieurs courses
+diagnosis-only-within-compression = seulement dans les { $reach } mm de compression que les essais atteignent : pousser lentement plus loin pour voir une butée au-delà
+diagnosis-only-within-extension = seulement dans les { $reach } mm de détente que les essais atteignent : tirer lentement plus loin pour voir une butée au-delà
+diagnosis-needs-frequencies = les fréquences des essais sont presque les mêmes : réaliser une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz
+diagnosis-needs-zero = une erreur de zéro du capteur d’effort et l’effort du gaz sont la même constante : lire le capteur avec l’amortisseur décroché, avant et après
+diagnosis-needs-one-clock = chaque mesure remet son horloge à zéro : garder une seule horloge pendant la campagne et répéter un essai de référence
+
+## What a diagnosis says. What is said of the improved model.
+
+diagnosis-diagnosis = diagnostic : { $answer }
+diagnosis-added = { $effect } (sûr à { $percent }) ajouté à ce modèle
+diagnosis-of-the-rig = { $effect } (sûr à { $percent }) du banc : corrigé dans la comparaison, pas dans l’amortisseur de ce modèle
+diagnosis-or-warm-gas = aucune température ne varie dans toutes les mesures : un gaz qui chauffe au fil de la campagne fait baisser l’effort au repos comme un zéro qui dérive, et ne s’en distingue pas. Enregistrer la température de l’huile ou du tube
+diagnosis-all-fitted-tests = tous les essais ajustés
+
+## What a diagnosis says. How the comparison was made.
+
+diagnosis-without-reference = sans campagne de référence, un nom peut désigner ce que la forme du modèle ne rend jamais ; là où un bon amortisseur a été mesuré sur le même banc, --reference demande ce qui a changé
+diagnosis-against-reference = comparé à la campagne de référence : ce que le modèle y laisse des mêmes essais est retiré{ $nearest }{ $aside }
+diagnosis-by-nearest-motion = { " " }; les essais sans équivalent de même mouvement ont été comparés par l’erreur de forme du plus proche : { $tests }
+diagnosis-without-counterpart = { " " }; la référence n’a aucun mouvement semblable, l’erreur de forme du modèle y reste donc : { $tests }
+
+# What is said of the dimensions of a damper.
+
+## What is said of the dimensions of a damper. Why a quantity cannot be told.
+
+dimensions-no-gas-force = le modèle n’a pas d’effort de gaz ; un essai lent le montre
+dimensions-gas-force-open = les mesures laissent l’effort de gaz ouvert ; un essai lent le montre
+dimensions-gas-on-rod = le gaz pousse sur la section de la tige
+dimensions-no-gas-spring = le modèle n’a pas de ressort à gaz ; des courses lentes sur tout le débattement le montrent
+dimensions-gas-spring-open = les mesures laissent la raideur du gaz ouverte ; des courses lentes sur tout le débattement la montrent
+dimensions-volume-from = il découle de la pression et de la raideur du gaz
+dimensions-column-from = la raideur de la colonne est celle d’une chambre de section et de longueur données
+dimensions-no-column = le modèle n’a ni colonne d’huile ni ressort en série que les mesures déterminent
+dimensions-no-modulus = le module effectif n’est pas connu
+dimensions-tube-expands = le tube se dilate avec l’huile
+dimensions-stroke-from = la course que cède l’air dépend de sa pression et de la longueur de la chambre
+dimensions-air-from = c’est ce qui manque au module de l’huile, ou la course de l’élément aeration
+dimensions-passage-from = un passage découle de la table FV et de la section du piston
+dimensions-few-slow-points = moins de deux points de la table FV se trouvent sous le coude de cette course
+dimensions-no-knee = la table FV de cette course n’a pas de coude : aucun clapet ne s’est ouvert
+dimensions-bleed-passes-all = la fuite calibrée laisse passer tout le débit
+
+## What is said of the dimensions of a damper. What else is to know of a quantity.
+
+dimensions-by-compression = d’après la colonne en compression
+dimensions-less-the-eyes = le ressort en série sans les œillets
+dimensions-a-bound = une borne : le ressort en série contient œillets et huile ; eye_stiffness_n_mm ou une colonne d’huile dans le modèle les sépare
+dimensions-with-air = avec l’air qu’elle contient
+dimensions-no-orifice = aucun orifice n’apparaît à côté de la fuite
+dimensions-no-leak = aucune fuite n’apparaît à côté de l’orifice
+dimensions-opening-at = ouverture au plus grand effort de la table
+dimensions-had-prior = l’ajustement avait pour cela un a priori tiré des dimensions
+dimensions-semicolon = { " " };{ " " }
+
+## What is said of the dimensions of a damper. What contradicts.
+
+dimensions-contradicts-one = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donne { $facts }.
+dimensions-contradicts-several = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donnent { $facts }.
+dimensions-pressure-on-rod = { $pressure } bar sur une tige de { $diameter } mm
+
+## Words in sentences. Words of records.
+
+word-rebound = détente
+word-compression = compression
+word-time = temps
+word-force = effort
+word-displacement-or-velocity = le déplacement ou la vitesse
+word-an-incomplete-cycle-or-run-down = un cycle incomplet ou l’arrêt progressif
+word-rest = repos
+word-nothing = rien
+word-current = courant
+word-clicks = crans
+word-voltage = tension
+word-pressure = pression
+
+## Words in sentences. Kinds of tests.
+
+word-slow-tests = essais lents
+word-small-strokes = petites courses
+word-large-strokes = grandes courses
+
+## Words in sentences. Paths and families of effects.
+
+word-gas-and-springs = gaz et ressorts
+word-constant-force = effort constant
+word-spring = ressort
+word-gas-temperature = température du gaz
+word-friction = frottement
+word-dry-friction = frottement sec
+word-viscous-friction = frottement visqueux
+word-friction-under-load = frottement sous charge
+word-series = en série
+word-mount = fixation
+word-hydraulic = hydraulique
+word-oil-column = colonne d’huile
+word-void = vide
+word-oil-temperature = température de l’huile
+word-valves = clapets
+word-stop = butée
+word-rig = banc
+word-mass = masse
+word-timing = synchronisation
+word-load-cell = capteur d’effort
+
+## Words in sentences. Forms of effects.
+
+word-changed = changé
+word-full = complète
+word-simplified = simplifiée
+word-slips-from-the-first = glisse dès le début
+word-bends-before-it-slips = fléchit avant de glisser
+word-relaxes = se relâche
+word-friction-in-the-rubber = frottement dans le caoutchouc
+word-relaxes-over-decades-and-meets-a-stop = se relâche sur des décades et rencontre une butée
+word-friction-in-the-rubber-and-a-stop = frottement dans le caoutchouc, et une butée
+word-opens-under-a-load = s’ouvre sous une charge
+word-all-of-the-force-goes-through-it = tout l’effort y passe
+word-friction-and-gas-act-behind-it = le frottement et le gaz agissent derrière
+word-relaxes-and-all-of-the-force-goes-through-it = se relâche, et tout l’effort y passe
+word-friction-in-the-rubber-and-all-of-the-force-goes-through-it = frottement dans le caoutchouc, et tout l’effort y passe
+word-rebound-chamber = chambre de détente
+word-both-chambers = les deux chambres
+word-one-chamber-softer-than-the-other = une chambre plus souple que l’autre
+word-compression-capped-gas-pushes-on = compression plafonnée, le gaz continue de pousser
+word-compression-capped-dead-return = compression plafonnée, retour mort
+word-rebound-capped-force-stays = détente plafonnée, l’effort reste
+word-rebound-capped-dead-return = détente plafonnée, retour mort
+word-compression-capped-gas-expands-in-the-void = compression plafonnée, le gaz se détend dans le vide
+word-foot-valve-does-not-refill = le clapet de pied ne remplit pas
+word-measured-temperature = température mesurée
+word-oil-warmer-than-measured = huile plus chaude que mesurée
+word-heated-by-its-own-work = chauffée par son propre travail
+word-rebound-chamber-is-not-refilled = la chambre de détente n’est pas remplie
+word-rebound-begins-with-a-lost-stroke = la détente commence par une course morte
+word-compression-begins-with-a-lost-stroke = la compression commence par une course morte
+word-isothermal = isotherme
+word-takes-time-to-cool = met du temps à refroidir
+word-both-strokes = les deux courses
+word-groove = rainure
+word-groove-open-in-rebound = rainure ouverte en détente
+word-groove-open-in-compression = rainure ouverte en compression
+word-bypass = dérivation
+word-filter = filtre
+word-stroke = course
+word-a-valve-with-play = un clapet avec jeu
+word-a-valve-with-mass = un clapet avec masse
+word-opens-and-closes-at-different-forces = s’ouvre et se ferme à des efforts différents
+word-linear = linéaire
+word-quadratic = quadratique
+word-cubic = cubique
+word-quartic = du quatrième degré
+word-rubber = caoutchouc
+word-hydraulic-gap = hydraulique, fente
+word-hydraulic-orifice = hydraulique, orifice calibré
+word-on-the-load-cell = sur le capteur d’effort
+word-at-the-load-cell = au capteur d’effort
+word-inside-like-oil-in-a-long-passage = à l’intérieur, comme l’huile dans un long passage
+word-low-pass-filter-of-the-force-channel = filtre passe-bas de la voie d’effort
+word-zero-set-anew-during-the-campaign = zéro refait pendant la campagne
+word-settles-as-the-rig-warms-up = se stabilise quand le banc chauffe
+
+## Words in sentences. Quantities of the dimensions, and units that are words.
+
+word-gas-pressure = pression du gaz
+word-gas-volume = volume de gaz
+word-effective-modulus-of-the-oil = module effectif de l’huile
+word-modulus-of-the-oil = module de l’huile
+word-air-content-of-the-oil = teneur en air de l’huile
+word-bleed-area-in-rebound = section de fuite en détente
+word-bleed-area-in-compression = section de fuite en compression
+word-leak-in-rebound = fuite en détente
+word-leak-in-compression = fuite en compression
+word-blow-off-area-in-rebound = section de clapet en détente
+word-blow-off-area-in-compression = section de clapet en compression
+word-gas-force = effort de gaz
+word-growth-of-the-gas-force-with-temperature = croissance de l’effort de gaz avec la température
+word-gas-stiffness = raideur du gaz
+word-length-of-the-gas-column = longueur de la colonne de gaz
+word-cavitation-cap = limite de cavitation
+word-stiffness-of-the-oil-column = raideur de la colonne d’huile
+word-shortening-of-the-oil-column = raccourcissement de la colonne d’huile
+word-stiffness-of-the-oil-column-in-compression-over-that-in-rebound = raideur de la colonne d’huile en compression sur celle en détente
+word-force-that-halves-the-air-s-stroke = effort qui réduit de moitié la course de l’air
+word-stroke-that-the-air-yields = course que cède l’air
+word-series-stiffness = raideur en série
+word-bar-gauge = bar relatif
+word-at-1-013-bar-absolute = % à 1,013 bar absolu
+word-fv-force-at-two-slow-speeds = fv_force à deux vitesses lentes
+word-fv-force-at-a-fast-speed = fv_force à une vitesse rapide
+word-oil-stiffness-or-aeration-stroke = oil_stiffness ou aeration_stroke

@@ -227,7 +227,8 @@ mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
     use dashpot_identification::validation::validate;
-    use dashpot_records::{Note, Record, Sentence};
+    use dashpot_messages::Sentence;
+    use dashpot_records::{Note, Record};
     use std::collections::BTreeSet;
 
     fn with_input<T>(records: &[Record], check: impl FnOnce(&ReportInput<'_>) -> T) -> T {

@@ -9,7 +9,7 @@ use crate::gas;
 use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// Pa of a bar and m³ of a cm³.
 const BAR: f64 = 1e5;

@@ -12,7 +12,7 @@ use crate::geometry::{annulus, area};
 use crate::orifice;
 use crate::phrases;
 use crate::uncertain::{Uncertain, through};
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// m² of a mm², and m³/(s Pa) of a cm³/(s bar).
 const MM2: f64 = 1e-6;

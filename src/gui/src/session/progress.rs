@@ -1,6 +1,6 @@
 //! How far long work is.
 
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// How far it is.
 #[derive(Debug, Clone, Default)]

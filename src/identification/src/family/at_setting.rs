@@ -8,7 +8,7 @@ use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::list;
 use dashpot_core::parameter::Number;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// The ordinary damper at a setting, with the 95 % intervals there.
 ///

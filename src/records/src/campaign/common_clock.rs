@@ -5,8 +5,8 @@
 use crate::data::record::{Note, Record};
 use crate::dates::clock::{DAY, written};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
+use dashpot_messages::Sentence;
 use std::cmp::Ordering;
 
 /// Sets the campaign's clock of every record, and says so, or why not. Records that run on one clock already keep it.

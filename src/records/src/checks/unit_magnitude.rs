@@ -3,7 +3,6 @@
 use crate::data::record::Record;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -11,6 +10,7 @@ use crate::quantities::unit::Unit;
 use crate::tuning::unit_magnitude::{
     FASTEST, FOLLOWS, LONG, MOST_CURRENT, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
 };
+use dashpot_messages::Sentence;
 
 /// Refuses a campaign whose figures speak for a unit a thousandfold off; a unit given by the user is right.
 pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {

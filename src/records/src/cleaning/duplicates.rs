@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::quantities::channel::Channel;
 use crate::tuning::duplicates::BLOCK;
+use dashpot_messages::Sentence;
 
 /// Most places that are looked at closely for a repeated block, each of which takes time in proportion to the rows.
 const LOOKS: usize = 200;

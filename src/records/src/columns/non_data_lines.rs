@@ -7,7 +7,7 @@ use super::heading::{Heading, heading};
 use super::table::{Rows, is_units_row};
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::{Sentence, Template};
+use dashpot_messages::{Sentence, Template};
 
 /// Lines right below a heading that hold no figures: names of sensors, rates, remarks of a channel.
 pub(crate) const LABELS: usize = 5;

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::unit::{Dimension, Unit};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
+use dashpot_messages::{Sentence, Template};
 
 /// A quantity that a rig record may hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -54,6 +54,20 @@ impl Channel {
             Channel::Temperature => "temperature",
             Channel::Current => "current",
             Channel::Setting => "setting",
+        }
+    }
+
+    /// The channel's name as a sentence of any language has it.
+    pub(crate) fn message(self) -> Template {
+        match self {
+            Channel::Time => phrases::CHANNEL_TIME,
+            Channel::Displacement => phrases::CHANNEL_DISPLACEMENT,
+            Channel::Velocity => phrases::CHANNEL_VELOCITY,
+            Channel::Force => phrases::CHANNEL_FORCE,
+            Channel::SideForce => phrases::CHANNEL_SIDE_FORCE,
+            Channel::Temperature => phrases::CHANNEL_TEMPERATURE,
+            Channel::Current => phrases::CHANNEL_CURRENT,
+            Channel::Setting => phrases::CHANNEL_SETTING,
         }
     }
 

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::unstated_settings::together;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::quantities::setting_value::{
     SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
 };
+use dashpot_messages::Sentence;
 
 /// Takes settings from what the user says, else from names where all tests state one and no channel does. A letter behind a number may as
 /// well number the tests, so names of which each states another value, and no two the same, count only where they have decimals or a unit

@@ -9,8 +9,8 @@ use crate::checks::force_levels::{Levels, levels};
 use crate::data::record::{Note, Record};
 use crate::glob;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::median;
+use dashpot_messages::Sentence;
 
 /// Share by which stroke and peak velocity of the same motion may differ, and by which part of its stroke its middle.
 ///

@@ -2,15 +2,14 @@
 //!
 //! The texts stand in `src/report/locales`, one Fluent file a language; [`Words`] has one of them, by the names of its fields. A text with
 //! arguments is a [`Message`], which [`Words::fill`] formats. What reading, a fit and a diagnosis say is made
-//! by their crates in English and looked up in [`said`].
+//! by their crates in English and looked up by the ids of their messages ([`sentences`]).
 
-use dashpot_messages::{Catalog, Message};
-use dashpot_records::sentence::is_number;
+use dashpot_messages::{Catalog, Message, is_number};
 use names::MARK;
 use std::sync::LazyLock;
 
 mod names;
-mod said;
+mod sentences;
 mod texts;
 
 pub use texts::Words;
@@ -131,6 +130,7 @@ fn format(catalog: &Catalog, message: Message, figures: &[(&str, String)]) -> St
 pub(crate) mod tests {
     use super::*;
     use dashpot_messages::file::{self, Entry};
+    use dashpot_messages::{Template, word_id};
     use std::collections::{BTreeMap, BTreeSet};
 
     /// The Fluent file of each language, with its name.
@@ -146,18 +146,20 @@ pub(crate) mod tests {
         FILES.map(|(name, source)| (name, file::read(source)))
     }
 
-    /// Names of the figures that a text takes.
-    pub fn figures(text: &str) -> BTreeSet<&str> {
-        text.split('{').skip(1).filter_map(|rest| rest.split('}').next()).collect()
-    }
-
     /// Every message that the code asks a file for, with its arguments. The English of what other crates say stands in their code.
     fn used(is_english: bool) -> BTreeMap<String, BTreeSet<String>> {
         let of_pages = Words::MESSAGES.iter().map(|(id, arguments)| (id.to_string(), *arguments));
         let of_pages = of_pages.map(|(id, arguments)| (id, arguments.iter().map(ToString::to_string).collect()));
         let [names, meanings] = super::names::tests::ids();
-        let meanings = meanings.into_iter().filter(|_| !is_english);
-        of_pages.chain(names.into_iter().chain(meanings).map(|id| (id, BTreeSet::new()))).collect()
+        let plain = |ids: BTreeSet<String>| ids.into_iter().map(|id| (id, BTreeSet::new()));
+        let mut used: BTreeMap<String, BTreeSet<String>> = of_pages.chain(plain(names)).collect();
+        if !is_english {
+            let places = |template: &Template| template.places().map(str::to_owned).collect();
+            used.extend(sentences::tests::templates().iter().map(|t| (t.id().to_owned(), places(t))));
+            used.extend(plain(meanings));
+            used.extend(plain(sentences::tests::words().into_iter().filter_map(word_id).collect()));
+        }
+        used
     }
 
     #[test]

@@ -1,26 +1,89 @@
-//! Sentences that can be said in any language: an English text with the places of its values, and the values. Scripts and the terminal
-//! get the English; who writes for people looks the text up in another language and puts the same values in. A sentence that was written
-//! to a file in English is taken apart again by the templates that it was made of ([`Reader`]).
+//! Sentences that can be said in any language: a message with its English text, and the values at the places of that. Scripts and the
+//! terminal get the English; who writes for people has a [`Locale`] look the message up by its id and put the same values in. A sentence
+//! that was written to a file in English is taken apart again by the templates that it was made of ([`Reader`]).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::{BTreeSet, HashSet};
+use std::collections::HashSet;
 use std::fmt;
 
-/// A text with `{name}` where a value stands. Only [`phrases!`](super::phrases) makes them, so that its list holds every one.
+/// A message with its English text, which has `{name}` where a value stands.
+///
+/// Only [`phrases!`](crate::phrases) makes them, so that its list holds every one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Template(&'static str);
+pub struct Template {
+    id: &'static str,
+    english: &'static str,
+}
 
 impl Template {
-    /// For [`phrases!`](super::phrases) alone: a template that is in no list is in no test of the translations.
+    /// For [`phrases!`](crate::phrases) alone: a template that is in no list is in no test of the translations.
     #[doc(hidden)]
-    pub const fn listed(english: &'static str) -> Template {
-        Template(english)
+    pub const fn listed(id: &'static str, english: &'static str) -> Template {
+        Template { id, english }
+    }
+
+    /// The id by which other languages have it.
+    pub fn id(self) -> &'static str {
+        self.id
     }
 
     /// The English text.
     pub fn english(self) -> &'static str {
-        self.0
+        self.english
     }
+
+    /// The names of its places, as often as they stand in it.
+    pub fn places(self) -> impl Iterator<Item = &'static str> {
+        self.english.split('{').skip(1).filter_map(|rest| rest.split_once('}').map(|(name, _)| name))
+    }
+
+    /// The English text with these values.
+    fn format(self, values: &[(&str, String)]) -> String {
+        let (mut text, mut rest) = (String::new(), self.english);
+        while let Some((before, after)) = rest.split_once('{') {
+            text += before;
+            let (name, behind) = after.split_once('}').unwrap_or((after, ""));
+            text += values.iter().find(|(n, _)| *n == name).map_or("", |(_, value)| value);
+            rest = behind;
+        }
+        text + rest
+    }
+}
+
+/// How a language writes sentences.
+pub trait Locale {
+    /// The text of a message with its arguments; `None` where the language has none but the English one.
+    fn message(&self, id: &str, arguments: &[(&str, String)]) -> Option<String>;
+
+    /// The text of a word; `None` where it is the same as in English.
+    fn word(&self, english: &str) -> Option<&str>;
+
+    /// A value, from the name of its place and the value itself.
+    fn value(&self, place: &str, value: &str) -> String;
+}
+
+/// English as the crates write it.
+struct English;
+
+impl Locale for English {
+    fn message(&self, _: &str, _: &[(&str, String)]) -> Option<String> {
+        None
+    }
+
+    fn word(&self, _: &str) -> Option<&str> {
+        None
+    }
+
+    fn value(&self, _: &str, value: &str) -> String {
+        value.to_owned()
+    }
+}
+
+/// The id of a word: `word-` and its letters and figures; `None` for an identifier such as `gas_force`, which no language translates.
+pub fn word_id(english: &str) -> Option<String> {
+    let is_identifier = english.contains('_') && !english.contains(' ');
+    let parts = english.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
+    (!is_identifier).then(|| parts.fold("word".to_owned(), |id, part| id + "-" + &part.to_ascii_lowercase()))
 }
 
 /// A template taken to pieces once.
@@ -39,7 +102,7 @@ struct Pieces {
 
 impl Pieces {
     fn new(template: Template) -> Self {
-        let mut pieces = template.0.split('{');
+        let mut pieces = template.english.split('{');
         let first = pieces.next().unwrap_or("");
         let places: Vec<_> = pieces.map(|piece| piece.split_once('}').unwrap_or((piece, ""))).collect();
         let own = first.len() + places.iter().map(|(_, behind)| behind.len()).sum::<usize>();
@@ -78,25 +141,20 @@ impl Pieces {
     }
 }
 
-/// The templates of a crate: `NAME: "text with {places}";`, each a constant, and `TEMPLATES` with all of them.
+/// The messages of a crate: a prefix of their ids, then `NAME: "English with {places}";`, each a constant; `TEMPLATES` has all of them.
+///
+/// The id is the prefix and the name in kebab-case.
 #[macro_export]
 macro_rules! phrases {
-    ($($name:ident: $text:literal;)*) => {
-        $(pub(crate) const $name: $crate::sentence::Template = $crate::sentence::Template::listed($text);)*
-        /// Every text with places for values.
-        pub(crate) const TEMPLATES: &[$crate::sentence::Template] = &[$($name),*];
+    ($prefix:literal; $($name:ident: $text:literal;)*) => {
+        $(pub(crate) const $name: $crate::Template = $crate::Template::listed($crate::id!($prefix, $name), $text);)*
+        /// Every message.
+        pub(crate) const TEMPLATES: &[$crate::Template] = &[$($name),*];
     };
 }
 
-/// The English of templates, and words, each once.
-pub fn each_once(templates: &[Template], words: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
-    let mut known = BTreeSet::new();
-    let all = templates.iter().map(|template| template.english()).chain(words);
-    all.filter(|text| known.insert(*text)).collect()
-}
-
 /// A text that nobody can translate.
-const AS_IT_IS: Template = Template("{text}");
+const AS_IT_IS: Template = Template::listed("", "{text}");
 
 /// Places where a name stands, and a name may look like a number: a test may be called 2.5.
 const NAMES: &[&str] =
@@ -124,8 +182,10 @@ const LONGEST_UNIT: usize = 10;
 enum Value {
     /// A number ([`is_number`]), or a unit, a name of a test or an effect, which are the same in every language.
     AsIs(String),
-    /// A word of this crate, such as a path; the same in every language where it is no word but a name.
+    /// A word, such as a path; the same in every language where it is no word but a name.
     Word(String),
+    /// A text of the system, of another library or of a reader of one file format, in whatever language it comes.
+    Foreign(String),
     /// A sentence in the sentence.
     Said(Sentence),
     /// Several, with the text between them.
@@ -152,7 +212,12 @@ impl Sentence {
         self.and(name, Value::AsIs(value.to_string()))
     }
 
-    /// With a word of this crate.
+    /// With a text of the system, of another library or of a reader of one file format, which nobody translates.
+    pub fn with_foreign(self, name: &'static str, text: impl ToString) -> Self {
+        self.and(name, Value::Foreign(text.to_string()))
+    }
+
+    /// With a word.
     pub fn with_word(self, name: &'static str, word: &str) -> Self {
         self.and(name, Value::Word(word.to_owned()))
     }
@@ -202,48 +267,34 @@ impl Sentence {
     }
 
     fn and(mut self, name: &'static str, value: Value) -> Self {
-        debug_assert!(self.template.0.contains(&format!("{{{name}}}")), "no place for {name} in {:?}", self.template);
+        debug_assert!(self.template.places().any(|place| place == name), "no place for {name} in {:?}", self.template);
         self.values.push((name, value));
         self
     }
 
-    /// Formats the sentence in a language.
-    ///
-    /// `translated` returns the translation of a text; unknown texts stay English. `value` formats a value, from its
-    /// name and the value itself. A placeholder without a value is left empty.
-    pub fn to_text(
-        &self,
-        translated: &dyn Fn(&str) -> Option<&'static str>,
-        value: &dyn Fn(&str, &str) -> String,
-    ) -> String {
-        let mut rest = translated(self.template.0).unwrap_or(self.template.0);
-        let mut text = String::new();
-        while let Some((before, after)) = rest.split_once('{') {
-            text += before;
-            let (name, behind) = after.split_once('}').unwrap_or((after, ""));
-            if let Some((_, held)) = self.values.iter().find(|(n, _)| *n == name) {
-                text += &held.said(name, translated, value);
+    /// Formats the sentence in a language; what that has no text for stays English. A place without a value is left empty.
+    pub fn to_text(&self, locale: &dyn Locale) -> String {
+        let mut values: Vec<(&str, String)> = Vec::new();
+        for place in self.template.places() {
+            if values.iter().all(|(name, _)| *name != place) {
+                let value = self.values.iter().find(|(name, _)| *name == place);
+                values.push((place, value.map_or_else(String::new, |(_, value)| value.to_text(place, locale))));
             }
-            rest = behind;
         }
-        text + rest
+        locale.message(self.template.id, &values).unwrap_or_else(|| self.template.format(&values))
     }
 }
 
 impl Value {
-    fn said(
-        &self,
-        place: &str,
-        translated: &dyn Fn(&str) -> Option<&'static str>,
-        value: &dyn Fn(&str, &str) -> String,
-    ) -> String {
+    fn to_text(&self, place: &str, locale: &dyn Locale) -> String {
         match self {
-            Value::AsIs(text) => value(place, text),
-            Value::Word(word) => translated(word).map_or_else(|| word.clone(), str::to_owned),
-            Value::Said(sentence) => sentence.to_text(translated, value),
+            Value::AsIs(text) => locale.value(place, text),
+            Value::Word(word) => locale.word(word).unwrap_or(word).to_owned(),
+            Value::Foreign(text) => text.clone(),
+            Value::Said(sentence) => sentence.to_text(locale),
             Value::List(values, between) => {
-                let all: Vec<String> = values.iter().map(|held| held.said(place, translated, value)).collect();
-                all.join(translated(between.0).unwrap_or(between.0))
+                let all: Vec<String> = values.iter().map(|value| value.to_text(place, locale)).collect();
+                all.join(&locale.message(between.id, &[]).unwrap_or_else(|| between.english.to_owned()))
             }
         }
     }
@@ -313,11 +364,11 @@ impl Reader {
 
     /// Several of one template, whose places hold words and figures.
     fn list(&self, text: &str) -> Option<Value> {
-        let between = self.between.iter().filter(|between| text.contains(between.0));
+        let between = self.between.iter().filter(|between| text.contains(between.english));
         let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
         lists.filter(|(_, of)| of.own > 0 && of.may_enclose(text)).find_map(|(between, of)| {
             let (mut items, mut open) = (Vec::new(), String::new());
-            for part in text.split(between.0) {
+            for part in text.split(between.english) {
                 open += part;
                 match of.taken_apart(&open, &|rest| self.begins(rest)) {
                     Some(values) if values.iter().all(|(_, value)| self.is_known(value)) => {
@@ -325,7 +376,7 @@ impl Reader {
                         open.clear();
                     }
                     // A name may hold what stands between names.
-                    _ => open += between.0,
+                    _ => open += between.english,
                 }
             }
             (open.is_empty() && items.len() > 1).then_some(Value::List(items, *between))
@@ -341,7 +392,7 @@ impl Reader {
 
 impl fmt::Display for Sentence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.to_text(&|_| None, &|_, value| value.to_owned()))
+        f.write_str(&self.to_text(&English))
     }
 }
 
@@ -361,21 +412,30 @@ impl<'de> Deserialize<'de> for Sentence {
 mod tests {
     use super::*;
 
-    const TWO: Template = Template("{names} in {place}{note}");
-    const NOTE: Template = Template(", {what}");
-    const AND: Template = Template(" and ");
+    const TWO: Template = Template::listed("two", "{names} in {place}{note}");
+    const NOTE: Template = Template::listed("x", ", {what}");
+    const AND: Template = Template::listed("and", " and ");
 
-    fn german(text: &str) -> Option<&'static str> {
-        match text {
-            "{names} in {place}{note}" => Some("in {place}: {names}{note}"),
-            " and " => Some(" und "),
-            "rig" => Some("Prüfstand"),
-            _ => None,
+    /// German of these texts, with a decimal comma.
+    struct German;
+
+    impl Locale for German {
+        fn message(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
+            let german = match id {
+                "two" => "in {place}: {names}{note}",
+                "and" => " und ",
+                _ => return None,
+            };
+            Some(Template::listed("", german).format(arguments))
         }
-    }
 
-    fn comma(place: &str, value: &str) -> String {
-        if is_number(place, value) { value.replace('.', ",") } else { value.to_owned() }
+        fn word(&self, english: &str) -> Option<&str> {
+            (english == "rig").then_some("Prüfstand")
+        }
+
+        fn value(&self, place: &str, value: &str) -> String {
+            if is_number(place, value) { value.replace('.', ",") } else { value.to_owned() }
+        }
     }
 
     #[test]
@@ -399,10 +459,10 @@ mod tests {
             assert!(!is_number("value", other), "{other}");
         }
         assert!(!is_number("test", "2.5"));
-        const AT: Template = Template("{test}: {value} {unit} at {names}");
+        const AT: Template = Template::listed("x", "{test}: {value} {unit} at {names}");
         let said = Sentence::from(AT).with("test", "2.5").with("value", "1.5").with("unit", "N");
         let said = said.with_names("names", ["0.1", "0.2"], NOTE);
-        assert_eq!(said.to_text(&|_| None, &comma), "2.5: 1,5 N at 0.1, {what}0.2");
+        assert_eq!(said.to_text(&German), "2.5: 1,5 N at 0.1, {what}0.2");
         assert_eq!(said.to_string(), "2.5: 1.5 N at 0.1, {what}0.2");
     }
 
@@ -411,18 +471,32 @@ mod tests {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
         // A name with braces is no place.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
-        assert_eq!(sentence.to_text(&german, &comma), "in Prüfstand: a und {place}");
+        assert_eq!(sentence.to_text(&German), "in Prüfstand: a und {place}");
         let noted = sentence.with_sentence("note", Sentence::from(NOTE).with("what", 3));
         assert_eq!(noted.to_string(), "a and {place} in rig, 3");
-        assert_eq!(noted.to_text(&german, &comma), "in Prüfstand: a und {place}, 3");
+        assert_eq!(noted.to_text(&German), "in Prüfstand: a und {place}, 3");
+    }
+
+    #[test]
+    fn texts_of_others_stay_as_they_are() {
+        const CANNOT: Template = Template::listed("x", "cannot read {file}: {cause}");
+        let sentence = Sentence::from(CANNOT).with("file", "a.csv").with_foreign("cause", "1.5");
+        assert_eq!(sentence.to_text(&German), "cannot read a.csv: 1.5");
+    }
+
+    #[test]
+    fn a_word_has_an_id_and_an_identifier_has_none() {
+        assert_eq!(word_id("% at 1.013 bar absolute").as_deref(), Some("word-at-1-013-bar-absolute"));
+        assert_eq!(word_id("gas_stiffness"), None);
+        assert_eq!(word_id("fv_force at a fast speed").as_deref(), Some("word-fv-force-at-a-fast-speed"));
     }
 
     #[test]
     fn a_text_is_taken_apart_as_it_was_made() {
-        const CHOICE: Template = Template("{of}: {chosen} — error {error}{others}; {why}");
-        const OTHERS: Template = Template(" ({others})");
-        const OTHER: Template = Template("{name} {error}");
-        const COMMA: Template = Template(", ");
+        const CHOICE: Template = Template::listed("x", "{of}: {chosen} — error {error}{others}; {why}");
+        const OTHERS: Template = Template::listed("x", " ({others})");
+        const OTHER: Template = Template::listed("x", "{name} {error}");
+        const COMMA: Template = Template::listed("x", ", ");
         let words = ["friction", "none", "none, rigid", "Coulomb + viscous"];
         let reader = Reader::new([COMMA, OTHER, OTHERS, CHOICE], words);
         let other = |name, error: &str| Sentence::from(OTHER).with_word("name", name).with("error", error);
