@@ -1,6 +1,6 @@
 //! Every text that a fit says, in English, in one place: a language that lacks one of them is found by a test.
 //!
-//! A model file keeps these texts in English; a report takes them apart by these templates ([`dashpot_messages::Reader`]).
+//! A model file keeps these texts in English, with the ids of their messages for reports in other languages ([`dashpot_messages::Kept`]).
 
 dashpot_messages::phrases! {
     "identification-";

@@ -7,8 +7,10 @@ mod catalog;
 pub mod file;
 mod id;
 mod interface;
+mod kept;
 mod sentence;
 
 pub use catalog::Catalog;
 pub use id::{Message, kebab};
-pub use sentence::{Locale, Reader, Sentence, Template, is_number, word_id};
+pub use kept::{Kept, Restorer};
+pub use sentence::{Locale, Sentence, Template, is_number, word_id};

@@ -1,9 +1,8 @@
 //! Sentences that can be said in any language: a message with its English text, and the values at the places of that. Scripts and the
-//! terminal get the English; who writes for people has a [`Locale`] look the message up by its id and put the same values in. A sentence
-//! that was written to a file in English is taken apart again by the templates that it was made of ([`Reader`]).
+//! terminal get the English; who writes for people has a [`Locale`] look the message up by its id and put the same values in. A file that
+//! keeps a sentence has its message and values beside the English text ([`Kept`](crate::Kept)).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::HashSet;
 use std::fmt;
 
 /// A message with its English text, which has `{name}` where a value stands.
@@ -86,61 +85,6 @@ pub fn word_id(english: &str) -> Option<String> {
     (!is_identifier).then(|| parts.fold("word".to_owned(), |id, part| id + "-" + &part.to_ascii_lowercase()))
 }
 
-/// A template taken to pieces once.
-#[derive(Debug)]
-struct Pieces {
-    template: Template,
-    /// The text up to the first place.
-    first: &'static str,
-    /// Every place with the text behind it.
-    places: Vec<(&'static str, &'static str)>,
-    /// Letters that the template itself brings: the more, the surer is a text that fits it of it.
-    own: usize,
-    /// Whether it has a word of its own.
-    speaks: bool,
-}
-
-impl Pieces {
-    fn new(template: Template) -> Self {
-        let mut pieces = template.english.split('{');
-        let first = pieces.next().unwrap_or("");
-        let places: Vec<_> = pieces.map(|piece| piece.split_once('}').unwrap_or((piece, ""))).collect();
-        let own = first.len() + places.iter().map(|(_, behind)| behind.len()).sum::<usize>();
-        let mut texts = std::iter::once(first).chain(places.iter().map(|(_, behind)| *behind));
-        let speaks = texts.any(|own| own.chars().any(char::is_alphabetic));
-        Pieces { template, first, places, own, speaks }
-    }
-
-    /// Whether a text begins and ends as this template does.
-    fn may_enclose(&self, text: &str) -> bool {
-        text.starts_with(self.first) && self.places.last().is_none_or(|(_, behind)| text.ends_with(behind))
-    }
-
-    /// What stands at the places in a text of this template. Where the text between two places occurs several times, the first one counts;
-    /// before the last place the last one, so that of `{name} {figure}` the name may hold spaces. Where there is no text between two
-    /// places, the second one begins where another sentence may (`begins`), or is empty.
-    fn taken_apart<'t>(&self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
-        let Some((last, between)) = self.places.split_last() else {
-            return (text == self.first).then(Vec::new);
-        };
-        let mut rest = text.strip_prefix(self.first)?.strip_suffix(last.1)?;
-        let mut values = Vec::with_capacity(self.places.len());
-        for (k, (name, behind)) in between.iter().enumerate() {
-            let at = match (behind.is_empty(), k + 1 == between.len()) {
-                (true, _) => {
-                    rest.char_indices().map(|(at, _)| at).find(|at| begins(&rest[*at..])).unwrap_or(rest.len())
-                }
-                (false, true) => rest.rfind(behind)?,
-                (false, false) => rest.find(behind)?,
-            };
-            values.push((*name, &rest[..at]));
-            rest = &rest[at + behind.len()..];
-        }
-        values.push((last.0, rest));
-        Some(values)
-    }
-}
-
 /// The messages of a crate: a prefix of their ids, then `NAME: "English with {places}";`, each a constant; `TEMPLATES` has all of them.
 ///
 /// The id is the prefix and the name in kebab-case.
@@ -152,9 +96,6 @@ macro_rules! phrases {
         pub(crate) const TEMPLATES: &[$crate::Template] = &[$($name),*];
     };
 }
-
-/// A text that nobody can translate.
-const AS_IT_IS: Template = Template::listed("", "{text}");
 
 /// Places where a name stands, and a name may look like a number: a test may be called 2.5.
 const NAMES: &[&str] =
@@ -179,7 +120,7 @@ const LONGEST_UNIT: usize = 10;
 
 /// What stands at a place of a sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Value {
+pub(crate) enum Value {
     /// A number ([`is_number`]), or a unit, a name of a test or an effect, which are the same in every language.
     AsIs(String),
     /// A word, such as a path; the same in every language where it is no word but a name.
@@ -207,6 +148,9 @@ impl From<Template> for Sentence {
 
 /// What may be put into a sentence.
 impl Sentence {
+    /// A text that nobody can translate.
+    pub(crate) const AS_IT_IS: Template = Template::listed("", "{text}");
+
     /// With a number or a name.
     pub fn with(self, name: &'static str, value: impl ToString) -> Self {
         self.and(name, Value::AsIs(value.to_string()))
@@ -253,17 +197,27 @@ impl Sentence {
 
     /// Several sentences in one.
     pub fn list(list: Vec<Sentence>, between: Template) -> Self {
-        Sentence::from(AS_IT_IS).with_list("text", list, between)
+        Sentence::from(Sentence::AS_IT_IS).with_list("text", list, between)
     }
 
     /// A text that stays as it is in every language.
     pub fn as_it_is(text: impl ToString) -> Self {
-        Sentence::from(AS_IT_IS).with("text", text)
+        Sentence::from(Sentence::AS_IT_IS).with("text", text)
     }
 
     /// The text that it was made of.
     pub fn template(&self) -> Template {
         self.template
+    }
+
+    /// One of a message with these values.
+    pub(crate) fn of(template: Template, values: Vec<(&'static str, Value)>) -> Self {
+        Sentence { template, values }
+    }
+
+    /// What stands at its places.
+    pub(crate) fn values(&self) -> &[(&'static str, Value)] {
+        &self.values
     }
 
     fn and(mut self, name: &'static str, value: Value) -> Self {
@@ -297,96 +251,6 @@ impl Value {
                 all.join(&locale.message(between.id, &[]).unwrap_or_else(|| between.english.to_owned()))
             }
         }
-    }
-}
-
-/// Takes texts apart by the templates and words that they were made of.
-#[derive(Debug)]
-pub struct Reader {
-    templates: Vec<Pieces>,
-    words: HashSet<&'static str>,
-    /// What may stand between the values of a list.
-    between: Vec<Template>,
-    /// How a sentence begins that stands without a text before it: its template has a beginning of its own, which is no word.
-    beginnings: Vec<&'static str>,
-}
-
-impl Reader {
-    /// One for texts of these.
-    pub fn new(templates: impl IntoIterator<Item = Template>, words: impl IntoIterator<Item = &'static str>) -> Reader {
-        let templates: Vec<Pieces> = templates.into_iter().map(Pieces::new).collect();
-        let between = templates.iter().filter(|t| t.places.is_empty()).map(|t| t.template).collect();
-        let with_places = templates.iter().filter(|t| !t.places.is_empty()).map(|t| t.first);
-        let beginnings = with_places.filter(|first| first.starts_with([' ', ',', ';', '(', ':'])).collect();
-        Reader { templates, words: words.into_iter().collect(), between, beginnings }
-    }
-
-    /// A text taken apart, where templates and words fit it; what does not stays as it is. Its English is the text in any case.
-    pub fn read(&self, text: &str) -> Sentence {
-        match self.value(text) {
-            Value::Said(sentence) => sentence,
-            other => Sentence::from(AS_IT_IS).and("text", other),
-        }
-    }
-
-    fn value(&self, text: &str) -> Value {
-        if self.words.contains(text) {
-            return Value::Word(text.to_owned());
-        }
-        self.list(text).or_else(|| self.sentence(text).map(Value::Said)).unwrap_or_else(|| Value::AsIs(text.to_owned()))
-    }
-
-    /// Whether a value is a word of the list or holds no letters.
-    fn is_known(&self, value: &str) -> bool {
-        self.words.contains(value) || !value.chars().any(char::is_alphabetic)
-    }
-
-    /// Whether a sentence that stands without a text before it may begin here.
-    fn begins(&self, text: &str) -> bool {
-        self.beginnings.iter().any(|beginning| text.starts_with(beginning))
-    }
-
-    /// By the template that leaves least to its places. One without a word of its own, such as `{name} {figure}`, fits much: it counts where
-    /// its places hold words of the list, figures or a list of such.
-    fn sentence(&self, text: &str) -> Option<Sentence> {
-        let mut fitting: Vec<_> = self
-            .templates
-            .iter()
-            .filter(|pieces| pieces.own > 0)
-            .filter_map(|pieces| Some((pieces, pieces.taken_apart(text, &|rest| self.begins(rest))?)))
-            .collect();
-        fitting.sort_by_key(|(pieces, _)| pieces.own);
-        let (pieces, values) = fitting.into_iter().rev().find(|(pieces, values)| {
-            pieces.speaks || values.iter().all(|(_, v)| self.is_known(v) || !matches!(self.value(v), Value::AsIs(_)))
-        })?;
-        Some(self.made_of(pieces, values))
-    }
-
-    /// Several of one template, whose places hold words and figures.
-    fn list(&self, text: &str) -> Option<Value> {
-        let between = self.between.iter().filter(|between| text.contains(between.english));
-        let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
-        lists.filter(|(_, of)| of.own > 0 && of.may_enclose(text)).find_map(|(between, of)| {
-            let (mut items, mut open) = (Vec::new(), String::new());
-            for part in text.split(between.english) {
-                open += part;
-                match of.taken_apart(&open, &|rest| self.begins(rest)) {
-                    Some(values) if values.iter().all(|(_, value)| self.is_known(value)) => {
-                        items.push(Value::Said(self.made_of(of, values)));
-                        open.clear();
-                    }
-                    // A name may hold what stands between names.
-                    _ => open += between.english,
-                }
-            }
-            (open.is_empty() && items.len() > 1).then_some(Value::List(items, *between))
-        })
-    }
-
-    /// The sentence of a template with these texts at its places.
-    fn made_of(&self, pieces: &Pieces, values: Vec<(&'static str, &str)>) -> Sentence {
-        let values = values.into_iter().map(|(name, value)| (name, self.value(value))).collect();
-        Sentence { template: pieces.template, values }
     }
 }
 
@@ -489,34 +353,5 @@ mod tests {
         assert_eq!(word_id("% at 1.013 bar absolute").as_deref(), Some("word-at-1-013-bar-absolute"));
         assert_eq!(word_id("gas_stiffness"), None);
         assert_eq!(word_id("fv_force at a fast speed").as_deref(), Some("word-fv-force-at-a-fast-speed"));
-    }
-
-    #[test]
-    fn a_text_is_taken_apart_as_it_was_made() {
-        const CHOICE: Template = Template::listed("x", "{of}: {chosen} — error {error}{others}; {why}");
-        const OTHERS: Template = Template::listed("x", " ({others})");
-        const OTHER: Template = Template::listed("x", "{name} {error}");
-        const COMMA: Template = Template::listed("x", ", ");
-        let words = ["friction", "none", "none, rigid", "Coulomb + viscous"];
-        let reader = Reader::new([COMMA, OTHER, OTHERS, CHOICE], words);
-        let other = |name, error: &str| Sentence::from(OTHER).with_word("name", name).with("error", error);
-        for others in
-            [vec![other("none", "2.10")], vec![other("none, rigid", "1.20"), other("Coulomb + viscous", "0.97")]]
-        {
-            let list = |others: &Vec<Sentence>| match &others[..] {
-                [one] => Sentence::from(OTHERS).with_sentence("others", one.clone()),
-                _ => Sentence::from(OTHERS).with_list("others", others.clone(), COMMA),
-            };
-            let made = Sentence::from(CHOICE)
-                .with_word("of", "friction")
-                .with_word("chosen", "none")
-                .with("error", "0.93")
-                .with_sentence("others", list(&others))
-                .with("why", "the simplest");
-            assert_eq!(reader.read(&made.to_string()), made);
-        }
-        for text in ["", "{", "by hand: nothing of ours", "none", ", , "] {
-            assert_eq!(reader.read(text).to_string(), text);
-        }
     }
 }

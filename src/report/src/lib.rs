@@ -103,7 +103,7 @@ impl<'a> ReportInput<'a> {
             validation,
             tests,
             parameters: parameters::of_model(model, words),
-            identification: reading::blocks(campaign, &model.notes(), words),
+            identification: reading::blocks(campaign, model, words),
             extra: Vec::new(),
             family: None,
         })

@@ -161,7 +161,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
+                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
                     remark: Remark::Meaning(p.name),
                     assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });

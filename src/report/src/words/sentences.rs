@@ -1,13 +1,13 @@
 //! What other crates say in sentences, in every language. The English is theirs, the other languages have it by the ids of the messages.
 
 use super::Words;
-use dashpot_messages::{Locale, Reader, Sentence, word_id};
+use dashpot_messages::{Kept, Locale, Restorer, Sentence, word_id};
 use std::sync::LazyLock;
 
-/// Takes apart the texts that a model file keeps.
-static KEPT: LazyLock<Reader> = LazyLock::new(|| {
-    let templates = [dashpot_identification::templates(), dashpot_diagnosis::templates()].concat();
-    Reader::new(templates, dashpot_identification::words().chain(dashpot_diagnosis::words()))
+/// Makes the sentences again that a model file keeps.
+static KEPT: LazyLock<Restorer> = LazyLock::new(|| {
+    let crates = [dashpot_records::templates(), dashpot_identification::templates(), dashpot_diagnosis::templates()];
+    Restorer::new(crates.concat())
 });
 
 impl Locale for Words {
@@ -30,9 +30,9 @@ impl Words {
         self.with_names(&sentence.to_text(self))
     }
 
-    /// A text that a model file keeps in English, in this language.
-    pub fn say_kept(&self, english: &str) -> String {
-        self.say(&KEPT.read(english))
+    /// A text that a model file keeps in English, in this language where the file has its message too.
+    pub fn say_kept(&self, english: &str, messages: &[Kept]) -> String {
+        self.say(&KEPT.find(english, messages))
     }
 
     /// What is called by a word in a sentence (a path, a form of an effect, a choice), in this language.
@@ -90,54 +90,46 @@ pub(super) mod tests {
 
     #[test]
     fn what_a_model_file_keeps_is_said_as_if_it_came_from_the_fit() {
-        let made_and_said = [
+        let held = |name: &str, value: &str, unit: &str| {
+            format!("{{ id = \"identification-held\", name = \"{name}\", value = \"{value}\", unit = \"{unit}\" }}")
+        };
+        let share = |tests: &str, percent: &str| {
+            format!("{{ id = \"identification-share-of\", tests = {{ word = \"{tests}\" }}, percent = \"{percent}\" }}")
+        };
+        let all = format!("[{}, {}]", share("slow tests", "60"), share("small strokes", "40"));
+        let kept_and_said = [
             (
-                "presliding_friction (bends before it slips): 31.4 N rms, 4 % of the force; probability 97 %",
-                "Reibung mit Vorgleiten (presliding_friction, biegt sich, bevor es gleitet): 31,4 N effektiv, 4 % der Kraft; \
-                 Wahrscheinlichkeit 97 %",
-            ),
-            (
-                "channel_delay: 12.0 N rms, 2 % of the force; probability 88 %",
-                "Verzug des Kraftkanals (channel_delay): 12,0 N effektiv, 2 % der Kraft; Wahrscheinlichkeit 88 %",
-            ),
-            (
+                held("internal_mass", "0.3000", "kg"),
                 "internal_mass could not be identified from this data; it is held at 0.3000 kg",
                 "innere Masse (internal_mass) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,3000 kg gehalten",
             ),
             (
-                "series_damping could not be identified from this data; it is held at 0.0100 N s/m",
-                "Reihendämpfung (series_damping) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,0100 N s/m gehalten",
+                format!("{{ id = \"\", text = {{ between = \"identification-comma\", list = {all} }} }}"),
+                "slow tests 60 %, small strokes 40 %",
+                "langsame Versuche 60 %, kleine Hübe 40 %",
             ),
             (
-                "the force channel comes late by 3.000 ms (95 %: 2.900 to 3.100): taken out here, not in the model; validate and diagnose \
-                 take it out of these records too; for other records of this rig give --delay=0.003000, or write it into their \
-                 campaign.toml",
-                "der Kraftkanal kommt 3,000 ms zu spät (95 %: 2,900 bis 3,100): hier herausgerechnet, nicht im Modell; validate und \
-                 diagnose rechnen es aus diesen Messungen ebenfalls heraus; für andere Messungen dieses Prüfstands --delay=0.003000 angeben \
-                 oder in ihre campaign.toml schreiben",
+                "{ id = \"identification-carries-in-form\", effect = \"presliding_friction\", form = { word = \"bends before it slips\" }, \
+                 force = \"31.4\", share = \"4 %\", probability = \"97 %\" }"
+                    .to_owned(),
+                "presliding_friction (bends before it slips): 31.4 N rms, 4 % of the force; probability 97 %",
+                "Reibung mit Vorgleiten (presliding_friction, biegt sich, bevor es gleitet): 31,4 N effektiv, 4 % der Kraft; \
+                 Wahrscheinlichkeit 97 %",
             ),
-            ("slow tests 60 %, small strokes 40 %", "langsame Versuche 60 %, kleine Hübe 40 %"),
-            ("large strokes 97 %", "große Hübe 97 %"),
-            (
-                "diagnosis: this damper shows aeration (97 % sure, instead of bushing); the residual falls from 3.10 to 1.05 times noise \
-                 and curve error",
-                "Diagnose: dieser Dämpfer zeigt Luft im Öl (aeration, 97 % sicher, anstelle von Gummilager (bushing)); das Residuum fällt vom \
-                 3,10- auf das 1,05-Fache von Rauschen und Kurvenfehler",
-            ),
-            ("a remark by hand", "a remark by hand"),
         ];
-        for (made, said) in made_and_said {
-            assert_eq!(super::super::DE.say_kept(made), said);
-            let english = super::super::EN.say_kept(made);
-            let names = [
-                ("presliding friction (presliding_friction, bends", "presliding_friction (bends"),
-                ("delay of the force channel (channel_delay)", "channel_delay"),
-                ("internal mass (internal_mass)", "internal_mass"),
-                ("series damping (series_damping)", "series_damping"),
-                ("air in the oil (aeration, 97", "aeration (97"),
-                ("rubber bush (bushing)", "bushing"),
-            ];
-            assert_eq!(names.iter().fold(english, |text, (name, kept)| text.replace(name, kept)), made);
+        #[derive(serde::Deserialize)]
+        struct File {
+            messages: Vec<Kept>,
         }
+        let kept: Vec<&str> = kept_and_said.iter().map(|(kept, ..)| kept.as_str()).collect();
+        let file: File = toml::from_str(&format!("messages = [{}]", kept.join(", "))).unwrap();
+        let [german, terminal] = [&crate::words::DE, &crate::words::TERMINAL];
+        for (_, english, said) in &kept_and_said {
+            assert_eq!(german.say_kept(english, &file.messages), *said);
+            assert_eq!(terminal.say_kept(english, &file.messages), *english);
+            // A file of an earlier version has the English alone.
+            assert_eq!(german.say_kept(english, &[]), *english);
+        }
+        assert_eq!(german.say_kept("a remark by hand", &file.messages), "a remark by hand");
     }
 }
