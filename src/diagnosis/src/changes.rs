@@ -6,7 +6,8 @@ use dashpot_estimation::curve_part::{CurvePart, Side, Speeds};
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::unknowns::Unknown;
-use dashpot_records::{Sentence, reading_unit};
+use dashpot_messages::Sentence;
+use dashpot_records::reading_unit;
 use serde::Serialize;
 
 /// One change compared with the reference damper.

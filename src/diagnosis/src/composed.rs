@@ -25,8 +25,9 @@ use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_estimation::vocabulary::Unnamed;
 use dashpot_identification::describe_priors;
-use dashpot_records::sentence::Template;
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_messages::Template;
+use dashpot_records::Record;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Ending of the names of forms in which a stroke begins without force.

@@ -16,8 +16,8 @@ use dashpot_estimation::structure::search::StructureSearch;
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::vocabulary::{Candidate, changes};
 use dashpot_identification::{describe_roads, select_tests};
+use dashpot_messages::Template;
 use dashpot_records::Record;
-use dashpot_records::sentence::Template;
 
 /// Returns whether a diagnosis may use a candidate: it must be requested, and the records must be able to show it.
 ///

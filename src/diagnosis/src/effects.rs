@@ -4,7 +4,7 @@ use super::phrases;
 use dashpot_core::element;
 use dashpot_core::parameter::GROUPS;
 use dashpot_estimation::situation::Situation;
-use dashpot_records::sentence::{Sentence, Template};
+use dashpot_messages::{Sentence, Template};
 
 /// Description of an effect. Its equations are in the kernel, and the starts of its search in the vocabulary.
 pub struct Card {

@@ -5,9 +5,10 @@ use crate::hold_out::choose;
 use crate::options::{DiagnosisError, Options};
 use crate::outcome::Diagnosis;
 use dashpot_identification::model_file::ModelFile;
+use dashpot_messages::Sentence;
+use dashpot_messages::Template;
 use dashpot_records::groups::{Group, Split};
-use dashpot_records::sentence::Template;
-use dashpot_records::{Campaign, Record, Sentence, Unusable};
+use dashpot_records::{Campaign, Record, Unusable};
 use serde::Serialize;
 
 /// Diagnosis of one group.

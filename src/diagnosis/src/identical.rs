@@ -1,7 +1,8 @@
 //! Detection of measurements that are also in the reference. For these nothing can have changed.
 
 use super::phrases;
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 
 /// Returns a sentence with the tests whose values are identical in the reference.
 pub(super) fn identical(records: &[&Record], reference: &[Record]) -> Option<Sentence> {

@@ -11,8 +11,9 @@ use dashpot_estimation::unknowns::Unknown;
 use dashpot_identification::literature::{fv_curve, observation::of_records};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::{Estimate, Fit, Measured, Standing};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::{Record, Sentence};
 
 /// Estimates all scalars of the final hypothesis. Its numbers have the intervals `ends`; without them the intervals are the bounds.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {

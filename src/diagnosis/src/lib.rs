@@ -57,7 +57,6 @@ pub use effects::{CARDS, Card, EFFECTS, meaning};
 pub use hold_out::choose as choose_left_out;
 pub use options::{DiagnosisError, Options};
 pub use outcome::*;
-pub use phrases::templates;
 pub use refitted::{mean_cycles, refitted};
-pub use texts::texts;
+pub use texts::{templates, words};
 pub use tree::Branch;

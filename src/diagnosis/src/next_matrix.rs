@@ -39,7 +39,7 @@ impl Diagnosis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_records::sentence::Sentence;
+    use dashpot_messages::Sentence;
 
     #[test]
     fn a_sine_is_a_row_and_a_soak_is_none() {

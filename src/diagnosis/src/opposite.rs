@@ -3,8 +3,9 @@
 //! compression of the other.
 
 use super::phrases;
+use dashpot_messages::Sentence;
 use dashpot_records::record::Counted;
-use dashpot_records::{Positive, Record, Sentence};
+use dashpot_records::{Positive, Record};
 
 /// Returns a sentence if the directions are opposite, unless the user stated both.
 pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {

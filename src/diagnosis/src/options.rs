@@ -3,7 +3,8 @@
 use super::effects::EFFECTS;
 use super::phrases;
 use dashpot_estimation::prior_set::PriorSet;
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 
 /// Options of a diagnosis.
 #[derive(Debug, Clone)]

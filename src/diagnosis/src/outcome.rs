@@ -5,7 +5,7 @@ use super::tree::Branch;
 use dashpot_core::Params;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::structure::inventory::InventoryItem;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -1,9 +1,8 @@
 //! English templates of every sentence that a diagnosis reports. A test finds each template that a language lacks.
 
-use dashpot_records::sentence::Template;
-
-dashpot_records::phrases! {
-    // Stages of a diagnosis.
+dashpot_messages::phrases! {
+    "diagnosis-";
+    // How far a diagnosis is.
     PREPARING: "preparing records";
     FITTING_REFERENCE: "fitting the model to the reference";
     REFITTING: "refitting the model as it is";
@@ -198,8 +197,3 @@ pub(super) const FORMS: &[&str] = &[
     "zero set anew during the campaign",
     "settles as the rig warms up",
 ];
-
-/// Returns every template of a sentence.
-pub fn templates() -> &'static [Template] {
-    TEMPLATES
-}

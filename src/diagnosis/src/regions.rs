@@ -3,8 +3,8 @@
 use super::outcome::Region;
 use super::phrases;
 use dashpot_estimation::samples::Test;
+use dashpot_messages::Sentence;
 use dashpot_records::newtons::newtons;
-use dashpot_records::sentence::Sentence;
 
 /// Bounds of the speed bands, m/s.
 const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];

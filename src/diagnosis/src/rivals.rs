@@ -5,7 +5,7 @@ use super::wording::percent;
 use super::{effects, phrases};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::search::{StructureSearch, Visited};
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
 /// Largest number of rivals and suspects that are listed.

@@ -6,8 +6,9 @@ use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_estimation::structure::inventory::{InventoryItem, Status};
-use dashpot_records::sentence::Template;
-use dashpot_records::{Record, Sentence, Unusable, is_same_setting, setting_in_words};
+use dashpot_messages::Sentence;
+use dashpot_messages::Template;
+use dashpot_records::{Record, Unusable, is_same_setting, setting_in_words};
 use serde::Serialize;
 
 /// The damper at one setting with its records.

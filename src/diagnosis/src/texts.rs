@@ -1,14 +1,15 @@
 //! All texts that a diagnosis reports, for translators.
 
-use super::effects::{CARDS, EFFECTS, meaning};
+use super::effects::CARDS;
 use super::phrases::{FORMS, TEMPLATES};
-use dashpot_records::sentence::each_once;
+use dashpot_messages::Template;
 
-/// Returns every English text of a diagnosis, each once.
-///
-/// These are sentences with placeholders for their values, and the names of paths, families, effects and forms.
-pub fn texts() -> Vec<&'static str> {
-    let of_cards = CARDS.iter().flat_map(|card| [card.path, card.family]);
-    let words = of_cards.chain(EFFECTS.iter().map(|e| meaning(e)));
-    each_once(TEMPLATES, words.chain(FORMS.iter().copied()))
+/// Every message.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every word: the names of paths, families and forms of effects.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    CARDS.iter().flat_map(|card| [card.path, card.family]).chain(FORMS.iter().copied())
 }

@@ -5,7 +5,7 @@ use super::outcome::CouldNotTest;
 use super::phrases;
 use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// Smallest remaining response of an effect, in σ² over all tests, that is visible at typical strength.
 const TRACE: f64 = 20.0;

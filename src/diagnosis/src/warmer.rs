@@ -3,7 +3,8 @@
 //! Heat changes gas and oil, and appears as a change of the damper or of its rig.
 
 use super::phrases;
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 
 /// Smallest reported difference of the mean temperatures of a test, K.
 ///

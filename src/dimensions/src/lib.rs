@@ -29,5 +29,5 @@ pub use dimensions::{Design, Dimensions};
 pub use entry::Entry;
 pub use error::DimensionsError;
 pub use inverse::{Explanation, explain};
-pub use phrases::texts;
+pub use phrases::{templates, words};
 pub use read::read;

@@ -1,9 +1,10 @@
 //! English texts of an explanation, in one place: a test finds texts that a translation lacks.
 
-use dashpot_records::sentence::each_once;
+use dashpot_messages::Template;
 
-dashpot_records::phrases! {
-    // Reasons why a quantity cannot be determined.
+dashpot_messages::phrases! {
+    "dimensions-";
+    // Why a quantity cannot be told.
     NO_GAS_FORCE: "the model has no gas force; a slow test shows it";
     GAS_FORCE_OPEN: "the records leave the gas force open; a slow test shows it";
     GAS_ON_ROD: "the gas pushes on the area of the rod";
@@ -77,8 +78,12 @@ const WORDS: [&str; 5] = [
     "oil_stiffness or aeration_stroke",
 ];
 
-/// Returns every English text of an explanation, each once: templates with their placeholders, and words.
-pub fn texts() -> Vec<&'static str> {
-    let quantities = QUANTITIES.iter().map(|(_, noun)| *noun);
-    each_once(TEMPLATES, quantities.chain(NOUNS).chain(WORDS))
+/// Every message.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every word that stands in a message: quantities, and units that are words.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    QUANTITIES.iter().map(|(_, noun)| *noun).chain(NOUNS).chain(WORDS)
 }

@@ -6,8 +6,9 @@
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, to_measurement_error};
 use super::phrases;
+use dashpot_messages::Sentence;
 use dashpot_records::measurement_correction::{MeasurementError, correct_record};
-use dashpot_records::{Note, Record, Sentence};
+use dashpot_records::{Note, Record};
 use rayon::prelude::*;
 
 /// Kind of the note that reports this correction.

@@ -4,7 +4,7 @@ use crate::phrases;
 use crate::short::in_words;
 use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// Writes a sentence for each number with a prior of its own: its expectation, or the contradiction by the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {

@@ -32,9 +32,9 @@ use dashpot_estimation::structure::starts;
 use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
+use dashpot_messages::{Sentence, Template};
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::sentence::{Sentence, Template};
 use std::sync::Arc;
 
 /// Kind of model that is fitted.

@@ -2,6 +2,7 @@
 
 use crate::Measured;
 use dashpot_core::{Params, element, list, number};
+use dashpot_messages::Kept;
 use dashpot_records::{Record, clock, restrict};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -21,7 +22,10 @@ pub struct Identification {
     /// Remarks of the fit.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970 by the rig's own clock.
+    /// Remarks and sources by their messages, so that reports have them in other languages.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub messages: Vec<Kept>,
+    /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
     #[serde(
         default,
         deserialize_with = "known_time",

@@ -11,7 +11,7 @@ use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor};
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 use nalgebra::DMatrix;
 use serde::Serialize;
 

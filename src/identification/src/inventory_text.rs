@@ -2,7 +2,7 @@
 
 use super::phrases;
 use dashpot_estimation::structure::inventory::InventoryItem;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// Formats an item as one sentence: effect, form, force and probability.
 pub fn describe_item(item: &InventoryItem) -> Sentence {

@@ -34,5 +34,4 @@ pub use intervals::{Estimate, Standing};
 pub use inventory_text::describe_item;
 pub use kind::{KINDS, Kind};
 pub use of_the_rig::{Measured, to_measurement_error};
-pub use phrases::templates;
-pub use texts::texts;
+pub use texts::{templates, words};

@@ -14,7 +14,7 @@ use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::{Kept, Sentence};
 use dashpot_records::{clock, read_small_text};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -542,8 +542,14 @@ pub(crate) struct Account<'f> {
     pub(crate) not_identified: &'f [String],
     pub(crate) inventory: &'f [InventoryItem],
     pub(crate) notes: &'f [Sentence],
+    pub(crate) sources: Vec<&'f Sentence>,
     pub(crate) measured: &'f [Measured],
     pub(crate) clock_from: Option<f64>,
+}
+
+/// The sources that a file has: those of single numbers.
+pub(crate) fn sources<'e>(estimates: impl Iterator<Item = &'e Estimate>) -> Vec<&'e Sentence> {
+    estimates.filter(|estimate| estimate.index.is_none()).map(|estimate| &estimate.from).collect()
 }
 
 /// Writes the table `[identification]`.
@@ -554,8 +560,17 @@ pub(crate) fn write_account(out: &mut String, account: &Account) {
     let _ = writeln!(out, "fingerprints = {}", list(account.fingerprints));
     let _ = writeln!(out, "not_identified = {}", list(account.not_identified));
     let inventory = account.inventory.iter().map(describe_item);
-    let notes: Vec<String> = inventory.chain(account.notes.iter().cloned()).map(|note| note.to_string()).collect();
-    let _ = writeln!(out, "notes = {}", list(&notes));
+    let notes: Vec<Sentence> = inventory.chain(account.notes.iter().cloned()).collect();
+    let _ = writeln!(out, "notes = {}", list(&notes.iter().map(ToString::to_string).collect::<Vec<_>>()));
+    let mut messages: Vec<String> = Vec::new();
+    for sentence in notes.iter().chain(account.sources.iter().copied()) {
+        let Ok(message) = toml::Value::try_from(Kept::from(sentence)).map(|kept| kept.to_string()) else { continue };
+        if !messages.contains(&message) {
+            messages.push(message);
+        }
+    }
+    let lines: String = messages.iter().map(|message| format!("    {message},\n")).collect();
+    let _ = writeln!(out, "messages = [  # notes and sources, for reports in other languages\n{lines}]");
     let errors = to_measurement_error(account.measured);
     let drifts = errors.gain_per_s != 0.0 || errors.zero_n_per_s != 0.0;
     if let Some(from) = account.clock_from.filter(|_| drifts) {
@@ -617,6 +632,7 @@ pub fn write(fit: &Fit) -> String {
         not_identified: &not_identified,
         inventory: &fit.inventory,
         notes: &fit.notes,
+        sources: sources(fit.estimates.iter()),
         measured: &fit.measured,
         clock_from: fit.clock_from,
     };

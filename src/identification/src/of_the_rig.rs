@@ -12,7 +12,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 use dashpot_records::measurement_correction::MeasurementError;
 use serde::Serialize;
 

@@ -1,10 +1,9 @@
 //! English templates of every sentence that a fit reports. A test finds each template that a language lacks.
 //!
-//! A model file keeps these texts in English. A report parses them with the templates ([`dashpot_records::sentence::Reader`]).
+//! A model file keeps these texts in English, with the ids of their messages for reports in other languages ([`dashpot_messages::Kept`]).
 
-use dashpot_records::sentence::Template;
-
-dashpot_records::phrases! {
+dashpot_messages::phrases! {
+    "identification-";
     // Lists.
     COMMA: ", ";
     SEMICOLON: "; ";
@@ -93,8 +92,3 @@ dashpot_records::phrases! {
 
 /// Kinds of tests from which a number may be identified.
 pub(crate) const KINDS_OF_TESTS: [&str; 3] = ["slow tests", "small strokes", "large strokes"];
-
-/// Returns every template of a sentence.
-pub fn templates() -> &'static [Template] {
-    TEMPLATES
-}

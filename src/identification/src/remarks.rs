@@ -4,7 +4,7 @@ use crate::fit_tables::Identification;
 use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::parameter::{self, Element, Row};
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// Reports the specified parameters whose element is off, in a sentence for each element.
 ///

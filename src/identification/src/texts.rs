@@ -1,9 +1,14 @@
 //! All texts that a fit reports, for translators.
 
 use super::phrases::{KINDS_OF_TESTS, TEMPLATES};
-use dashpot_records::sentence::each_once;
+use dashpot_messages::Template;
 
-/// Returns every English text of a fit, each once: sentences with placeholders for their values, and words.
-pub fn texts() -> Vec<&'static str> {
-    each_once(TEMPLATES, KINDS_OF_TESTS)
+/// Every message.
+pub fn templates() -> &'static [Template] {
+    TEMPLATES
+}
+
+/// Every word that stands in a message.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    KINDS_OF_TESTS.into_iter().chain(["rebound", "compression"])
 }

@@ -2,12 +2,13 @@
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
-use dashpot_records::sentence::Reader;
+use dashpot_messages::{Kept, Restorer, Sentence};
 use dashpot_records::{Options, Profile, Record, load};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -42,23 +43,30 @@ impl Campaign {
 /// Data from which a campaign is restored.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Reader that parses sentences stored in English, so that reports give them in other languages.
-///
-/// The sentences are those of reading, and of the fit whose measurement errors were corrected.
-static KEPT: LazyLock<Reader> = LazyLock::new(|| {
-    let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
-    let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
-    let words: Vec<&str> = texts.filter(|text| templates.iter().all(|t| t.english() != *text)).collect();
-    Reader::new(templates, words)
-});
+/// Makes the sentences of a campaign again: those of reading, and of the fit whose findings were taken out of records.
+static KEPT: LazyLock<Restorer> =
+    LazyLock::new(|| Restorer::new([dashpot_records::templates(), dashpot_identification::templates()].concat()));
 
-/// Restores the sentences of a campaign after storage as JSON.
-fn say_again(read: &mut dashpot_records::Campaign) {
+/// What a campaign is made of again, with its sentences by their messages: the JSON of the campaign has them in English alone.
+#[derive(Serialize)]
+struct Whole<'a> {
+    #[serde(flatten)]
+    read: &'a dashpot_records::Campaign,
+    messages: Vec<Kept>,
+}
+
+/// The messages in it; none in what an earlier version wrote.
+#[derive(Deserialize)]
+struct Messages {
+    #[serde(default)]
+    messages: Vec<Kept>,
+}
+
+/// All sentences of a campaign.
+fn sentences(read: &mut dashpot_records::Campaign) -> impl Iterator<Item = &mut Sentence> {
     let notes = read.records.iter_mut().flat_map(|record| &mut record.notes).chain(&mut read.notes);
-    let said = notes.map(|note| &mut note.text).chain(read.unusable.iter_mut().map(|one| &mut one.why));
-    for sentence in said.chain(&mut read.sign.reasons) {
-        *sentence = KEPT.read(&sentence.to_string());
-    }
+    let unusable = read.unusable.iter_mut().map(|one| &mut one.why);
+    notes.map(|note| &mut note.text).chain(unusable).chain(&mut read.sign.reasons)
 }
 
 /// Makes the options of the reader from the JSON of a profile (the entries of `campaign.toml`).
@@ -128,7 +136,9 @@ impl Campaign {
         let of = Campaign { read: read.clone() };
         let channels = (0..read.records.len()).map(|k| of.channels(py, k)).collect::<PyResult<_>>()?;
         let as_read = read.records.iter().map(|r| r.original_fingerprint.clone()).collect();
-        Ok((serde_json::to_string(read).map_err(raise::<RecordError>)?, channels, as_read, read.files.clone()))
+        let messages = sentences(&mut read.clone()).map(|sentence| (&*sentence).into()).collect();
+        let json = serde_json::to_string(&Whole { read, messages }).map_err(raise::<RecordError>)?;
+        Ok((json, channels, as_read, read.files.clone()))
     }
 
     /// Restores a campaign from its [state](Campaign::state).
@@ -159,7 +169,13 @@ impl Campaign {
             record.original_fingerprint = as_read;
             record.counted = Some(read.sign.counted());
         }
-        say_again(&mut read);
+        let Messages { messages } = serde_json::from_str(json).map_err(raise::<RecordError>)?;
+        let kept = KEPT.by_english(&messages);
+        for sentence in sentences(&mut read) {
+            if let Some(whole) = kept.get(&sentence.to_string()) {
+                *sentence = whole.clone();
+            }
+        }
         read.files = files;
         Ok(Campaign { read })
     }

@@ -10,9 +10,10 @@ use dashpot_diagnosis::settings::{OverSettings, SettingFigures, SettingsFigures,
 use dashpot_diagnosis::{Curves, Diagnosis, Options, choose_left_out};
 use dashpot_identification::model_file;
 use dashpot_identification::setting_units::restate_settings;
+use dashpot_messages::Sentence;
+use dashpot_messages::Template;
 use dashpot_records::hold_out::select_hold_out;
-use dashpot_records::sentence::Template;
-use dashpot_records::{Record, Sentence, Unusable, setting_in_words};
+use dashpot_records::{Record, Unusable, setting_in_words};
 use dashpot_simulation::comparison::settings_of;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;

@@ -4,9 +4,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::messages::phrases;
-use crate::messages::sentence::{Sentence, Template};
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
+use dashpot_messages::{Sentence, Template};
 
 /// Lists the file extensions that can be read, for messages.
 fn kinds() -> Sentence {
@@ -216,8 +216,8 @@ pub enum RecordError {
 
     NotRead {
         file: PathBuf,
-        is: &'static str,
-        instead: &'static str,
+        is: Template,
+        instead: Template,
     },
 
     Workbook {
@@ -450,15 +450,15 @@ impl RecordError {
         match self {
             RecordError::UnknownType { file } => in_file(phrases::UNKNOWN_TYPE, file).with_sentence("kinds", kinds()),
             RecordError::NotRead { file, is, instead } => {
-                in_file(phrases::NOT_READ, file).with_word("is", is).with_word("instead", instead)
+                in_file(phrases::NOT_READ, file).with_sentence("is", *is).with_sentence("instead", *instead)
             }
             RecordError::EmptyFile { file } => in_file(phrases::EMPTY_FILE, file),
-            RecordError::Workbook { file, cause } => in_file(phrases::WORKBOOK, file).with("cause", cause),
-            RecordError::Rpc { file, cause } => in_file(phrases::RPC, file).with("cause", cause),
+            RecordError::Workbook { file, cause } => in_file(phrases::WORKBOOK, file).with_foreign("cause", cause),
+            RecordError::Rpc { file, cause } => in_file(phrases::RPC, file).with_foreign("cause", cause),
             RecordError::Binary { file, kind, cause } => {
-                in_file(phrases::BINARY, file).with("kind", kind).with("cause", cause)
+                in_file(phrases::BINARY, file).with("kind", kind).with_foreign("cause", cause)
             }
-            RecordError::Mat { file, cause } => in_file(phrases::MAT, file).with("cause", cause),
+            RecordError::Mat { file, cause } => in_file(phrases::MAT, file).with_foreign("cause", cause),
             RecordError::Header { understood, .. } => {
                 Sentence::from(phrases::UNDERSTOOD).with_sentence("header", self.fault()).with("understood", understood)
             }
@@ -468,7 +468,7 @@ impl RecordError {
             }
             RecordError::Missing { at, line, channel, count, rows } => of(phrases::MISSING, at)
                 .with("line", line)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("count", count)
                 .with("rows", rows)
                 .with_any("advice", channel.leave_out_advice()),
@@ -479,7 +479,7 @@ impl RecordError {
             RecordError::Frozen { at, channel, first, last, value, seconds, moving, advice } => of(phrases::FROZEN, at)
                 .with("first", first)
                 .with("last", last)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("value", format!("{value:.6}"))
                 .with("unit", channel.si())
                 .with("seconds", format!("{seconds:.3}"))
@@ -487,13 +487,13 @@ impl RecordError {
                 .with_sentence("advice", *advice),
             RecordError::Clipped { at, line, channel, value, percent, advice } => of(phrases::CLIPPED, at)
                 .with("line", line)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("value", format!("{value:.5}"))
                 .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
                 .with_sentence("advice", *advice),
             RecordError::NoMotion { at, channel, range, unit } => of(phrases::NO_MOTION, at)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("range", format!("{range:.4}"))
                 .with("unit", unit),
             RecordError::ConstantForce { at, value } => {
@@ -511,7 +511,7 @@ impl RecordError {
                 of(phrases::CONTRADICTION, at).with_sentence("cause", cause.clone())
             }
             RecordError::NotFound { file } => in_file(phrases::NOT_FOUND, file),
-            RecordError::Read { file, source } => in_file(phrases::CANNOT_READ, file).with("cause", source),
+            RecordError::Read { file, source } => in_file(phrases::CANNOT_READ, file).with_foreign("cause", source),
             RecordError::NotRegular { file } => in_file(phrases::NOT_REGULAR, file),
             RecordError::IsPeakTable { file } => in_file(phrases::IS_PEAK_TABLE, file),
             RecordError::TooLarge { file, bytes, largest } => {
@@ -581,7 +581,7 @@ impl RecordError {
             RecordError::NoSuchColumn { at, line, channel, wanted, found, near } => {
                 in_line(phrases::NO_SUCH_COLUMN, at, line)
                     .with("wanted", wanted)
-                    .with_word("channel", channel.name())
+                    .with_sentence("channel", channel.message())
                     .with("found", found)
                     .with_any("near", near.clone())
             }
@@ -611,7 +611,7 @@ impl RecordError {
                 .with("channel", channel)
                 .with("understood", channel.units_understood()),
             RecordError::MotionGap { at, line, channel } => {
-                in_line(phrases::MOTION_GAP, at, line).with_word("channel", channel.name())
+                in_line(phrases::MOTION_GAP, at, line).with_sentence("channel", channel.message())
             }
             RecordError::MotionTime { at, line, from, to } => {
                 in_line(phrases::MOTION_TIME, at, line).with("to", to).with("from", from)
@@ -630,7 +630,7 @@ impl RecordError {
                 .with("record", record)
                 .with("noise", format!("{noise:.3}")),
             RecordError::Indispensable { channel } => {
-                Sentence::from(phrases::INDISPENSABLE).with_word("channel", channel.name())
+                Sentence::from(phrases::INDISPENSABLE).with_sentence("channel", channel.message())
             }
             RecordError::FeedsEnergy { cause, .. } => {
                 Sentence::from(phrases::FEEDS_ENERGY).with_sentence("cause", cause.clone())

@@ -1,29 +1,27 @@
 //! All texts of the messages about records, for translators.
 
-use crate::formats::unsupported;
 use crate::messages::phrases::TEMPLATES;
-use crate::messages::sentence::{Template, each_once};
-use crate::quantities::channel::Channel;
 use crate::quantities::setting_value;
+use dashpot_messages::Template;
 
-/// Words for channels, directions and the end of a record.
-const WORDS: &[&str] =
-    &["rebound", "compression", "displacement or velocity", "an incomplete cycle or run-down", "rest", "nothing"];
+/// What a direction, a missing channel, or the end of a record is called.
+const WORDS: [&str; 8] = [
+    "rebound",
+    "compression",
+    "time",
+    "force",
+    "displacement or velocity",
+    "an incomplete cycle or run-down",
+    "rest",
+    "nothing",
+];
 
-/// Returns every sentence template.
+/// Every message.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Returns every English text of messages about records once: words, and sentences with placeholders for values.
-pub fn texts() -> Vec<&'static str> {
-    each_once(
-        TEMPLATES,
-        WORDS
-            .iter()
-            .copied()
-            .chain(setting_value::NAMES)
-            .chain(Channel::ALL.map(Channel::name))
-            .chain(unsupported::words()),
-    )
+/// Every word that stands in a message.
+pub fn words() -> impl Iterator<Item = &'static str> {
+    WORDS.into_iter().chain(setting_value::NAMES)
 }

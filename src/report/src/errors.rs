@@ -6,6 +6,7 @@ use crate::cells::Cell;
 use crate::plot::overview;
 use crate::words::Words;
 use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
+use dashpot_messages::Message;
 
 /// Builds the error matrix as a picture, and the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
@@ -32,9 +33,10 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
 
 /// Labels the rows of a matrix: by amplitude, of tests outside the matrix (slow or not periodic), and by peak velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
-    let named = |row: &MatrixRow, text: &str, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
+    let named =
+        |row: &MatrixRow, text: Message, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
     let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
-    let other = matrix.not_periodic.iter().map(|r| named(r, words.row_not_periodic, r.value));
+    let other = matrix.not_periodic.iter().map(|r| (words.row_not_periodic.to_owned(), r.clone()));
     [
         matrix.by_amplitude.iter().map(|r| named(r, words.row_amplitude, r.value)).collect(),
         slow.chain(other).collect(),
@@ -79,7 +81,7 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
 /// These errors replace the columns of the curve and the model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
-    let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
+    let about = |text: Message, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
     let first = by_amplitude.into_iter().chain(apart).collect();
     let mut blocks = vec![two_sided(about(words.by_amplitude, words.mean_cycles_rule), first, words)];
     if !by_peak_velocity.is_empty() {

@@ -104,7 +104,7 @@ impl<'a> ReportInput<'a> {
             validation,
             tests,
             parameters: parameters::of_model(model, words),
-            identification: reading::blocks(campaign, &model.notes(), words),
+            identification: reading::blocks(campaign, model, words),
             extra: Vec::new(),
             family: None,
         })
@@ -229,7 +229,8 @@ mod tests {
     use super::*;
     use crate::plot::of_test::tests::{compared, record};
     use dashpot_identification::validation::validate;
-    use dashpot_records::{Note, Record, Sentence};
+    use dashpot_messages::Sentence;
+    use dashpot_records::{Note, Record};
     use std::collections::BTreeSet;
 
     fn with_input<T>(records: &[Record], check: impl FnOnce(&ReportInput<'_>) -> T) -> T {
@@ -326,7 +327,7 @@ mod tests {
             // No text of another language may appear where a translation exists.
             if language != words::Language::English {
                 for english in
-                    [words::EN.axis_velocity, words::EN.fv_caption, words::EN.single_about, words::EN.key_section]
+                    [words::EN.axis_velocity, words::EN.fv_caption, words::EN.tests_caption, words::EN.key_section]
                 {
                     assert!(!html.contains(english), "{code}: {english}");
                 }

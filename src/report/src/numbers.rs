@@ -1,7 +1,7 @@
 //! Number formats of the report: significant digits only, in a damper engineer's units.
 
 use crate::plot::ticks::number;
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_records::newtons::places;
 use dashpot_records::reading_unit;
 
@@ -76,7 +76,7 @@ pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words)
         }
         _ => digits(v, 4),
     };
-    let ends = fill(words.range, &[("low", &write(low)), ("high", &write(high))]);
+    let ends = words.fill_as_is(words.range, &[("low", &write(low)), ("high", &write(high))]);
     (spaced(write(value), &unit), spaced(ends, &unit))
 }
 

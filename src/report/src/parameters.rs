@@ -38,7 +38,7 @@ pub struct ParameterRow {
 /// Remark of a table on a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remark {
-    /// Meaning of the parameter, as in the kernel.
+    /// What the parameter of this name means.
     Meaning(&'static str),
     /// Velocity of a force in the FV table, m/s.
     AtVelocity(f64),
@@ -50,13 +50,13 @@ pub enum Remark {
 
 impl Remark {
     fn of(name: &str) -> Remark {
-        parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.meaning))
+        parameter::find(name).map_or(Remark::Nothing, |row| Remark::Meaning(row.parameter.name))
     }
 
     /// Formats the remark as text.
     fn said(self, words: &Words) -> String {
         match self {
-            Remark::Meaning(meaning) => words.meaning(meaning).to_owned(),
+            Remark::Meaning(name) => words.meaning_of_parameter(name).to_owned(),
             Remark::AtVelocity(v) => {
                 words.fill(words.parameter_at, &[("place", &words.number(&format!("{} mm/s", digits(1e3 * v, 4))))])
             }
@@ -163,8 +163,8 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept)),
-                    remark: Remark::Meaning(p.meaning),
+                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
+                    remark: Remark::Meaning(p.name),
                     assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
             }

@@ -2,20 +2,22 @@
 
 use crate::blocks::Block;
 use crate::words::Words;
+use dashpot_identification::model_file::ModelFile;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
 /// Confidence below which a report warns of a detected sign.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// Returns the remarks for a report: first the sign, as a warning if it is doubtful, then the other remarks and `kept`.
-///
-/// `kept` are the remarks stored in a model file.
-pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block> {
+/// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those of a model file.
+pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
     let mut blocks = vec![if doubtful { Block::Warning(sign) } else { Block::Paragraph(sign) }];
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
-    let notes: Vec<String> = notes.chain(kept.iter().map(|text| words.say_kept(text))).collect();
+    let known = &model.identification;
+    let of_fit = known.notes.iter().map(|text| words.say_kept(text, &known.messages));
+    let of_file = model.remarks().into_iter().map(|remark| words.say(&remark));
+    let notes: Vec<String> = notes.chain(of_fit).chain(of_file).collect();
     if !notes.is_empty() {
         blocks.push(Block::List(notes));
     }

@@ -3,6 +3,7 @@
 
 use super::numbers::digits;
 use crate::words::Words;
+use dashpot_messages::Message;
 use dashpot_records::{Record, TestMetadata, clock};
 
 /// Largest number of values that are listed individually.
@@ -23,8 +24,9 @@ pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
         }
         in_short(&values, words)
     };
-    let needed =
-        |text: &str, value: Option<String>| words.fill(text, &[("text", value.as_deref().unwrap_or(words.to_fill_in))]);
+    let needed = |text: Message, value: Option<String>| {
+        words.fill(text, &[("text", value.as_deref().unwrap_or(words.to_fill_in))])
+    };
     let mut lines = vec![
         needed(words.subject_part, said(|about| &about.part)),
         needed(words.subject_serial, said(|about| &about.serial)),

@@ -104,7 +104,7 @@ fn whole_model() -> String {
         }
     }
     model_file::flat(&params, |_| String::new())
-        + "\n[identification]\ntests = [\"a\"]\nnotes = [\"n\"]\n\n[identification.fv_only]\nvelocity = [-1.0, 0.0, 1.0]\nforce = [-1500.0, 0.0, 2000.0]\ngas_force = 100.0\n"
+        + "\n[identification]\ntests = [\"a\"]\nnotes = [\"n\"]\nmessages = [{ id = \"identification-no-test\" }, { id = \"\", text = { list = [\"n\"], between = \"identification-comma\" } }]\n\n[identification.fv_only]\nvelocity = [-1.0, 0.0, 1.0]\nforce = [-1500.0, 0.0, 2000.0]\ngas_force = 100.0\n"
 }
 
 #[test]

@@ -15,9 +15,10 @@ use dashpot_identification::validation::Deviation;
 use dashpot_identification::{
     Estimate, Family, Fit, FitOptions, InventoryItem, KINDS, Kind, Measured, Standing, describe_item, fit,
 };
+use dashpot_messages::Sentence;
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
-use dashpot_records::{Campaign, Record, Sentence, SignFinding, Unusable};
+use dashpot_records::{Campaign, Record, SignFinding, Unusable};
 use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::parameters::assumed_of_damper;
 use dashpot_report::quality;

@@ -8,7 +8,7 @@ use crate::forward::{Expectation, expectations};
 use crate::phrases;
 use crate::uncertain::Uncertain;
 use dashpot_core::number;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// Adds the contradictions: parameters whose interval does not overlap that of the drawing.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {

@@ -9,7 +9,7 @@ use crate::gas;
 use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// Units in SI: bar in Pa and cm³ in m³.
 const BAR: f64 = 1e5;

@@ -13,7 +13,7 @@ pub use report::{Contradiction, Explanation, Gap, Quantity};
 use crate::dimensions::Dimensions;
 use crate::phrases;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// Explains a model by a drawing.
 ///

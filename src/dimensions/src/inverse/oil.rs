@@ -9,8 +9,8 @@ use crate::oil;
 use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
-use dashpot_records::Sentence;
-use dashpot_records::sentence::Template;
+use dashpot_messages::Sentence;
+use dashpot_messages::Template;
 
 /// GPa in Pa.
 const GPA: f64 = 1e9;

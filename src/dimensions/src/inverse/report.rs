@@ -2,7 +2,7 @@
 
 use crate::phrases::QUANTITIES;
 use crate::uncertain::Interval;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 use serde::Serialize;
 
 /// A quantity of the damper that follows from the model.

@@ -13,7 +13,7 @@ use crate::geometry::{annulus, area};
 use crate::orifice;
 use crate::phrases;
 use crate::uncertain::{Uncertain, through};
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// Units in SI: mm² in m² and cm³/(s bar) in m³/(s Pa).
 const MM2: f64 = 1e-6;

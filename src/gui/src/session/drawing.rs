@@ -4,7 +4,8 @@ use crate::session::Session;
 use dashpot_core::Params;
 use dashpot_dimensions::entry::{DESIGN, ENTRIES};
 use dashpot_dimensions::{Dimensions, Explanation, explain, read};
-use dashpot_records::{Sentence, read_small_text};
+use dashpot_messages::Sentence;
+use dashpot_records::read_small_text;
 use std::path::{Path, PathBuf};
 
 /// An open file of dimensions.

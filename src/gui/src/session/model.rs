@@ -9,8 +9,8 @@ use dashpot_estimation::priors::{self, Distribution};
 use dashpot_estimation::scale::Scale;
 use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::{self, Identification, Interval, ModelFile};
+use dashpot_messages::Sentence;
 use dashpot_records::restrict;
-use dashpot_records::sentence::Sentence;
 use std::path::{Path, PathBuf};
 
 /// Index of the start setting among the entries of an axis.

@@ -6,8 +6,9 @@ use crate::session::campaign::Loaded;
 use crate::session::exports::{Export, Host};
 use crate::session::guarded::write;
 use crate::session::tasks::{Kind as Work, Outcome};
+use dashpot_messages::Sentence;
 use dashpot_output::Kind;
-use dashpot_records::{Profile, Sentence, profile};
+use dashpot_records::{Profile, profile};
 use std::path::{Path, PathBuf};
 
 /// Formats an error with its causes as one sentence.

@@ -1,6 +1,6 @@
 //! Progress of long tasks.
 
-use dashpot_records::sentence::Template;
+use dashpot_messages::Template;
 
 /// Progress of a task.
 #[derive(Debug, Clone, Default)]

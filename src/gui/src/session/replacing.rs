@@ -8,7 +8,7 @@ use crate::session::results::{Finding, Fitted};
 use dashpot_core::Params;
 use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file;
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 use std::path::PathBuf;
 
 /// Source of the replacing model.

@@ -5,7 +5,8 @@ use crate::session::Session;
 use crate::session::tasks::{Kind, Outcome, Standing, Task};
 use dashpot_identification::family::{ActuatorNumber, actuator_numbers};
 use dashpot_identification::validation::StepResponse;
-use dashpot_records::{Record, Sentence, SettingPattern};
+use dashpot_messages::Sentence;
+use dashpot_records::{Record, SettingPattern};
 use dashpot_simulation::step_response::step_responses;
 use dashpot_simulation::valve_response::{has_actuator, valve_response};
 

@@ -8,7 +8,8 @@ use dashpot_diagnosis::{Options as DiagnosisOptions, choose_left_out, diagnose};
 use dashpot_identification::family::fit_family;
 use dashpot_identification::model_file;
 use dashpot_identification::{FitOptions, Stage, fit};
-use dashpot_records::{Record, Sentence, is_same_setting};
+use dashpot_messages::Sentence;
+use dashpot_records::{Record, is_same_setting};
 use dashpot_simulation::whole_records::{self, OfDiagnosis};
 
 impl Session {

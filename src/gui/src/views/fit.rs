@@ -26,9 +26,8 @@ pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
             let said = w.of.words();
             for setting in settings {
                 let name = setting_name(&setting, said).to_owned();
-                let text = said.fill(w.fit_over, &[("setting", &name)]);
-                let hint = said.fill(w.fit_over_hint, &[("setting", &name)]);
-                if ui.button(text).on_hover_text(hint).clicked() {
+                let text = w.fill(w.fit_over, &[("setting", &name)]);
+                if ui.button(text).on_hover_text(w.fit_over_hint).clicked() {
                     session.replace(Replacement::FitOver(setting));
                     ui.close();
                 }

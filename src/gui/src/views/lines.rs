@@ -169,7 +169,7 @@ fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
         TestDamper::Shown => match (&record.setting, axis) {
             (Some(of), Some(axis)) if !is_of_axis(axis, &of.name) || setting_factor(&of.unit, unit).is_none() => {
                 let own = setting_in_words(of.value, &of.unit);
-                format!(" ({})", words.setting_of_another.replace("{setting}", &own))
+                format!(" ({})", words.fill(words.setting_of_another, &[("setting", &own)]))
             }
             _ => String::new(),
         },

@@ -234,7 +234,7 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
             RichText::new(format!("{}{form}, {} {}", said.named(finding.effect), fraction(finding.confidence), w.sure))
                 .strong(),
         );
-        wrapped(ui, RichText::new(said.word(finding.meaning)));
+        wrapped(ui, RichText::new(said.meaning_of_element(finding.effect)));
         for (name, value) in &finding.parameters {
             let (value, interval) = with_interval(value.value, value.low, value.high, value.unit, said);
             let figures = said.number(&format!("{value}  ({interval})"));

@@ -142,7 +142,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
             ui.selectable_value(&mut chosen, None, w.none);
             for element in Element::all().filter(|element| !model.params().is_on(*element)) {
                 ui.selectable_value(&mut chosen, Some(element), translate_name(element.name(), w.of.words()))
-                    .on_hover_text(w.meaning(element.group().meaning));
+                    .on_hover_text(w.of.words().meaning_of_element(element.group().name));
             }
         });
     named_list(list, w.effect_inspect);
@@ -152,7 +152,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
         slider.widget_info(|| WidgetInfo::slider(true, strength, w.strength));
     }
     if let Some(element) = chosen {
-        let meaning = w.meaning(element.group().meaning);
+        let meaning = w.of.words().meaning_of_element(element.group().name);
         ui.add(egui::Label::new(RichText::new(meaning).small().weak()).wrap());
     }
     view.effect = chosen.map(|element| (element, strength));

@@ -126,10 +126,10 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
         .show_header(ui, |ui| {
             let label = translate_name(group.name, w.of.words());
             ui.checkbox(&mut switched, if on { RichText::new(label).strong() } else { RichText::new(label) })
-                .on_hover_text(format!("{}\n{}", group.name, w.meaning(group.meaning)));
+                .on_hover_text(format!("{}\n{}", group.name, w.of.words().meaning_of_element(group.name)));
         })
         .body(|ui| {
-            ui.add(egui::Label::new(RichText::new(w.meaning(group.meaning)).small().weak()).wrap());
+            ui.add(egui::Label::new(RichText::new(w.of.words().meaning_of_element(group.name)).small().weak()).wrap());
             ui.add_enabled_ui(on, |ui| {
                 let of_form = |session: &Session, row: &Row| {
                     session.model.as_ref().is_none_or(|model| model.params().is_of_form(row))
@@ -180,7 +180,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     } else {
         RichText::new(&name).small()
     };
-    let mut hint = format!("{identifier}\n{}", w.meaning(p.meaning));
+    let mut hint = format!("{identifier}\n{}", w.of.words().meaning_of_parameter(p.name));
     if loose {
         hint += &format!("\n{}", assumed(p.name, identified, &model.identified, None, w.of.words()));
     }
@@ -260,7 +260,7 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     let mut chosen = now;
     ui.horizontal(|ui| {
         let name = translate_name(row.parameter.name, w.of.words());
-        let hint = format!("{}\n{}", row.parameter.name, w.meaning(row.parameter.meaning));
+        let hint = format!("{}\n{}", row.parameter.name, w.of.words().meaning_of_parameter(row.parameter.name));
         ui.label(RichText::new(&name).small()).on_hover_text(hint);
         let shown = words.get(now).copied().unwrap_or("");
         let list = egui::ComboBox::from_id_salt(row.parameter.name).selected_text(w.of.words().choice(shown)).show_ui(

@@ -1,12 +1,9 @@
-//! Every text of the window, in every language; one file a language. A text that a language lacks does not compile.
-
-mod chinese;
-mod english;
-mod french;
-mod german;
+//! Every text of the window, in every language; `src/gui/locales` has one Fluent file a language.
 
 use crate::units;
+use dashpot_messages::{Catalog, Message};
 use dashpot_records::Channel;
+use std::sync::LazyLock;
 
 pub use dashpot_report::words::Language;
 
@@ -23,11 +20,21 @@ pub fn name(language: Language) -> &'static str {
 /// The window's texts in a language; [`Language::words`] has those of its reports.
 pub fn texts(language: Language) -> &'static Words {
     match language {
-        Language::English => &english::WORDS,
-        Language::German => &german::WORDS,
-        Language::French => &french::WORDS,
-        Language::Chinese => &chinese::WORDS,
+        Language::English => &EN,
+        Language::German => &DE,
+        Language::French => &FR,
+        Language::Chinese => &ZH,
     }
+}
+
+static EN: LazyLock<Words> = LazyLock::new(|| read(Language::English, "en", include_str!("../../locales/en.ftl")));
+static DE: LazyLock<Words> = LazyLock::new(|| read(Language::German, "de", include_str!("../../locales/de.ftl")));
+static FR: LazyLock<Words> = LazyLock::new(|| read(Language::French, "fr", include_str!("../../locales/fr.ftl")));
+static ZH: LazyLock<Words> = LazyLock::new(|| read(Language::Chinese, "zh", include_str!("../../locales/zh.ftl")));
+
+fn read(language: Language, code: &str, source: &str) -> Words {
+    let catalog = Catalog::keep(code, source);
+    Words::read(catalog, language, catalog)
 }
 
 /// The language that the system speaks, as its environment says; English where it says nothing known.
@@ -42,6 +49,11 @@ fn of_locale(locale: &str) -> Language {
 }
 
 impl Words {
+    /// A message with its values put in, numbers and names as the reports write them.
+    pub fn fill(&self, message: Message, values: &[(&str, &str)]) -> String {
+        self.of.words().fill_from(self.catalog, message, values)
+    }
+
     /// A number with four significant digits, as this language writes it; also on axes and in tables. What is typed and files are [`Words::typed`]'s
     /// and the verbs'.
     pub fn digits(&self, value: f64) -> String {
@@ -56,11 +68,6 @@ impl Words {
     /// A number for a field that is typed into ([`units::typed`]); [`units::read`] takes it back.
     pub fn typed(&self, value: f64) -> String {
         units::typed(value).replace('.', self.of.words().decimal_sign)
-    }
-
-    /// What an element or a parameter means; the reports say it with the same words.
-    pub fn meaning(&self, english: &'static str) -> &'static str {
-        self.of.words().meaning(english)
     }
 
     /// The name of a channel.
@@ -78,247 +85,280 @@ impl Words {
     }
 }
 
-/// The texts; the English ones say what each is.
-#[allow(missing_docs)] // the texts are their meaning
-pub struct Words {
-    pub of: Language,
-    pub file: &'static str,
-    pub open_folder: &'static str,
-    pub open_files: &'static str,
-    pub open_model: &'static str,
-    pub compare_campaign: &'static str,
-    pub compare_no_more: &'static str,
-    pub recent: &'static str,
-    pub save: &'static str,
-    pub save_as: &'static str,
-    pub write_report: &'static str,
-    pub save_tables: &'static str,
-    pub undo: &'static str,
-    pub redo: &'static str,
-    pub reset: &'static str,
-    pub reset_hint: &'static str,
-    pub fit: &'static str,
-    pub fit_hint: &'static str,
-    /// A fit of one damper over `{setting}`.
-    pub fit_over: &'static str,
-    pub fit_over_hint: &'static str,
-    pub fit_ordinary: &'static str,
-    pub fit_ordinary_hint: &'static str,
-    pub validate: &'static str,
-    pub validate_hint: &'static str,
-    pub diagnose: &'static str,
-    pub diagnose_hint: &'static str,
-    /// Why there is nothing to diagnose.
-    pub diagnose_elsewhere: &'static str,
-    pub export: &'static str,
-    pub export_fmu: &'static str,
-    pub export_fmu3: &'static str,
-    pub export_vehicle: &'static str,
-    pub export_adams: &'static str,
-    pub export_property: &'static str,
-    pub cancel: &'static str,
-    pub reading: &'static str,
-    pub fitting: &'static str,
-    pub validating: &'static str,
-    pub diagnosing: &'static str,
-    pub studying: &'static str,
-    pub writing: &'static str,
-    pub stopping: &'static str,
-    pub tests_in: &'static str,
-    pub computed_in: &'static str,
-    pub tests: &'static str,
-    pub all: &'static str,
-    pub all_hint: &'static str,
-    pub filter: &'static str,
-    pub tick_hint: &'static str,
-    pub use_test: &'static str,
-    pub exclude: &'static str,
-    pub exclude_hint: &'static str,
-    pub welcome: &'static str,
-    pub welcome_hint: &'static str,
-    pub drop_here: &'static str,
-    pub amplitude: &'static str,
-    pub frequency: &'static str,
-    pub peak_velocity: &'static str,
-    pub largest_force: &'static str,
-    pub cycles: &'static str,
-    pub work: &'static str,
-    pub noise: &'static str,
-    pub mean_error: &'static str,
-    pub mean: &'static str,
-    pub rebound_positive: &'static str,
-    pub compression_positive: &'static str,
-    pub force: &'static str,
-    pub velocity: &'static str,
-    pub displacement: &'static str,
-    pub time: &'static str,
-    pub temperature: &'static str,
-    pub current: &'static str,
-    pub force_velocity: &'static str,
-    pub force_displacement: &'static str,
-    pub force_time: &'static str,
-    pub peaks: &'static str,
-    pub measured: &'static str,
-    pub reference: &'static str,
-    pub model: &'static str,
-    pub identified_model: &'static str,
-    pub with_effect: &'static str,
-    pub fv_curve: &'static str,
-    pub fv_points: &'static str,
-    pub save_plot: &'static str,
-    pub error_matrix: &'static str,
-    pub error_hint: &'static str,
-    pub slow_tests: &'static str,
-    pub language: &'static str,
-    pub light: &'static str,
-    pub dark: &'static str,
-    pub not_periodic: &'static str,
-    pub tune: &'static str,
-    pub result: &'static str,
-    pub records: &'static str,
-    pub study: &'static str,
-    pub no_model: &'static str,
-    /// The setting of a damper that depends on one and does not name it.
-    pub setting: &'static str,
-    /// What its slider shows.
-    pub setting_hint: &'static str,
-    /// Whether each test is compared with the damper at its own setting.
-    pub own_settings: &'static str,
-    pub own_settings_hint: &'static str,
-    /// Why its slider stands still.
-    pub setting_tuned: &'static str,
-    /// Behind the name of a test whose setting changes.
-    pub setting_changes: &'static str,
-    /// Behind the name of a test whose setting is none of the model.
-    pub setting_of_another: &'static str,
-    pub unsaved_model: &'static str,
-    pub not_saved: &'static str,
-    pub rejected: &'static str,
-    pub prior: &'static str,
-    pub interval: &'static str,
-    pub identified: &'static str,
-    pub not_identified: &'static str,
-    pub back_to_identified: &'static str,
-    pub elements_off: &'static str,
-    pub drag_points: &'static str,
-    pub no_result: &'static str,
-    pub fit_result: &'static str,
-    pub validation_result: &'static str,
-    pub diagnosis_result: &'static str,
-    pub tests_fitted: &'static str,
-    pub used_in_fit: &'static str,
-    pub left_out: &'static str,
-    pub all_tests: &'static str,
-    pub fitted: &'static str,
-    pub before: &'static str,
-    pub after: &'static str,
-    pub rms: &'static str,
-    pub sure: &'static str,
-    pub of_the_rig: &'static str,
-    pub next_test: &'static str,
-    pub copy_rows: &'static str,
-    pub copy_rows_hint: &'static str,
-    pub save_matrix: &'static str,
-    pub save_matrix_hint: &'static str,
-    pub gas_and_drag: &'static str,
-    pub both_ways: &'static str,
-    pub drag: &'static str,
-    pub changed: &'static str,
-    pub take_improved: &'static str,
-    pub how_read: &'static str,
-    pub how_read_hint: &'static str,
-    pub positive: &'static str,
-    pub from_data: &'static str,
-    pub rebound: &'static str,
-    pub compression: &'static str,
-    pub flip_force: &'static str,
-    pub flip_motion: &'static str,
-    pub delay: &'static str,
-    pub force_zero: &'static str,
-    pub displacement_zero: &'static str,
-    pub gain: &'static str,
-    pub rig_mass: &'static str,
-    pub sample_rate: &'static str,
-    pub dates: &'static str,
-    pub day_first: &'static str,
-    pub month_first: &'static str,
-    pub subfolders: &'static str,
-    pub unit_of: &'static str,
-    pub as_file_says: &'static str,
-    pub excluded: &'static str,
-    pub take_back: &'static str,
-    pub read_again: &'static str,
-    pub read_again_hint: &'static str,
-    pub keep_reading: &'static str,
-    pub keep_reading_hint: &'static str,
-    pub study_hint: &'static str,
-    pub from: &'static str,
-    pub to: &'static str,
-    pub loops: &'static str,
-    pub compute: &'static str,
-    pub area: &'static str,
-    pub gap: &'static str,
-    pub effect_inspect: &'static str,
-    pub effect_hint: &'static str,
-    pub strength: &'static str,
-    pub none: &'static str,
-    pub closing: &'static str,
-    pub closing_task: &'static str,
-    pub closing_unsaved: &'static str,
-    pub stay: &'static str,
-    pub save_first: &'static str,
-    pub close_anyway: &'static str,
-    pub replacing: &'static str,
-    pub replacing_unsaved: &'static str,
-    pub replace_anyway: &'static str,
-    pub old_result: &'static str,
-    pub steady_force: &'static str,
-    pub stop_at_rest: &'static str,
-    pub stop_force: &'static str,
-    pub stop_velocity: &'static str,
-    pub stop_bound: &'static str,
-    pub unit_of_velocity: &'static str,
-    pub unit_of_force: &'static str,
-    pub tables: &'static str,
-    pub tables_hint: &'static str,
-    pub pvp: &'static str,
-    pub cvp: &'static str,
-    pub opening: &'static str,
-    pub closing_speed: &'static str,
-    pub save_table: &'static str,
-    pub test: &'static str,
-    pub choose_path: &'static str,
-    pub choose_folder: &'static str,
-    pub no_dialog: &'static str,
-    pub path: &'static str,
-    pub folder_up: &'static str,
-    pub ok: &'static str,
-    pub is_there_already: &'static str,
-    pub side_force: &'static str,
-    pub open_dimensions: &'static str,
-    pub valve: &'static str,
-    pub of_force: &'static str,
-    pub of_valve: &'static str,
-    pub awaiting: &'static str,
-    pub all_steps: &'static str,
-    pub drawing: &'static str,
-    pub no_explained: &'static str,
-    pub nothing_explained: &'static str,
-    pub contradictions: &'static str,
-    pub quantities: &'static str,
-    pub unknown_quantities: &'static str,
-    pub drawing_lacks: &'static str,
-    pub model_lacks: &'static str,
-    pub at_least: &'static str,
-    pub at_most: &'static str,
-    pub no_bound: &'static str,
-    pub follows_from: &'static str,
-    pub form_error: &'static str,
+dashpot_messages::interface! {
+    /// The texts; `src/gui/locales` has them under these names in kebab-case.
+    #[allow(missing_docs)] // the texts are their meaning
+    pub struct Words {
+        pub of: Language,
+        catalog: &'static Catalog,
+        ;
+        file,
+        open_folder,
+        open_files,
+        open_model,
+        compare_campaign,
+        compare_no_more,
+        recent,
+        save,
+        save_as,
+        write_report,
+        save_tables,
+        undo,
+        redo,
+        reset,
+        reset_hint,
+        fit,
+        fit_hint,
+        /// A fit of one damper over `{setting}`.
+        fit_over(setting),
+        fit_over_hint,
+        fit_ordinary,
+        fit_ordinary_hint,
+        validate,
+        validate_hint,
+        diagnose,
+        diagnose_hint,
+        /// Why there is nothing to diagnose.
+        diagnose_elsewhere,
+        export,
+        export_fmu,
+        export_fmu3,
+        export_vehicle,
+        export_adams,
+        export_property,
+        cancel,
+        reading,
+        fitting,
+        validating,
+        diagnosing,
+        studying,
+        writing,
+        stopping,
+        tests_in,
+        computed_in,
+        tests,
+        all,
+        all_hint,
+        filter,
+        tick_hint,
+        use_test,
+        exclude,
+        exclude_hint,
+        welcome,
+        welcome_hint,
+        drop_here,
+        amplitude,
+        frequency,
+        peak_velocity,
+        largest_force,
+        cycles,
+        work,
+        noise,
+        mean_error,
+        mean,
+        rebound_positive,
+        compression_positive,
+        force,
+        velocity,
+        displacement,
+        time,
+        temperature,
+        current,
+        force_velocity,
+        force_displacement,
+        force_time,
+        peaks,
+        measured,
+        reference,
+        model,
+        identified_model,
+        with_effect,
+        fv_curve,
+        fv_points,
+        save_plot,
+        error_matrix,
+        error_hint,
+        slow_tests,
+        language,
+        light,
+        dark,
+        not_periodic,
+        tune,
+        result,
+        records,
+        study,
+        no_model,
+        /// The setting of a damper that depends on one and does not name it.
+        setting,
+        /// What its slider shows.
+        setting_hint,
+        /// Whether each test is compared with the damper at its own setting.
+        own_settings,
+        own_settings_hint,
+        /// Why its slider stands still.
+        setting_tuned,
+        /// Behind the name of a test whose setting changes.
+        setting_changes,
+        /// Behind the name of a test whose setting is none of the model.
+        setting_of_another(setting),
+        unsaved_model,
+        not_saved,
+        rejected,
+        prior,
+        interval,
+        identified,
+        not_identified,
+        back_to_identified,
+        elements_off,
+        drag_points,
+        no_result,
+        fit_result,
+        validation_result,
+        diagnosis_result,
+        tests_fitted,
+        used_in_fit,
+        left_out,
+        all_tests,
+        fitted,
+        before,
+        after,
+        rms,
+        sure,
+        of_the_rig,
+        next_test,
+        copy_rows,
+        copy_rows_hint,
+        save_matrix,
+        save_matrix_hint,
+        gas_and_drag,
+        both_ways,
+        drag,
+        changed,
+        take_improved,
+        how_read,
+        how_read_hint,
+        positive,
+        from_data,
+        rebound,
+        compression,
+        flip_force,
+        flip_motion,
+        delay,
+        force_zero,
+        displacement_zero,
+        gain,
+        rig_mass,
+        sample_rate,
+        dates,
+        day_first,
+        month_first,
+        subfolders,
+        unit_of,
+        as_file_says,
+        excluded,
+        take_back,
+        read_again,
+        read_again_hint,
+        keep_reading,
+        keep_reading_hint,
+        study_hint,
+        from,
+        to,
+        loops,
+        compute,
+        area,
+        gap,
+        effect_inspect,
+        effect_hint,
+        strength,
+        none,
+        closing,
+        closing_task,
+        closing_unsaved,
+        stay,
+        save_first,
+        close_anyway,
+        replacing,
+        replacing_unsaved,
+        replace_anyway,
+        old_result,
+        steady_force,
+        stop_at_rest,
+        stop_force,
+        stop_velocity,
+        stop_bound,
+        unit_of_velocity,
+        unit_of_force,
+        tables,
+        tables_hint,
+        pvp,
+        cvp,
+        opening,
+        closing_speed,
+        save_table,
+        test,
+        choose_path,
+        choose_folder,
+        no_dialog,
+        path,
+        folder_up,
+        ok,
+        is_there_already,
+        side_force,
+        open_dimensions,
+        valve,
+        of_force,
+        of_valve,
+        awaiting,
+        all_steps,
+        drawing,
+        no_explained,
+        nothing_explained,
+        contradictions,
+        quantities,
+        unknown_quantities,
+        drawing_lacks,
+        model_lacks,
+        at_least,
+        at_most,
+        no_bound,
+        follows_from,
+        form_error,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashpot_messages::file;
+    use std::collections::BTreeMap;
+
+    /// The Fluent file of each language, with its name.
+    const FILES: [(&str, &str); 4] = [
+        ("src/gui/locales/en.ftl", include_str!("../../locales/en.ftl")),
+        ("src/gui/locales/de.ftl", include_str!("../../locales/de.ftl")),
+        ("src/gui/locales/fr.ftl", include_str!("../../locales/fr.ftl")),
+        ("src/gui/locales/zh.ftl", include_str!("../../locales/zh.ftl")),
+    ];
+
+    #[test]
+    fn every_file_has_every_message_that_the_code_uses_and_no_other() {
+        let of = |arguments: &[&str]| arguments.iter().map(ToString::to_string).collect();
+        let used = Words::MESSAGES.iter().map(|(id, arguments)| (id.to_string(), of(arguments))).collect();
+        let faults: Vec<String> = FILES.iter().flat_map(|(name, source)| file::faults(name, source, &used)).collect();
+        assert!(faults.is_empty(), "{}", faults.join("\n"));
+    }
+
+    #[test]
+    fn sentences_are_translated_and_not_copied() {
+        let [english, others @ ..] = FILES.map(|(name, source)| (name, file::read(source)));
+        let english: BTreeMap<String, String> = english.1.into_iter().map(|entry| (entry.id, entry.text)).collect();
+        for (name, entry) in others.into_iter().flat_map(|(name, all)| all.into_iter().map(move |entry| (name, entry)))
+        {
+            let is_sentence = english[&entry.id].split(' ').count() > 3;
+            assert!(!is_sentence || entry.text != english[&entry.id], "{name}: {}", entry.id);
+        }
+    }
 
     #[test]
     fn the_locale_chooses_the_language() {

@@ -13,7 +13,8 @@ use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuato
 use dashpot_estimation::family::command_time::SPREAD;
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normal error.

@@ -8,7 +8,7 @@ use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::list;
 use dashpot_core::parameter::Number;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::{Kept, Sentence};
 
 /// Returns the ordinary damper at a setting, with the 95 % intervals there.
 ///
@@ -50,6 +50,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
         let names = without.iter().map(String::as_str);
         let said = Sentence::from(phrases::NO_INTERVAL_BETWEEN).with_names("names", names, phrases::COMMA);
         identification.notes.push(said.to_string());
+        identification.messages.push(Kept::from(&said));
     }
     let (specified, edited) = (file.specified.clone(), file.edited.clone());
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }

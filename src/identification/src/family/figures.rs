@@ -4,7 +4,8 @@ use super::actuator::ActuatorFit;
 use super::fit::{FamilyEstimate, FamilyFit, FamilyItem, SettingDependence};
 use super::left_out::SettingReport;
 use crate::Measured;
-use dashpot_records::{Campaign, Sentence, SignFinding, Unusable};
+use dashpot_messages::Sentence;
+use dashpot_records::{Campaign, SignFinding, Unusable};
 use serde::Serialize;
 use std::path::Path;
 

@@ -28,9 +28,9 @@ use dashpot_estimation::samples::{self, Test, segments};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::sentence::Sentence;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -3,8 +3,8 @@
 use super::fit::{FamilyEstimate, FamilyFit};
 use crate::intervals::Standing;
 use crate::model_file::{
-    Account, FvOnly, describe_parameter, flat_family, format_pair, format_points, write_account, write_interval,
-    write_origins,
+    Account, FvOnly, describe_parameter, flat_family, format_pair, format_points, sources, write_account,
+    write_interval, write_origins,
 };
 use crate::{Estimate, InventoryItem};
 use std::fmt::Write as _;
@@ -49,6 +49,7 @@ pub fn write(fit: &FamilyFit) -> String {
         not_identified: &not_identified,
         inventory: &inventory,
         notes: &fit.notes,
+        sources: sources(fit.estimates.iter().map(|of| &of.estimate)),
         measured: &fit.measured,
         clock_from: fit.clock_from,
     };

@@ -3,7 +3,8 @@
 use super::settings::SettingRecords;
 use crate::phrases;
 use dashpot_estimation::samples::selection::{MOST_CHANGING, most_at_setting, select_at_most};
-use dashpot_records::{Record, Sentence};
+use dashpot_messages::Sentence;
+use dashpot_records::Record;
 
 /// Selects tests of every kind of motion at each setting, and tests whose setting changes. Returns a note if some are left out.
 pub fn select_tests(settings: &mut [SettingRecords], changing: &mut Vec<&Record>) -> Option<Sentence> {

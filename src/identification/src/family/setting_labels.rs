@@ -8,7 +8,7 @@ use dashpot_estimation::family::problem::SettingTests;
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// Ratio of a test's error at its stated setting to that at another one, from which the label is suspect.
 ///

@@ -3,7 +3,7 @@
 use crate::FitError;
 use crate::phrases;
 use dashpot_core::family::interpolation::MAX_GRID;
-use dashpot_records::sentence::Sentence;
+use dashpot_messages::Sentence;
 use dashpot_records::{Record, is_same_setting, records_without_setting};
 
 /// Largest number of names that a sentence lists.

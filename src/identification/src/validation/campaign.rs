@@ -7,7 +7,8 @@ use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
 use super::response::StepResponse;
 use crate::limits::Certificate;
-use dashpot_records::{Sentence, Unusable, is_same_setting};
+use dashpot_messages::Sentence;
+use dashpot_records::{Unusable, is_same_setting};
 use serde::Serialize;
 
 /// Mean figures over a set of tests, with equal weight for each test regardless of its length.

@@ -249,7 +249,7 @@ class Campaign(Sequence[Record]):
         if records:
             native = _of_records(records, "campaign")
         else:
-            said = json.loads(self._native.json())
+            said = json.loads(self._native.state()[0])
             native = _native.Campaign.again(json.dumps({**said, "records": []}), [], [], [])
         part = Campaign(native, ())
         # The records of all parts stay records of the same campaign, so that they can be put together again.
@@ -355,6 +355,7 @@ def _of_records(records: Sequence[Record], name: str) -> _native.Campaign:
         of_one, its_channels, its_origin, its_files = whole.state(record._index)
         one = json.loads(of_one)
         one["records"] = [*said.get("records", []), *one["records"]]
+        one["messages"] = [*said.get("messages", []), *one["messages"]]
         said = one
         channels.extend(its_channels)
         as_read.extend(its_origin)

@@ -5,8 +5,8 @@
 use crate::data::record::{Note, Record};
 use crate::dates::clock::{DAY, written};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
+use dashpot_messages::Sentence;
 use std::cmp::Ordering;
 
 /// Sets the campaign clock of every record and adds a note about success or failure. Records that already share a clock

@@ -16,9 +16,9 @@ use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::{Dates, Open};
 use crate::messages::phrases;
-use crate::messages::sentence::{Sentence, Template};
 use crate::options::Options;
 use crate::tuning::date_agreement::{APART, CLOSER};
+use dashpot_messages::{Sentence, Template};
 use std::collections::BTreeSet;
 
 /// Determines the order of the dates of all tests and adds a note about assumed orders.

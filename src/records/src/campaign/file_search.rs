@@ -11,8 +11,8 @@ use crate::error::RecordError;
 use crate::file_extensions::is_record_name;
 use crate::glob;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
+use dashpot_messages::Sentence;
 
 /// A file to be read, and its options.
 pub(super) struct File {

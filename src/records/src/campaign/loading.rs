@@ -21,12 +21,12 @@ use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::settings::{assignment, unstated_settings};
 use crate::signal::delay::Delay;
+use dashpot_messages::Sentence;
 
 /// The records of a campaign, cleaned, in SI, rebound and tension positive.
 #[derive(Debug, Clone, Serialize, Deserialize)]

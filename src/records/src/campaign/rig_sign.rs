@@ -7,10 +7,10 @@ use super::loading::Campaign;
 use crate::cleaning::cycles_of;
 use crate::data::record::Note;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Positive;
 use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
+use dashpot_messages::Sentence;
 
 /// Reverses campaigns that disagree with the most certain one, and adds a note. Campaigns with a stated or a certain
 /// direction stay unchanged.

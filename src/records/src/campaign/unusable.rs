@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::data::record::Note;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
+use dashpot_messages::Sentence;
 
 /// A file or test that was left out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -11,10 +11,10 @@
 use super::force_levels::{Levels, is_in_the_middle, levels};
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::median;
 use crate::quantities::load_cell;
 use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO, VELOCITIES};
+use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
 /// Force between the directions of each test, N, by velocity level.

@@ -7,7 +7,6 @@ use std::collections::HashMap;
 use crate::data::record::{Note, Record};
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::range;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -15,6 +14,7 @@ use crate::tuning::plausibility::{
     HIGHEST_SPEED, LARGEST_AMPLITUDE, LARGEST_FORCE, LEAST_FORCE, NOISE_RANGE, NOISE_SPREAD, SMALL_AMPLITUDE,
     SMALL_FORCE, SMALL_SPEED, STANDSTILL,
 };
+use dashpot_messages::Sentence;
 
 /// Rejects a record that no damper can produce.
 pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {

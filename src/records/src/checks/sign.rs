@@ -19,7 +19,6 @@ use crate::data::record::{Counted, Note};
 use crate::error::RecordError;
 use crate::messages::newtons::newtons;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, quantile};
 use crate::options::{Options, Positive};
 use crate::quantities::load_cell;
@@ -28,6 +27,7 @@ use crate::tuning::delay::UNCLEAR;
 use crate::tuning::sign::{
     FAST, FEWEST, HYSTERESIS, MOST_BY_SHAPE, PRIOR_RATIO, RATIO_SCATTER, SLOW, SUREST, TARED, UNSURE,
 };
+use dashpot_messages::Sentence;
 
 /// Result of determining the positive direction of the files.
 #[derive(Debug, Clone, Serialize, Deserialize)]

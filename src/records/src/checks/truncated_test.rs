@@ -3,9 +3,9 @@
 use crate::cleaning::turning_points;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
+use dashpot_messages::Sentence;
 
 /// Adds notes about tests that contain less than a cycle and end while the damper moves.
 pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {

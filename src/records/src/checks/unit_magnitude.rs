@@ -4,7 +4,6 @@
 use crate::data::record::Record;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -12,6 +11,7 @@ use crate::quantities::unit::Unit;
 use crate::tuning::unit_magnitude::{
     FASTEST, FOLLOWS, LONG, MOST_CURRENT, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
 };
+use dashpot_messages::Sentence;
 
 /// Rejects a campaign whose figures indicate a unit wrong by a factor of a thousand. A unit given by the user counts as
 /// correct.

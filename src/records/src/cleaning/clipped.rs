@@ -3,10 +3,10 @@
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::quantum;
 use crate::quantities::channel::Channel;
 use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
+use dashpot_messages::Sentence;
 
 /// Range of the motion channels over all tests of a campaign. A real end of the measuring range limits all tests.
 #[derive(Debug, Clone, Copy)]
@@ -128,7 +128,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
                 samples.note(
                     "rounded",
                     Sentence::from(phrases::ROUNDED)
-                        .with_word("channel", channel.name())
+                        .with_sentence("channel", channel.message())
                         .with("value", format!("{value:.5}"))
                         .with("unit", channel.si())
                         .with("count", count)
@@ -157,12 +157,12 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
         samples.note(
             "clipped",
             Sentence::from(phrases::CLIPPED_MOTION)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("value", format!("{value:.5}"))
                 .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
                 .with("line", line)
-                .with_word("other", other.name()),
+                .with_sentence("other", other.message()),
         );
     }
     let Some(tops) = flat_tops(&samples.force) else {

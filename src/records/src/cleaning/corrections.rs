@@ -5,9 +5,9 @@ use super::{Motion, cycles};
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::signal::delayed_motion::DelayedMotion;
+use dashpot_messages::Sentence;
 
 /// Applies factors to channels other than the force, before displacement and velocity are compared. Without a velocity
 /// channel the factor of the displacement also scales the derived velocity.
@@ -15,7 +15,7 @@ pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
     for (channel, gain) in options.gains.iter().filter(|(_, gain)| **gain != 1.0) {
         let Some(values) = samples.channel_mut(*channel) else { continue };
         values.iter_mut().for_each(|value| *value *= gain);
-        let text = Sentence::from(phrases::GAIN_OF).with_word("channel", channel.name()).with("gain", gain);
+        let text = Sentence::from(phrases::GAIN_OF).with_sentence("channel", channel.message()).with("gain", gain);
         samples.note("corrected", text);
     }
 }

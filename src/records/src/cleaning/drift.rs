@@ -3,8 +3,8 @@
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::signal::noise;
+use dashpot_messages::Sentence;
 
 /// Reports the drift of the cycle means over the record.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::quantities::channel::Channel;
 use crate::tuning::duplicates::BLOCK;
+use dashpot_messages::Sentence;
 
 /// Largest number of positions that are checked for a repeated block. The time of each check is proportional to the
 /// number of rows.

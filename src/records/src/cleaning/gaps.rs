@@ -5,10 +5,10 @@ use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::tuning::cleaning::FEWEST;
 use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
+use dashpot_messages::Sentence;
 use std::ops::Range;
 
 /// Splits a test at its gaps and puts a note about them first.

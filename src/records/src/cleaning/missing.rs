@@ -3,9 +3,9 @@
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::tuning::missing::{FRACTION, RUN};
+use dashpot_messages::Sentence;
 
 /// Drops rows in which time, force or motion is missing.
 ///
@@ -50,7 +50,7 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
             let bridged = bridge(time, values);
             if bridged > 0 {
                 let filled = Sentence::from(phrases::FILLED).with("count", bridged);
-                samples.note("missing", filled.with_word("channel", channel.name()));
+                samples.note("missing", filled.with_sentence("channel", channel.message()));
             }
         }
     }
@@ -81,7 +81,7 @@ fn forget_empty_columns(samples: &mut Samples) {
         forgotten.push(Channel::Temperature);
     }
     for channel in forgotten {
-        samples.note("missing", Sentence::from(phrases::EMPTY_COLUMN).with_word("channel", channel.name()));
+        samples.note("missing", Sentence::from(phrases::EMPTY_COLUMN).with_sentence("channel", channel.message()));
     }
 }
 

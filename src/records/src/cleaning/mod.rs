@@ -27,12 +27,12 @@ use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{range, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::signal::measurement_correction::correct_inertia;
 use crate::signal::{consistency, derivative, noise};
+use dashpot_messages::Sentence;
 
 use crate::tuning::cleaning::{BY_CHANCE, FEWEST, WINDOW_NO_CYCLE, WINDOW_OF_CYCLE};
 pub(crate) use clipped::Reach;

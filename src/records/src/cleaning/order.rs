@@ -3,9 +3,9 @@
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{range, sample_time};
 use crate::tuning::order::{REACH, STALE};
+use dashpot_messages::Sentence;
 
 /// Removes rows at the beginning that belong to an earlier run.
 ///

@@ -2,10 +2,10 @@
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
 use crate::tuning::outliers::{FRACTION, LONGEST};
+use dashpot_messages::Sentence;
 
 /// Replaces spikes in force and motion by straight lines, with a note.
 pub(crate) fn replace(samples: &mut Samples) {
@@ -23,7 +23,7 @@ pub(crate) fn replace(samples: &mut Samples) {
             samples.note(
                 "outlier",
                 Sentence::from(phrases::SPIKY)
-                    .with_word("channel", channel.name())
+                    .with_sentence("channel", channel.message())
                     .with("percent", format!("{percent:.1}")),
             );
             continue;
@@ -42,7 +42,7 @@ pub(crate) fn replace(samples: &mut Samples) {
             "outlier",
             Sentence::from(phrases::SPIKES)
                 .with("count", count)
-                .with_word("channel", channel.name())
+                .with_sentence("channel", channel.message())
                 .with("spikes", spikes.len())
                 .with("line", line)
                 .with("largest", format!("{largest:.4}"))

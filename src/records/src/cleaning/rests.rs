@@ -9,11 +9,11 @@ use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, quantile, quantum, range, sample_time};
 use crate::signal::noise::difference_noise;
 use crate::tuning::cleaning::FEWEST;
 use crate::tuning::rests::{MARGIN, PIECES, REST, SAME_ENDS, SAME_SPEED, SPIKES, STILL, STILL_OF_RANGE, STROKE, TURN};
+use dashpot_messages::Sentence;
 use std::f64::consts::PI;
 use std::ops::Range;
 

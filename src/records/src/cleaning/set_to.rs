@@ -4,9 +4,9 @@ use crate::columns::heading::{without_unit, written_unit};
 use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit};
+use dashpot_messages::Sentence;
 
 /// A column with the setting of a damper.
 #[derive(Debug, Clone, PartialEq)]

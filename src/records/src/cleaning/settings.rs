@@ -9,11 +9,11 @@ use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, range};
 use crate::signal::noise::difference_noise;
 use crate::tuning::cleaning::FEWEST;
 use crate::tuning::settings::{BEFORE, COVERED, JUMPS, SAME, SMALLEST, STAYS};
+use dashpot_messages::Sentence;
 use std::ops::Range;
 
 /// Returns the setting of the drive for a cycle: the logarithms of stroke and period.

@@ -9,11 +9,11 @@ use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::range;
 use crate::signal::noise::difference_noise;
 use crate::tuning::cleaning::FEWEST;
 use crate::tuning::stairs::{COARSE, FEWEST_STROKES, LINE_DEVIATION, MOST, SAME, STROKE};
+use dashpot_messages::Sentence;
 use std::ops::Range;
 
 /// A stroke between two turning points.

@@ -5,11 +5,11 @@ use crate::data::cycle::Cycle;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, quantile, range};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
+use dashpot_messages::Sentence;
 
 /// Rejects samples whose headings look exchanged. A unit that the user gave for a channel confirms its heading.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
@@ -31,7 +31,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
             if advances && !insisted(Channel::Time, other) {
                 let evidence = Sentence::from(phrases::TIME_STANDS)
                     .with("percent", format!("{:.0}", 100.0 * (1.0 - forward(&samples.time))))
-                    .with_word("other", other.name());
+                    .with_sentence("other", other.message());
                 return Err(error(Channel::Time, other, evidence));
             }
         }

@@ -5,10 +5,10 @@ use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::median;
 use crate::signal::noise::cycle_deviations;
 use crate::tuning::trim::NOISY;
+use dashpot_messages::Sentence;
 
 /// Trims the test to its whole cycles, with notes. A test that is not periodic stays whole.
 pub(crate) fn trim(motion: &mut Motion) {

@@ -7,7 +7,7 @@ use super::heading::{Heading, heading};
 use super::table::{Rows, is_units_row};
 use crate::error::RecordError;
 use crate::messages::phrases;
-use crate::messages::sentence::{Sentence, Template};
+use dashpot_messages::{Sentence, Template};
 
 /// Largest number of lines without figures right below a heading: names of sensors, rates, remarks on a channel.
 pub(crate) const LABELS: usize = 5;

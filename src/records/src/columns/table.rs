@@ -12,11 +12,11 @@ use crate::dates::clock;
 use crate::dates::file_dates::Dates;
 use crate::error::{Place, RecordError};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
+use dashpot_messages::Sentence;
 
 /// Number of lines at the top of a file in the search for the header.
 pub(crate) const HEADER_WITHIN: usize = 60;
@@ -191,7 +191,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
     let near = match (best, first) {
         (Some((line, known)), _) if !known.is_empty() => {
             let said = |(channel, text): &(Channel, String)| {
-                Sentence::from(phrases::TAKEN_FOR).with("column", text).with_word("channel", channel.name())
+                Sentence::from(phrases::TAKEN_FOR).with("column", text).with_sentence("channel", channel.message())
             };
             let known = known.iter().take(LISTED).map(said).collect();
             Some(Sentence::from(phrases::BEST_LINE).with("line", line).with_list("known", known, phrases::COMMA))
@@ -559,7 +559,8 @@ impl Rows {
             notes.push(Note { kind: "ignored", text });
         }
         for (channel, column) in &self.layout.guessed {
-            let text = Sentence::from(phrases::BY_UNIT).with("column", column).with_word("channel", channel.name());
+            let text =
+                Sentence::from(phrases::BY_UNIT).with("column", column).with_sentence("channel", channel.message());
             notes.push(Note { kind: "guessed", text });
         }
         let converted: Vec<Sentence> = self
@@ -567,7 +568,9 @@ impl Rows {
             .columns
             .iter()
             .filter(|c| c.unit.to_si(1.0) != 1.0)
-            .map(|c| Sentence::from(phrases::FROM_UNIT).with_word("channel", c.channel.name()).with("unit", c.unit))
+            .map(|c| {
+                Sentence::from(phrases::FROM_UNIT).with_sentence("channel", c.channel.message()).with("unit", c.unit)
+            })
             .collect();
         if !converted.is_empty() {
             let text = Sentence::from(phrases::CONVERTED).with_list("channels", converted, phrases::COMMA);

@@ -6,9 +6,9 @@ use super::record::Note;
 use super::test_metadata::TestMetadata;
 use crate::dates::file_dates::Dates;
 use crate::error::Place;
-use crate::messages::sentence::Sentence;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
+use dashpot_messages::Sentence;
 
 /// One test before cleaning. All channels have the length of `time`; missing values are NaN.
 #[derive(Debug, Clone)]

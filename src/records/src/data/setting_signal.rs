@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
+use dashpot_messages::Sentence;
 
 /// Tolerance of a level as a fraction of the signal's range. A step below three times the tolerance does not count.
 const LEVEL: f64 = 0.03;

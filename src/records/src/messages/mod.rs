@@ -1,5 +1,4 @@
-//! The messages of this crate: their texts, and the insertion of values.
+//! The messages of this crate, and how forces are written in them.
 
 pub mod newtons;
 pub(crate) mod phrases;
-pub mod sentence;

@@ -1,6 +1,7 @@
 //! All English texts of the messages about records in one list. A test finds texts without a translation.
 
-crate::phrases! {
+dashpot_messages::phrases! {
+    "records-";
     // Lists.
     COMMA: ", ";
     SEMICOLON: "; ";
@@ -271,4 +272,34 @@ crate::phrases! {
     MM_NOT_CM: "displacement or velocity is in mm where the header says cm";
     INCH_NOT_MM: "one of them is in inches where the header says mm, or the reverse";
     INCH_NOT_M: "one of them is in inches where the header says m, or the reverse";
+    // Channels.
+    CHANNEL_TIME: "time";
+    CHANNEL_DISPLACEMENT: "displacement";
+    CHANNEL_VELOCITY: "velocity";
+    CHANNEL_FORCE: "force";
+    CHANNEL_SIDE_FORCE: "side_force";
+    CHANNEL_TEMPERATURE: "temperature";
+    CHANNEL_CURRENT: "current";
+    CHANNEL_SETTING: "setting";
+    // Files in formats that are not read, and what to do.
+    FAMOS: "an imc FAMOS file";
+    OLD_WORKBOOK: "a workbook of Excel 97 to 2003 (.xls), or a document of that time";
+    OPEN_DOCUMENT: "an OpenDocument file";
+    DIADEM_HEADING: "the heading of a DIAdem data set, whose numbers lie in other files";
+    DIADEM: "a DIAdem data set";
+    HDF5: "an HDF5 file";
+    DATABASE: "a database";
+    ZIP: "a zip archive";
+    GZIP: "a packed file (gzip)";
+    PDF: "a PDF";
+    XML: "an XML file";
+    CATMAN: "a binary file of catman";
+    EXPORT_FROM_IMC: "export it from imc FAMOS or imc STUDIO as CSV, MDF 4 or TDMS";
+    SAVE_AS_XLSX: "save it as .xlsx";
+    SAVE_AS_TDMS: "save it in DIAdem as TDMS";
+    SAVE_CHANNELS: "save its channels as CSV or as a MAT file";
+    EXPORT_AS_CSV: "export the test as CSV";
+    UNPACK_FOLDER: "unpack it, and name the folder";
+    UNPACK: "unpack it";
+    EXPORT_FROM_CATMAN: "export it from catman as ASCII, MDF 4 or MAT";
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::unit::{Dimension, Unit};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
+use dashpot_messages::{Sentence, Template};
 
 /// A quantity in a rig record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -58,7 +58,21 @@ impl Channel {
         }
     }
 
-    /// Returns the advice to leave out the channel, for messages, or `None` if a record needs the channel.
+    /// The channel's name as a sentence of any language has it.
+    pub(crate) fn message(self) -> Template {
+        match self {
+            Channel::Time => phrases::CHANNEL_TIME,
+            Channel::Displacement => phrases::CHANNEL_DISPLACEMENT,
+            Channel::Velocity => phrases::CHANNEL_VELOCITY,
+            Channel::Force => phrases::CHANNEL_FORCE,
+            Channel::SideForce => phrases::CHANNEL_SIDE_FORCE,
+            Channel::Temperature => phrases::CHANNEL_TEMPERATURE,
+            Channel::Current => phrases::CHANNEL_CURRENT,
+            Channel::Setting => phrases::CHANNEL_SETTING,
+        }
+    }
+
+    /// How to do without the channel, for messages; nothing where a record needs it.
     pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
             Channel::Time | Channel::Force => None,

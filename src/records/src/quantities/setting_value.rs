@@ -6,8 +6,8 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::glob;
-use crate::messages::sentence::Sentence;
 use crate::numbers::{quantile, white_noise};
+use dashpot_messages::Sentence;
 
 /// A setting of an adjustable damper.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use super::unstated_settings::together;
 use crate::data::record::{Note, Record};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::quantities::setting_value::{
     SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
 };
+use dashpot_messages::Sentence;
 
 /// Assigns settings from the user's rules, else from names if all tests state one and no channel does.
 ///

@@ -10,8 +10,8 @@ use crate::checks::force_levels::{Levels, levels};
 use crate::data::record::{Note, Record};
 use crate::glob;
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::numbers::median;
+use dashpot_messages::Sentence;
 
 /// Largest relative difference of stroke and peak velocity for equal motions, and of the mean position relative to the
 /// amplitude.

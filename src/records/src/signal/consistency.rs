@@ -4,8 +4,8 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::derivative::integrate;
 use crate::messages::phrases;
-use crate::messages::sentence::{Sentence, Template};
 use crate::tuning::consistency::{LAG_OF_PHASE, LAG_OF_SAMPLE, SAME_MOTION};
+use dashpot_messages::{Sentence, Template};
 
 /// Agreement of velocity and displacement.
 #[derive(Debug, Clone, Copy)]

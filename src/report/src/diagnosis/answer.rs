@@ -7,7 +7,7 @@ use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
-use dashpot_records::Sentence;
+use dashpot_messages::Sentence;
 
 /// Builds the first section.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {

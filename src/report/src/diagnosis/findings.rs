@@ -70,7 +70,7 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
     let added = if finding.of_the_rig { words.finding_of_rig } else { words.finding_added };
     let (number, sure) = (place.to_string(), fraction(finding.confidence));
     let heading = [("place", number.as_str()), ("effect", finding.effect), ("form", &form), ("sure", &sure)];
-    let meaning = capital(words.word(finding.meaning));
+    let meaning = capital(words.meaning_of_element(finding.effect));
     let why = [
         ("path", words.word(finding.path)),
         ("family", words.word(finding.family)),

@@ -88,7 +88,7 @@ fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
         Some(_) => words.number_varies,
         None => words.number_shared,
     };
-    let caption = format!("{} {how}", words.meaning(parameter.meaning));
+    let caption = format!("{} {how}", words.meaning_of_parameter(parameter.name));
     let svg = plane.draw_named(&names, SIZE, words);
     Figure::new(format!("number-{}", number.name()), svg).saying(caption)
 }

@@ -4,7 +4,7 @@ use super::axes::{Axis, LABEL, TICK, TITLE, text_width};
 use super::palette::Role;
 use super::svg::{Anchor, Svg, TextStyle};
 use crate::numbers::{digits, error};
-use crate::words::{Words, fill};
+use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
 /// Number of effects with a distinct hue; the palette has eight, of which the last one stands for all smaller effects.
@@ -53,7 +53,7 @@ impl Band {
         if self.high < APART * self.low {
             return words.number(&text((self.low * self.high).sqrt()));
         }
-        words.number(&fill(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
+        words.number(&words.fill_as_is(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
     }
 
     /// Computes the root mean square over the tests of the band.

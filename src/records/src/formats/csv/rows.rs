@@ -17,11 +17,11 @@ use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::Dates;
 use crate::error::{Place, RecordError};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::source::Budget;
+use dashpot_messages::Sentence;
 
 pub(super) fn table(
     at: &Place,

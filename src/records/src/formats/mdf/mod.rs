@@ -24,13 +24,13 @@ use crate::columns::table::{Layout, Rows, channel_of, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::error::{Place, RecordError};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::quantities::channel::Channel as Kind;
 use crate::source::{Budget, Exhausted, Source};
 use crate::tuning::mdf::TOGETHER;
 use blocks::{Block, Mdf};
 use conversion::Conversion;
+use dashpot_messages::Sentence;
 
 /// Name of these files in messages.
 const KIND: &str = "an MDF file";

@@ -12,9 +12,9 @@ use crate::data::samples::Samples;
 use crate::dates::file_dates::Dates;
 use crate::error::{Place, RecordError};
 use crate::messages::phrases;
-use crate::messages::sentence::Sentence;
 use crate::options::Options;
 use crate::source::Source;
+use dashpot_messages::Sentence;
 use segments::{Channel, channels};
 
 /// Name of these files in messages.

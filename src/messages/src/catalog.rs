@@ -1,0 +1,83 @@
+//! The texts of one language, read from its Fluent file.
+
+use crate::file;
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource};
+use std::collections::HashMap;
+use std::fmt;
+
+/// The texts of a language by their ids.
+///
+/// It is made once and kept: a text without arguments is formatted when the file is read.
+pub struct Catalog {
+    bundle: FluentBundle<FluentResource>,
+    plain: HashMap<String, String>,
+}
+
+impl fmt::Debug for Catalog {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Catalog").field("plain", &self.plain).finish_non_exhaustive()
+    }
+}
+
+impl Catalog {
+    /// The texts of a Fluent file in a language, such as `de`. What cannot be read of it is left out; [`file::faults`] names that.
+    pub fn new(language: &str, source: &str) -> Catalog {
+        let resource = FluentResource::try_new(source.to_owned()).unwrap_or_else(|(readable, _)| readable);
+        let entries = file::entries(&resource);
+        let mut bundle = FluentBundle::new_concurrent(vec![language.parse().unwrap_or_default()]);
+        // Arguments stand in running text of one direction, and reports are searched and compared as plain text.
+        bundle.set_use_isolating(false);
+        // A second text of one id is rejected; the first one stays.
+        _ = bundle.add_resource(resource);
+        let mut catalog = Catalog { bundle, plain: HashMap::new() };
+        for entry in entries.into_iter().filter(|entry| entry.arguments.is_empty()) {
+            if let Some(text) = catalog.format(&entry.id, &[]) {
+                catalog.plain.insert(entry.id, text);
+            }
+        }
+        catalog
+    }
+
+    /// The texts of a Fluent file, kept until the program ends.
+    pub fn keep(language: &str, source: &str) -> &'static Catalog {
+        Box::leak(Box::new(Catalog::new(language, source)))
+    }
+
+    /// A text without arguments; `None` where the language has none of this id.
+    pub fn text(&self, id: &str) -> Option<&str> {
+        self.plain.get(id).map(String::as_str)
+    }
+
+    /// A text with its arguments; `None` where the language has none of this id.
+    pub fn format(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
+        let pattern = self.bundle.get_message(id)?.value()?;
+        let arguments: FluentArgs<'_> = arguments.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        let mut faults = Vec::new();
+        let text = self.bundle.format_pattern(pattern, Some(&arguments), &mut faults).into_owned();
+        debug_assert!(faults.is_empty(), "{id}: {faults:?}");
+        Some(text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arguments_stand_in_the_text_as_they_are() {
+        let catalog = Catalog::new("de", "off = um { $error } N\nlist = { \", \" }\nfit = Anpassung\n");
+        let error = |text: &str| catalog.format("off", &[("error", text.to_owned())]);
+        assert_eq!(error("2,50").as_deref(), Some("um 2,50 N"));
+        // A name with braces is no argument.
+        assert_eq!(error("{ $error }").as_deref(), Some("um { $error } N"));
+        assert_eq!((catalog.text("list"), catalog.text("fit")), (Some(", "), Some("Anpassung")));
+        assert_eq!((catalog.text("off"), catalog.format("none", &[])), (None, None));
+    }
+
+    #[test]
+    fn a_fault_in_a_file_costs_its_own_message_only() {
+        let catalog = Catalog::new("fr", "a = un\nb = { $\na = deux\nc = trois\n");
+        assert_eq!(["a", "b", "c"].map(|id| catalog.text(id)), [Some("un"), None, Some("trois")]);
+    }
+}

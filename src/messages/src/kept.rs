@@ -1,0 +1,151 @@
+//! Sentences as files keep them: ids of messages and their arguments, from which they are made again.
+
+use crate::sentence::{Sentence, Template, Value};
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, HashMap};
+
+/// A sentence of a file, or a value in it.
+///
+/// A table with the key `id` is a sentence, its other keys are the values. One with `word` or `foreign` is such a text, one with `list` and
+/// `between` is several values; a text alone is a number or a name.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Kept {
+    /// A text.
+    Text(String),
+    /// Values of a list.
+    List(Vec<Kept>),
+    /// A sentence, a word or a list.
+    Table(BTreeMap<String, Kept>),
+}
+
+impl From<&Sentence> for Kept {
+    fn from(sentence: &Sentence) -> Kept {
+        let values = sentence.values().iter().map(|(place, value)| ((*place).to_owned(), value.into()));
+        Kept::table(values.chain([("id".to_owned(), Kept::Text(sentence.template().id().to_owned()))]))
+    }
+}
+
+impl From<&Value> for Kept {
+    fn from(value: &Value) -> Kept {
+        let text = |key: &str, text: &str| Kept::table([(key.to_owned(), Kept::Text(text.to_owned()))]);
+        match value {
+            Value::AsIs(value) => Kept::Text(value.clone()),
+            Value::Word(word) => text("word", word),
+            Value::Foreign(foreign) => text("foreign", foreign),
+            Value::Said(sentence) => sentence.into(),
+            Value::List(values, between) => Kept::table([
+                ("list".to_owned(), Kept::List(values.iter().map(Kept::from).collect())),
+                ("between".to_owned(), Kept::Text(between.id().to_owned())),
+            ]),
+        }
+    }
+}
+
+impl Kept {
+    fn table(entries: impl IntoIterator<Item = (String, Kept)>) -> Kept {
+        Kept::Table(entries.into_iter().collect())
+    }
+
+    fn text(&self) -> Option<&str> {
+        match self {
+            Kept::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+}
+
+/// Makes sentences again of their messages.
+#[derive(Debug)]
+pub struct Restorer(HashMap<&'static str, Template>);
+
+impl Restorer {
+    /// One for sentences of these messages.
+    pub fn new(templates: impl IntoIterator<Item = Template>) -> Restorer {
+        let all = templates.into_iter().chain([Sentence::AS_IT_IS]);
+        Restorer(all.map(|template| (template.id(), template)).collect())
+    }
+
+    /// The sentence; `None` where it is of another version and has other messages or arguments.
+    pub fn restore(&self, kept: &Kept) -> Option<Sentence> {
+        let Kept::Table(entries) = kept else { return None };
+        let template = *self.0.get(entries.get("id")?.text()?)?;
+        let values = entries.iter().filter(|(place, _)| *place != "id").map(|(name, value)| {
+            let place = template.places().find(|place| place == name)?;
+            Some((place, self.value(value)?))
+        });
+        Some(Sentence::of(template, values.collect::<Option<_>>()?))
+    }
+
+    /// The sentences that a file keeps, by their English.
+    pub fn by_english(&self, kept: &[Kept]) -> HashMap<String, Sentence> {
+        let all = kept.iter().filter_map(|kept| self.restore(kept));
+        all.map(|sentence| (sentence.to_string(), sentence)).collect()
+    }
+
+    /// The sentence with an English text, of those that a file keeps; the text itself where there is none.
+    pub fn find(&self, english: &str, kept: &[Kept]) -> Sentence {
+        self.by_english(kept).remove(english).unwrap_or_else(|| Sentence::as_it_is(english))
+    }
+
+    fn value(&self, kept: &Kept) -> Option<Value> {
+        let entries = match kept {
+            Kept::Text(text) => return Some(Value::AsIs(text.clone())),
+            Kept::List(_) => return None,
+            Kept::Table(entries) => entries,
+        };
+        let text = |key: &str| entries.get(key)?.text();
+        if let (Some(Kept::List(values)), Some(between)) = (entries.get("list"), text("between")) {
+            let values = values.iter().map(|value| self.value(value)).collect::<Option<_>>()?;
+            return Some(Value::List(values, *self.0.get(between)?));
+        }
+        let word = text("word").map(|word| Value::Word(word.to_owned()));
+        let foreign = || text("foreign").map(|foreign| Value::Foreign(foreign.to_owned()));
+        word.or_else(foreign).or_else(|| self.restore(kept).map(Value::Said))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CHOICE: Template = Template::listed("choice", "{of}: {chosen} — error {error}{others}; {why}");
+    const OTHERS: Template = Template::listed("others", " ({others})");
+    const OTHER: Template = Template::listed("other", "{name} {error}");
+    const COMMA: Template = Template::listed("comma", ", ");
+
+    #[test]
+    fn a_sentence_is_made_again_as_it_was() {
+        let other = |name, error: &str| Sentence::from(OTHER).with_word("name", name).with("error", error);
+        let made = Sentence::from(CHOICE)
+            .with_word("of", "friction")
+            .with("chosen", "none, rigid")
+            .with("error", "0.93")
+            .with_sentence(
+                "others",
+                Sentence::from(OTHERS).with_list(
+                    "others",
+                    vec![other("none", "2.10"), other("Coulomb + viscous", "0.97")],
+                    COMMA,
+                ),
+            )
+            .with_foreign("why", "the simplest");
+        let all = Restorer::new([CHOICE, OTHERS, OTHER, COMMA]);
+        for sentence in
+            [made.clone(), Sentence::list(vec![other("a", "1"), made], COMMA), Sentence::as_it_is("by hand")]
+        {
+            let json = serde_json::to_string(&Kept::from(&sentence)).unwrap();
+            let kept: Kept = serde_json::from_str(&json).unwrap();
+            let english = sentence.to_string();
+            assert_eq!(all.restore(&kept).as_ref().map(Kept::from), Some(Kept::from(&sentence)));
+            let found = all.find(&english, &[kept.clone()]);
+            assert_eq!((Kept::from(&found), found.to_string()), (Kept::from(&sentence), english.clone()));
+            // A text that was changed by hand stays what it is, and so does one of another version.
+            assert_eq!(all.find("changed", &[kept.clone()]), Sentence::as_it_is("changed"));
+            assert_eq!(Restorer::new([]).find(&english, &[kept]).to_string(), english);
+        }
+        for damaged in ["{\"id\": \"other\", \"what\": \"1\"}", "[]", "\"\"", "{\"id\": []}"] {
+            assert_eq!(all.restore(&serde_json::from_str(damaged).unwrap()), None, "{damaged}");
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! What other crates say in sentences, in every language. The English is theirs, the other languages have it by the ids of the messages.
+
+use super::Words;
+use dashpot_messages::{Kept, Locale, Restorer, Sentence, word_id};
+use std::sync::LazyLock;
+
+/// Makes the sentences again that a model file keeps.
+static KEPT: LazyLock<Restorer> = LazyLock::new(|| {
+    let crates = [dashpot_records::templates(), dashpot_identification::templates(), dashpot_diagnosis::templates()];
+    Restorer::new(crates.concat())
+});
+
+impl Locale for Words {
+    fn message(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
+        self.catalog.format(id, arguments)
+    }
+
+    fn word(&self, english: &str) -> Option<&str> {
+        self.catalog.text(&word_id(english)?)
+    }
+
+    fn value(&self, place: &str, value: &str) -> String {
+        self.at_place(place, value)
+    }
+}
+
+impl Words {
+    /// A sentence in this language.
+    pub fn say(&self, sentence: &Sentence) -> String {
+        self.with_names(&sentence.to_text(self))
+    }
+
+    /// A text that a model file keeps in English, in this language where the file has its message too.
+    pub fn say_kept(&self, english: &str, messages: &[Kept]) -> String {
+        self.say(&KEPT.find(english, messages))
+    }
+
+    /// What is called by a word in a sentence (a path, a form of an effect, a choice), in this language.
+    pub fn word<'a>(&self, english: &'a str) -> &'a str {
+        word_id(english).and_then(|id| self.catalog.text(&id)).unwrap_or(english)
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::words::tests::entries;
+    use dashpot_messages::Template;
+    use std::collections::{BTreeMap, BTreeSet};
+
+    /// Every message of the other crates.
+    pub fn templates() -> Vec<Template> {
+        let crates = [
+            dashpot_records::templates(),
+            dashpot_identification::templates(),
+            dashpot_diagnosis::templates(),
+            dashpot_dimensions::templates(),
+        ];
+        crates.concat()
+    }
+
+    /// Every word of theirs.
+    pub fn words() -> BTreeSet<&'static str> {
+        let of_fits = dashpot_records::words().chain(dashpot_identification::words());
+        of_fits.chain(dashpot_diagnosis::words()).chain(dashpot_dimensions::words()).collect()
+    }
+
+    #[test]
+    fn no_two_messages_or_words_have_one_id() {
+        let templates = templates();
+        let ids: BTreeSet<&str> = templates.iter().map(|template| template.id()).collect();
+        assert_eq!(ids.len(), templates.len());
+        let of_words: BTreeSet<String> = words().into_iter().filter_map(word_id).collect();
+        assert_eq!(of_words.len(), words().len());
+    }
+
+    #[test]
+    fn sentences_of_the_crates_are_translated_and_not_copied() {
+        let english: BTreeMap<String, &str> =
+            templates().iter().map(|template| (template.id().to_owned(), template.english())).collect();
+        for (file, entries) in entries() {
+            for entry in entries {
+                let Some(english) = english.get(&entry.id) else { continue };
+                // One of places alone has nothing to translate.
+                let words = english.split(' ').filter(|word| !word.contains('{')).count();
+                assert!(words <= 3 || entry.text != **english, "{file}: {}", entry.id);
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_model_file_keeps_is_said_as_if_it_came_from_the_fit() {
+        let held = |name: &str, value: &str, unit: &str| {
+            format!("{{ id = \"identification-held\", name = \"{name}\", value = \"{value}\", unit = \"{unit}\" }}")
+        };
+        let share = |tests: &str, percent: &str| {
+            format!("{{ id = \"identification-share-of\", tests = {{ word = \"{tests}\" }}, percent = \"{percent}\" }}")
+        };
+        let all = format!("[{}, {}]", share("slow tests", "60"), share("small strokes", "40"));
+        let kept_and_said = [
+            (
+                held("internal_mass", "0.3000", "kg"),
+                "internal_mass could not be identified from this data; it is held at 0.3000 kg",
+                "innere Masse (internal_mass) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,3000 kg gehalten",
+            ),
+            (
+                format!("{{ id = \"\", text = {{ between = \"identification-comma\", list = {all} }} }}"),
+                "slow tests 60 %, small strokes 40 %",
+                "langsame Versuche 60 %, kleine Hübe 40 %",
+            ),
+            (
+                "{ id = \"identification-carries-in-form\", effect = \"presliding_friction\", form = { word = \"bends before it slips\" }, \
+                 force = \"31.4\", share = \"4 %\", probability = \"97 %\" }"
+                    .to_owned(),
+                "presliding_friction (bends before it slips): 31.4 N rms, 4 % of the force; probability 97 %",
+                "Reibung mit Vorgleiten (presliding_friction, biegt sich, bevor es gleitet): 31,4 N effektiv, 4 % der Kraft; \
+                 Wahrscheinlichkeit 97 %",
+            ),
+        ];
+        #[derive(serde::Deserialize)]
+        struct File {
+            messages: Vec<Kept>,
+        }
+        let kept: Vec<&str> = kept_and_said.iter().map(|(kept, ..)| kept.as_str()).collect();
+        let file: File = toml::from_str(&format!("messages = [{}]", kept.join(", "))).unwrap();
+        let [german, terminal] = [&crate::words::DE, &crate::words::TERMINAL];
+        for (_, english, said) in &kept_and_said {
+            assert_eq!(german.say_kept(english, &file.messages), *said);
+            assert_eq!(terminal.say_kept(english, &file.messages), *english);
+            // A file of an earlier version has the English alone.
+            assert_eq!(german.say_kept(english, &[]), *english);
+        }
+        assert_eq!(german.say_kept("a remark by hand", &file.messages), "a remark by hand");
+    }
+}
