@@ -4,12 +4,11 @@ use crate::blocks::Block;
 use crate::words::Words;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
-/// Confidence below which a report warns of a detected sign.
+/// Smallest confidence of a detected sign without a warning in a report.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// Returns the remarks for a report: first the sign, as a warning if it is doubtful, then the other remarks and `kept`.
-///
-/// `kept` are the remarks stored in a model file.
+/// Returns the remarks for a report: the sign, the other remarks, and then `kept`, the remarks stored in a model file. A doubtful sign is a
+/// warning.
 pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
@@ -22,7 +21,7 @@ pub fn blocks(campaign: &Campaign, kept: &[String], words: &Words) -> Vec<Block>
     blocks
 }
 
-/// Returns the sign and the remarks, one sentence each.
+/// Returns the sign and the remarks, with one sentence each.
 pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()
