@@ -1,6 +1,6 @@
-//! English templates of every sentence that a fit reports. A test finds each template that a language lacks.
+//! English templates of every sentence that a fit reports. A test finds templates without a translation.
 //!
-//! A model file keeps these texts in English. A report parses them with the templates ([`dashpot_records::sentence::Reader`]).
+//! A model file contains these texts in English. A report parses them with the templates ([`dashpot_records::sentence::Reader`]).
 
 use dashpot_records::sentence::Template;
 
