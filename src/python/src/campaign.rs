@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Records of a campaign, cleaned, in SI units; extension and tension positive.
+/// Cleaned records of a campaign in SI units. Extension and tension are positive.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Campaign {
     /// The records.
@@ -42,9 +42,9 @@ impl Campaign {
 /// Data from which a campaign is restored.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Reader that parses sentences stored in English, so that reports give them in other languages.
+/// Parser of sentences that are stored in English, so that reports can give them in other languages.
 ///
-/// The sentences are those of reading, and of the fit whose measurement errors were corrected.
+/// The sentences come from reading, and from the fit whose measurement errors were corrected.
 static KEPT: LazyLock<Reader> = LazyLock::new(|| {
     let templates = [dashpot_records::templates(), dashpot_identification::templates()].concat();
     let texts = dashpot_records::texts().into_iter().chain(dashpot_identification::texts());
@@ -69,7 +69,7 @@ pub fn options(mapping: &str, strict: bool) -> PyResult<Options> {
 
 #[pymethods]
 impl Campaign {
-    /// Reads and clean files and folders as one campaign.
+    /// Reads and cleans files and folders as one campaign.
     #[staticmethod]
     #[pyo3(signature = (paths, mapping, strict, progress=None))]
     fn read(
@@ -96,7 +96,7 @@ impl Campaign {
         self.read.records.len()
     }
 
-    /// Returns the channels of one test as arrays, by name.
+    /// Returns the channels of one test as arrays with their names.
     fn channels<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyDict>> {
         let record = self.read.records.get(index).ok_or_else(|| PyIndexError::new_err("no such test"))?;
         let channels = PyDict::new(py);
@@ -115,9 +115,9 @@ impl Campaign {
         Ok(channels)
     }
 
-    /// Returns all data to [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
+    /// Returns all data that [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
     ///
-    /// These are the findings as JSON, the channels of every test, and the fingerprints of the tests at reading.
+    /// These data are the findings as JSON, the channels of every test, and the fingerprints that the tests had at reading.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {
