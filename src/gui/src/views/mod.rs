@@ -148,6 +148,7 @@ pub fn colour(hex: &str) -> Color32 {
 }
 
 /// Hues of the measured tests, on dark and on light backgrounds.
+///
 /// Color-blind readers can distinguish them. Source: Okabe & Ito, *Color Universal Design*, 2008.
 const HUES: [Color32; 8] = [
     Color32::from_rgb(0, 114, 178),

@@ -1,7 +1,7 @@
 //! Polynomial in velocity, followed by a first-order lag.
 //!
-//! Jonnalagadda & Vyas compare this model and others with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2):
-//! `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant decreases over a ramp from low to high speed, because a jump makes the
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). Its equations
+//! are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant decreases over a ramp from low to high speed, because a jump makes the
 //! model unstable.
 
 use super::law::{self, Law, Number};

@@ -1,8 +1,8 @@
 //! Piecewise-linear force-velocity curve.
 //!
-//! Jonnalagadda & Vyas compare this model and others with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). It
-//! has rebound slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines pass
-//! through the origin.
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). It has rebound
+//! slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines pass through the
+//! origin.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
