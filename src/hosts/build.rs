@@ -109,7 +109,7 @@ fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
 
 /// Returns cargo's target folder, which contains cargo's tag file and the output of runtimes.sh.
 ///
-/// With --target, a tagged folder named after the target triple lies between it and OUT_DIR.
+/// With --target, a tagged folder named after the target triple lies between this folder and OUT_DIR.
 fn target_folder(out: &Path) -> Option<PathBuf> {
     let nearest = out.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file())?;
     let of_a_triple = nearest.file_name() == env::var_os("TARGET").as_deref();

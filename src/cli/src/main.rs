@@ -63,7 +63,7 @@ fn command() -> clap::Command {
 }
 
 fn main() -> ExitCode {
-    // If the command has no arguments and a console of its own, a user without a terminal double-clicked it.
+    // If the command has no arguments and has its own console, a user without a terminal double-clicked it.
     if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {

@@ -21,8 +21,8 @@ const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
 const LARGEST: f64 = 1e3;
 const LARGEST_SIDE_FORCE: f64 = 1e9;
 const LARGEST_TEMPERATURE: f64 = 1e5;
-/// Smallest number of dampers for a distribution of the step to threads. The distribution costs some microseconds, and a step about half of
-/// one.
+/// Smallest number of dampers for a distribution of the step to threads. The distribution costs some microseconds, and a step about half a
+/// microsecond.
 const SHARED: usize = 256;
 /// Number of dampers in each unit of work of a thread.
 const CHUNK: usize = 64;

@@ -82,7 +82,7 @@ fn mean_noise(records: &[&Record]) -> f64 {
     known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
 }
 
-/// Computes the quality of a family over its tests of constant settings, each at its own setting.
+/// Computes the quality of a family over its tests with constant settings. Each test has its own setting.
 ///
 /// # Errors
 /// The errors of [`deviation`].

@@ -87,7 +87,7 @@ const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_f
 
 /// Returns the largest friction behind the series spring up to a velocity.
 ///
-/// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and that velocity.
+/// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and the given velocity.
 /// Friction that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and
 /// both are forces of the element.
 fn stuck(case: &Case, speed: f64) -> f64 {

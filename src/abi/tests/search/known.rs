@@ -387,7 +387,7 @@ fn a_spool_that_turns_inside_a_step() {
     holds(&case);
 }
 
-/// A segment of the FV curve is horizontal at one end. On average it is a thousand times steeper than soft oil and mass.
+/// A segment of the FV curve is horizontal at one end. On average it is a thousand times steeper than the response of soft oil and mass.
 ///
 /// All midpoints of the bracket lay at one end, and the stage ended without a root. A force of 37 N accelerated half a kilogram to 0.16 m/s
 /// in 10 µs (seed 503, case 3947).

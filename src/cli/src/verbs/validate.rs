@@ -26,7 +26,7 @@ use std::path::PathBuf;
 
 /// Compare a model with records, and with the plain FV curve that is fitted to the same data
 ///
-/// Reports errors by amplitude and by peak velocity, separately for fitted tests and other tests, hysteresis and plots.
+/// Reports errors by amplitude and by peak velocity, hysteresis, and plots. Tests that the fit used are separate from other tests.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json --excel tables.xlsx\n  dashpot validate damper.toml \

@@ -110,7 +110,7 @@ pub struct Session {
     pub generation: u64,
     /// The running task.
     pub task: Option<Task>,
-    /// A model that replaces the one on screen once the user agrees.
+    /// A model that replaces the model on screen once the user agrees.
     pub pending: Option<replacing::Replacement>,
     /// Task whose result arrived since the last frame.
     pub arrived: Option<Kind>,

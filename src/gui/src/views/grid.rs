@@ -83,7 +83,7 @@ fn step_of(input: &GridInput, apart: f64) -> f64 {
     steps(input.base_step_size * apart)[1]
 }
 
-/// Returns the grid lines of an axis. The distance of two numbers is at least `apart` smallest distances of grid lines.
+/// Returns the grid lines of an axis. The distance of two numbers is at least `apart` times the smallest distance of grid lines.
 fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
     let base = input.base_step_size;
     if !(base.is_normal() && input.bounds.0.is_finite() && input.bounds.1.is_finite()) {

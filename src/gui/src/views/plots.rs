@@ -553,7 +553,7 @@ mod tests {
         let model = Model::new(&params).unwrap();
         let drawn = steady(&params, [-0.8, 0.9]);
         assert_eq!(drawn, between_velocities(&model, -0.8, 0.9));
-        // The line includes friction and gas, so the force at a low velocity differs from that of the valves.
+        // The line includes friction and gas, so the force at a low velocity differs from the force of the valves.
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
         let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");

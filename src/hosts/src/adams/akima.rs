@@ -15,7 +15,7 @@ const LEAST: f64 = 1.0;
 /// Fraction of the allowed difference at which the algorithm stops adding points. If a file is read and written again, the difference then
 /// stays within the allowed one, and the file keeps its points.
 const ADDED: f64 = 0.5;
-/// Number of intervals between two points, at whose ends curves are compared.
+/// Number of intervals between two points. Curves are compared at the ends of these intervals.
 const PLACES: usize = 24;
 
 /// Interpolation of a table.

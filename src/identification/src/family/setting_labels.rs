@@ -10,7 +10,7 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_records::sentence::Sentence;
 
-/// Smallest ratio of a test's error at its stated setting to its error at another setting that makes the label suspect.
+/// Ratio of a test's errors at the stated setting and at another setting above which the label is suspect.
 ///
 /// The assumptions are that one label in a hundred is wrong, and that the residual of a test contains four independent errors. A ratio of 5
 /// then gives odds of 6 to 1 between two settings and even odds among six. With a lower ratio, a test with a poor fit is wrongly suspected.

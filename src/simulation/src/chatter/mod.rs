@@ -44,7 +44,7 @@ use dashpot_core::Params;
 
 /// Returns the remarks for an export of a damper.
 ///
-/// They report chatter in that host, and an internal mass whose oscillation the step does not resolve.
+/// They report chatter in this host, and an internal mass whose oscillation the step does not resolve.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
     Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

@@ -42,8 +42,8 @@ pub enum Softer {
         /// Length over which the presliding friction reverses, m.
         length: f64,
     },
-    /// Side-force friction changes sign over a wider velocity range, s/m. Its force depends on the host, so presliding friction cannot
-    /// replace it.
+    /// Smaller steepness of side-force friction at the change of its sign, s/m. Its force depends on the host, so presliding friction
+    /// cannot replace it.
     LessSteep {
         /// Steepness before.
         before: f64,

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! grows if 2 c h/m + k h²/m > 4. The first term is the contribution of the damper, the second term that of the springs. The longest stable
-//! step is found by simulation of the whole vehicle, because its masses are coupled. The effective mass of each is smaller than its own
+//! step is found by simulation of the whole vehicle, because its masses are coupled. The effective mass of each part is smaller than its own
 //! mass.
 
 use super::{Body, Car};

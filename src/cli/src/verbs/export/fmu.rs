@@ -18,10 +18,10 @@ use std::path::{Path, PathBuf};
 /// Write a functional mock-up unit: co-simulation and model exchange in one file
 ///
 /// One model file gives an FMU of one damper (displacement and velocity in extension, force in tension). Two files (front and rear) or four
-/// (L1, R1, L2, R2) give the FMU of a vehicle. Its variables are Damper_Jounce_L1 and Damper_Jounce_Rate_L1 in compression, and
-/// Damper_Force_L1, which is positive if the damper pushes. Signs, units, motion ratio and the distance between the zeros of rig and
-/// vehicle are parameters of the FMU. No compiler is needed: the FMU contains a runtime that reads the model from its resources, and the
-/// sources of runtime and kernel.
+/// (L1, R1, L2, R2) give the FMU of a vehicle. Its inputs, such as Damper_Jounce_L1 and Damper_Jounce_Rate_L1, are positive in compression.
+/// Its outputs, such as Damper_Force_L1, are positive if the damper pushes. Signs, units, motion ratio and the distance between the zeros
+/// of rig and vehicle are parameters of the FMU. No compiler is needed: the FMU contains a runtime that reads the model from its resources,
+/// and the sources of runtime and kernel.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export fmu front.toml rear.toml -o car.fmu\n  \
@@ -205,7 +205,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     Binary::read(platform, Path::new(file)).context("--binary")
 }
 
-/// Returns the static library: the given one, or the one that cargo or a package installed.
+/// Returns the static library: the given library, or the library that cargo or a package installed.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
     let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {
