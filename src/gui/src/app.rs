@@ -53,7 +53,7 @@ const SMALLEST: f32 = 11.0;
 const LOOK: Duration = Duration::from_millis(60);
 
 impl App {
-    /// Opens an empty window, in the language of the system if it is translated.
+    /// Opens an empty window in the language of the system, if the texts exist in that language.
     pub fn new(ctx: &egui::Context, dialogs: Box<dyn Dialogs>) -> App {
         App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
     }

@@ -12,10 +12,10 @@ use std::path::PathBuf;
 
 /// Check whether a damper chatters in a host that keeps its force constant over a step
 ///
-/// A real-time host computes the force once a step and keeps it constant. If the damper is too steep for the mass, the force then
-/// alternates from step to step. Reports the gain c·h/m, and the result of a simulated host loop with its mass on a tire. Also reports the
-/// element that causes chatter, and the longest step without it. --for-step writes a damper that does not chatter. Also reports the fastest
-/// rate of the damper's states, for hosts that integrate them (model exchange).
+/// A real-time host computes the force once a step and keeps it constant. If the damper is too steep for the mass that it moves, the force
+/// then alternates from step to step. Reports the gain c·h/m, and the result of a simulated host loop with its mass on a tire. Also reports
+/// the element that causes chatter, and the longest step without chatter. --for-step writes a damper that does not chatter. Also reports
+/// the fastest rate of the damper's states, for hosts that integrate them (model exchange).
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \

@@ -9,7 +9,7 @@ use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Channel, DateOrder, Note, Options, Positive, RecordError, assignment, load};
 use std::path::{Path, PathBuf};
 
-/// How to read records.
+/// Options for reading records.
 #[derive(Args, Debug, Clone)]
 pub struct DataArgs {
     /// Record files (text, XLSX, MAT, MDF, TDMS, RPC III) or folders of them. A campaign.toml in their folder applies

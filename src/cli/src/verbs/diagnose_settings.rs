@@ -249,7 +249,7 @@ fn split(
     Ok(parts.into_iter().map(part).collect())
 }
 
-/// Formats the results: the summary, one table over the settings, and the diagnosis at each.
+/// Formats the results: the summary, one table over the settings, and the diagnosis at each setting.
 fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]) -> Vec<String> {
     const WIDTH: usize = 16;
     const ALL: &str = "at all settings";

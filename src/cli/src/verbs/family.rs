@@ -185,13 +185,13 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
     }
 }
 
-/// Starts a sentence in lower case, after a colon.
+/// Converts the first letter of a sentence to lower case, for use after a colon.
 fn lower_first(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// Formats the worst error of the left-out settings; `None` if no setting was left out.
+/// Formats the worst error of the left-out settings. Returns `None` if no setting was left out.
 fn format_interpolation(found: &FamilyFit) -> Option<String> {
     let WorstLeftOut { setting, error, ratio } = found.worst_left_out()?;
     let at = setting_in_words(setting, &found.setting.unit);

@@ -30,9 +30,9 @@ use std::path::{Path, PathBuf};
 
 /// Identify a damper from rig records
 ///
-/// FV curve from the peak velocities, friction and gas force from the slow tests, then refinement of all parameters together. The evidence
-/// in the records determines the effects of the model. A delay of the force channel and drifts of gain and zero are also estimated. The fit
-/// reports them; the model does not contain them.
+/// The FV curve comes from the peak velocities, friction and gas force from the slow tests. Then all parameters are refined together. The
+/// evidence in the records determines the effects of the model. A delay of the force channel and drifts of gain and zero are also
+/// estimated. The fit reports them; the model does not contain them.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx\n  dashpot fit semi_active/ --setting current -o family.toml --subfolders --report family.html"

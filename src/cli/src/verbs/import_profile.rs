@@ -11,8 +11,8 @@ use std::path::PathBuf;
 
 /// Store the options for reading records in their folder, so that every verb uses them
 ///
-/// Uses the options of the other verbs, reads the records with them, and writes them to campaign.toml in the folder of the records.
-/// Existing entries of campaign.toml stay unless an option replaces them.
+/// Uses the options of the other verbs, and reads the records with these options. Writes the options to campaign.toml in the folder of the
+/// records. Existing entries of campaign.toml stay unless an option replaces them.
 #[derive(clap::Args)]
 #[command(
     after_help = "Example:\n  dashpot import-profile records/ --column time=Zeit --column force=\"Kanal 3\" --unit force=kN --positive compression --exclude 'warmup*'"

@@ -62,7 +62,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Discards the redo steps, because another change replaces them.
+    /// Discards the redo steps after another change.
     pub fn forget_future(&mut self) {
         self.open = None;
         self.future.clear();

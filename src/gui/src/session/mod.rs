@@ -412,7 +412,7 @@ impl Session {
         responding || self.task.is_some() || self.moving.is_some() || self.simulator.is_busy()
     }
 
-    /// Requests the identified model's forces if the model was tuned before they were available.
+    /// Requests the identified model's forces if the model was tuned before these forces were available.
     fn compare_with_identified(&mut self) {
         if self.identified.is_some() || self.moving.is_some() || self.simulator.is_busy() {
             return;

@@ -34,7 +34,7 @@ pub struct Tuned {
     history: History<Params, Change>,
     /// Values as last saved.
     saved: Option<Params>,
-    /// Reason for which the last change was rejected.
+    /// Reason why the last change was rejected.
     pub rejected: Option<String>,
 }
 
@@ -283,8 +283,8 @@ impl Tuned {
             };
             format!("{unit}{}{changed}", p.meaning)
         });
-        // The results of the fit stay: its tests, its FV curve, and the intervals of the identified values. Those of an adjustable damper
-        // apply to all settings, so they are omitted.
+        // The results of the fit stay: its tests, its FV curve, and the intervals of the identified values. For an adjustable damper, these
+        // results apply to all settings, so they are omitted.
         let text = self.text.as_ref().filter(|_| self.over.is_none());
         let tables = text.and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
         let (announced, tables) = match tables {

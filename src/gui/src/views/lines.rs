@@ -201,7 +201,7 @@ fn line(
 ) -> Line {
     let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
     let from = seen.shown.start;
-    // The indices of forces count their own samples. The indices of the motion count the samples of the record.
+    // The index of a force counts its decimated samples. The index of the motion counts all samples of the record.
     let n = seen.shown.len().div_ceil(stride).min(force.len());
     let at = |i: usize| from + i * stride;
     let step = n.div_ceil(most).max(1);

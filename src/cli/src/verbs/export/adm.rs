@@ -23,7 +23,7 @@ pub struct Args {
     /// Path at which the solver will find the model file
     #[arg(long, value_name = "PATH", default_value = "damper.toml")]
     model_file: String,
-    /// Replace a force at rest too, a constant added to the spline. Requires that the model file contains it as gas force
+    /// Also replace a force at rest, which is a constant added to the spline. Requires that the model file contains it as gas force
     #[arg(long)]
     replace_preload: bool,
 }

@@ -11,9 +11,9 @@ use std::path::PathBuf;
 ///
 /// A property file contains only a curve. Hysteresis, springs and series stiffness need the routines of `dashpot export adams`. The file
 /// contains the plain FV curve (fv_only) that `dashpot fit` fitted to the same tests and stored in the model file. It is the best possible
-/// curve, and it includes friction. If the model file has no such curve, or if numbers of the model were changed, the file contains the model's own
-/// curve. That curve has no friction. A file name that ends in .xml gives the XML form, which also contains the gas preload. A comment in
-/// the file and a message state the origin of the curve and the omitted elements.
+/// curve, and it includes friction. If the model file has no such curve, or if numbers of the model were changed, the file contains the
+/// model's own curve. That curve has no friction. A file name that ends in .xml gives the XML form, which also contains the gas preload. A
+/// comment in the file and a message state the origin of the curve and the omitted elements.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot export dpr damper.toml -o damper.dpr\n  dashpot export dpr damper.toml -o valves.dpr --model-curve"

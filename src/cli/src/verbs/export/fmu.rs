@@ -67,9 +67,9 @@ pub struct Args {
     /// Omit the sources of kernel and FMU; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
-    /// Hide the identified numbers: no parameter is a variable of the FMU, so no host shows or changes one. The model in its resources is
-    /// obfuscated, not encrypted. Dashpot's sources can decode it, a saved state contains the numbers, and a model can be fitted to the
-    /// computed forces
+    /// Hide the identified numbers: the parameters are not variables of the FMU, so hosts neither show nor change them. The model in its
+    /// resources is obfuscated, not encrypted. Dashpot's sources can decode it, a saved state contains the numbers, and a model can be
+    /// fitted to the computed forces
     #[arg(long)]
     hide_parameters: bool,
     /// Compile the binary with the model inside, for this computer only (needs a C compiler: cc, or CC)

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// Columns are velocity and force with their units, rebound positive and compression negative unless --positive says otherwise. A table may
 /// instead have a velocity column, a rebound column and a compression column. Each stroke may have its own velocity (Comp Vel, Comp Force,
 /// Reb Vel, Reb Force; V-C, C, V-R, R). Columns are recognized by heading or unit. An ambiguous column must be named with --column. The
-/// forces of such a table include gas force and friction. If these are given, they are subtracted.
+/// forces of such a table include gas force and friction. If --gas-force and --friction are given, they are subtracted.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n  dashpot import peaks clicks.csv -o adjuster.toml --clicks family\n  dashpot import peaks dyno.csv -o damper.toml --unit velocity=in/s --unit force=lbf --column rebound_force=\"RO\"\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
