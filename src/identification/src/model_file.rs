@@ -296,7 +296,7 @@ fn parsed(
     Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
-/// Checks that the start and the hysteresis of the setting fit the grid. Returns the line and a message if one does not.
+/// Checks that the start and the hysteresis of the setting fit the grid. Returns the line and a message if they do not fit.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let line =
         |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);

@@ -30,7 +30,8 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     ]
 }
 
-/// Labels the rows of a matrix: by amplitude, of tests outside the matrix (slow or not periodic), and by peak velocity.
+/// Labels three groups of rows of a matrix: by amplitude, tests outside the matrix (slow or not periodic), and by peak velocity.
+/// velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
     let named = |row: &MatrixRow, text: &str, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
     let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
@@ -74,8 +75,8 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model. They take the columns of curve and
-/// model.
+/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model. These errors use the columns of curve
+/// and model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: &str, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();

@@ -137,7 +137,8 @@ pub fn section(made: &Made, words: &Words) -> Section {
 
 /// Converts seconds since 1970, the unit of `SOURCE_DATE_EPOCH`, to a day of the Gregorian calendar.
 pub fn day_of(seconds: u64) -> String {
-    // The year begins on 1 March of year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date algorithms).
+    // Years begin on 1 March, counted from year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date
+    // algorithms).
     let days = seconds / 86_400 + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);
     let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;

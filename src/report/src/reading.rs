@@ -4,7 +4,7 @@ use crate::blocks::Block;
 use crate::words::Words;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
-/// Smallest confidence of a detected sign without a warning in a report.
+/// Smallest confidence of a detected sign at which a report gives no warning.
 const SURE_OF_SIGN: f64 = 0.9;
 
 /// Returns the remarks for a report: the sign, the other remarks, and then `kept`, the remarks stored in a model file. A doubtful sign is a

@@ -1,4 +1,4 @@
-//! Kernel sources inside an FMU. A simulator team compiles the kernel from them for its own target.
+//! Kernel sources inside an FMU. A simulator team compiles the kernel from these sources for its own target.
 
 include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
 

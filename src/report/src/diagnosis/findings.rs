@@ -32,7 +32,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .collect();
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
-    // If the section contains only changed parameters, they give it its title.
+    // If the section contains only changed parameters, they give the section its title.
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changes.is_empty();
     if !found.changes.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));

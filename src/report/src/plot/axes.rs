@@ -72,7 +72,8 @@ impl Scale {
 }
 
 impl Axis {
-    /// Makes an axis that shows all values with a margin. If all values are equal or there are none, the range has their own magnitude.
+    /// Makes an axis that shows all values with a margin. If all values are equal, the margin is half their magnitude. Without values, the
+    /// range is about −1 to 1.
     pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = values.into_iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
