@@ -31,7 +31,6 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
 }
 
 /// Labels three groups of rows of a matrix: by amplitude, tests outside the matrix (slow or not periodic), and by peak velocity.
-/// velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
     let named = |row: &MatrixRow, text: &str, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
     let slow = matrix.slow.iter().map(|r| named(r, words.row_slow, SLOW_PEAK_VELOCITY));
