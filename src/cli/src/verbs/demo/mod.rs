@@ -25,7 +25,7 @@ pub struct Args {
     /// Folder for all results
     #[arg(short, long, value_name = "DIR", default_value = "demo")]
     output: PathBuf,
-    /// Number of the virtual damper
+    /// Seed of the virtual damper
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }
