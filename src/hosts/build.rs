@@ -1,5 +1,5 @@
-//! Embeds the kernel's sources, which the command writes into an FMU's source folder, and the binaries that `vi-crt-bridge/runtimes.sh`
-//! compiled from them.
+//! Embeds the kernel's sources, which the command writes into an FMU's source folder. Also embeds the binaries that
+//! `vi-crt-bridge/runtimes.sh` compiled from these sources.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -42,12 +42,12 @@ const COMPILED: [(&str, &str); 5] = [
     ("win64", "dashpot_adams.dll"),
 ];
 
-/// Embeds the files in target/runtimes, or where DASHPOT_RUNTIMES points, if they were compiled from the current sources.
+/// Embeds the files in target/runtimes, or in the folder of DASHPOT_RUNTIMES, if they were compiled from the current sources.
 fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
     let usual = target_folder(&out).unwrap_or_else(|| project.join("target")).join("runtimes");
-    // Cargo reruns this script at every build while a watched path is absent, and then recompiles all dependents. An empty folder prevents
+    // While a watched path is absent, cargo reruns this script at every build, and then recompiles all dependents. An empty folder prevents
     // that.
     let _ = fs::create_dir_all(&usual);
     let folder = env::var_os("DASHPOT_RUNTIMES").map_or(usual, |path| project.join(path));
@@ -58,7 +58,7 @@ fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_COMPILE_RUNTIMES");
     let wanted = sources(project);
     let is_current = |folder: &Path| fs::read(folder.join("sources.txt")).is_ok_and(|text| text == wanted);
-    // A build of the Python package by maturin alone exports FMUs too, although nobody ran the script before.
+    // If maturin alone builds the Python package, nobody ran the script before. The package still exports FMUs, so compile here.
     let compiles = env::var_os("DASHPOT_COMPILE_RUNTIMES").is_some() && env::var_os("DASHPOT_RUNTIMES").is_none();
     let folder = if compiles && !is_current(&folder) { compiled_here(project, &out).unwrap_or(folder) } else { folder };
     let (built, current) = (folder.join("sources.txt").is_file(), is_current(&folder));
@@ -79,13 +79,13 @@ fn runtimes(project: &Path) {
     fs::write(out.join("runtimes.rs"), list).expect("a file");
 }
 
-/// Runs `vi-crt-bridge/runtimes.sh` into the folder of this build. If it fails, for example without a C compiler, it warns and returns
-/// `None`.
+/// Runs `vi-crt-bridge/runtimes.sh` with the output folder of this build. If the script fails, for example without a C compiler, warns and
+/// returns `None`.
 fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
     let to = out.join("compiled");
     let mut script = Command::new("sh");
-    // The script has its own target folder, because cargo locks the other one. The environment that cargo sets for this build must not
-    // affect the script.
+    // The script has a separate target folder, because cargo locks its own. The environment variables that cargo sets for this build must
+    // not affect the script.
     for (name, _) in env::vars_os() {
         let name = name.to_string_lossy().into_owned();
         let prefixes = ["CARGO_PKG_", "CARGO_CFG_", "CARGO_FEATURE_", "CARGO_PROFILE_"];
@@ -107,9 +107,9 @@ fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
     None
 }
 
-/// Returns cargo's target folder, which cargo marks and into which runtimes.sh writes.
+/// Returns cargo's target folder, which contains cargo's tag file and the output of runtimes.sh.
 ///
-/// With --target a marked folder named after the triple lies between it and OUT_DIR.
+/// With --target, a tagged folder named after the target triple lies between this folder and OUT_DIR.
 fn target_folder(out: &Path) -> Option<PathBuf> {
     let nearest = out.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file())?;
     let of_a_triple = nearest.file_name() == env::var_os("TARGET").as_deref();

@@ -191,7 +191,7 @@ pub(crate) unsafe fn evaluate(
     Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))
 }
 
-/// Computes `dashpot_jacobian()` of a family, or its derivatives with respect to the setting if `by_setting` is not null.
+/// Computes `dashpot_jacobian()` of a family. If `by_setting` is not null, computes its derivatives with respect to the setting instead.
 ///
 /// # Safety
 /// Each pointer is null or aligned, and belongs to the caller.

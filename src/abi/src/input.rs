@@ -43,10 +43,10 @@ const KNOWN: u32 =
 
 /// Largest accepted sum of the magnitudes of displacement and velocity.
 ///
-/// 1000 m and 1000 m/s are a hundred times the values of any damper. A host whose solver tries a wild step still gets an output. Powers of
-/// much larger values would overflow.
+/// 1000 m and 1000 m/s are a hundred times the values of any damper. If a host's solver tries an extreme step, it still gets an output.
+/// Powers of much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
-/// Weights of a newton of side force and of a degree in that sum: 1e9 N or 1e5 degrees alone reach the limit.
+/// Weight of a newton of side force in that sum. `PER_DEGREE` is the weight of a degree. 1e9 N or 1e5 degrees alone reach the limit.
 const PER_NEWTON: f64 = 1e-6;
 const PER_DEGREE: f64 = 1e-2;
 
@@ -77,7 +77,7 @@ pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
     unsafe { &*input }.taken().0
 }
 
-/// Returns the checked setting of the host; `None` if the host gives none.
+/// Returns the checked setting of the host, or `None` if the host provides no setting.
 ///
 /// # Safety
 /// `input` is valid and aligned.
@@ -116,13 +116,13 @@ impl dashpot_input {
     fn taken(&self) -> (Input, f64) {
         let knows = |bit| self.known & bit != 0;
         let mut input = Input::velocity(self.velocity);
-        // The sum is in range only if every magnitude is. A NaN makes the sum NaN.
+        // The sum is in range only if every magnitude is in range. A NaN makes the sum NaN.
         let mut sum = self.velocity.abs();
         if knows(DASHPOT_KNOWS_DISPLACEMENT) {
             input.displacement = Some(self.displacement);
             sum += self.displacement.abs();
         }
-        // Most hosts give neither, so one combined check saves a branch.
+        // Most hosts provide neither side force nor temperature, so one combined check saves a branch.
         if knows(DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE) {
             if knows(DASHPOT_KNOWS_SIDE_FORCE) {
                 input.side_force = self.side_force;

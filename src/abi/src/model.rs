@@ -38,7 +38,7 @@ struct PreparedFamily {
     family: Family,
 }
 
-/// Contents of the block before preparation. All bytes are zero, so that the library contains no table for it.
+/// Contents of the block before preparation. All bytes are zero, so that the library needs no table for it.
 // SAFETY: the compiler evaluates this constant, and rejects it if zero bytes are not a valid model.
 const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 

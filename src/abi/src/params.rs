@@ -63,7 +63,7 @@ const _: () = {
     assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
 };
 
-/// Returns the block behind parameters whose size and interface version are right.
+/// Returns the block of parameters if its size and interface version are right.
 ///
 /// # Safety
 /// `params` is null, misaligned, or a block of the caller.
@@ -90,7 +90,7 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
     if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
 }
 
-/// Returns the setting on which the parameters depend; without a grid if there is none.
+/// Returns the setting on which the parameters depend. It has no grid if they depend on no setting.
 ///
 /// # Safety
 /// The requirements of [`shared`].
@@ -112,7 +112,7 @@ pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut
     Ok(unsafe { &mut (*params.cast::<Filled>()).axis })
 }
 
-/// Returns the index of the number of the setting with this name.
+/// Returns the index of that number of the setting which has this name.
 ///
 /// # Safety
 /// `name` is null or zero-terminated.
@@ -339,7 +339,7 @@ pub unsafe extern "C" fn dashpot_params_read(
         };
         let code = found.map_or(DASHPOT_OK, |error| Rejected::from(error.problem).0);
         if let Some(report) = report {
-            // A name that is not in the table is reported as the file spells it.
+            // An error states an unknown name with the spelling of the file.
             let name = |error: &model_file::ReadError| {
                 parameter_name(error.parameter).map(str::as_bytes).or_else(|| model_file::name_at(text, error))
             };

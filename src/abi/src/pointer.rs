@@ -18,7 +18,7 @@ pub(crate) fn present<T>(pointer: *const T) -> Result<(), Rejected> {
     if pointer.is_null() { Err(Rejected(DASHPOT_NULL)) } else { Ok(()) }
 }
 
-/// Rejects misaligned pointers; null passes. One combined check keeps the cost of a step low.
+/// Rejects misaligned pointers. Null is accepted here. One combined check keeps the cost of a step low.
 macro_rules! aligned {
     ($($pointer:expr),+ $(,)?) => {
         if 0 $(| $crate::pointer::off($pointer))+ != 0 {
@@ -69,7 +69,7 @@ pub(crate) unsafe fn array<'a, T>(pointer: *const T, count: usize) -> Result<&'a
     Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
 }
 
-/// Returns the element of `known` whose name equals the C string. No byte after the string is read.
+/// Returns the element of `known` whose name equals the C string. Reads no byte after the string.
 ///
 /// # Safety
 /// `pointer` is null or a zero-terminated string.
@@ -88,7 +88,7 @@ pub(crate) unsafe fn one_of<T>(
 /// # Safety
 /// `pointer` is a zero-terminated string.
 unsafe fn spells(pointer: *const c_char, name: &[u8]) -> bool {
-    // A name contains no zero, so the comparison stops at the end of the string at the latest.
+    // A name contains no zero byte, so the comparison stops at the end of the string at the latest.
     // SAFETY: all bytes before this one equal those of the name, so none of them was the terminating zero. `all` stops at the first
     // difference.
     let same = name.iter().enumerate().all(|(i, c)| unsafe { *pointer.add(i) } as u8 == *c);

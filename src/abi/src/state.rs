@@ -96,7 +96,7 @@ const _: () = {
 
 /// Largest accepted sum of the magnitudes of a state, far beyond the result of any step.
 ///
-/// Its fourth power times any coefficient of the table is finite, so a step in closed form stays finite.
+/// Its fourth power times any coefficient of the table is finite, so a closed-form step stays finite.
 const LARGEST: f64 = 1e60;
 
 /// Rejects a state that contains NaN, infinity or values that no step produces.
@@ -114,7 +114,7 @@ pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Rejected>
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Rejected(DASHPOT_BAD_STATE)) }
 }
 
-/// Returns the commands of the last dead time in a state. They are only read if they belong to the damper.
+/// Returns the commands of the last dead time in a state. Only dampers to which they belong read them.
 ///
 /// # Safety
 /// `state` is aligned, not null, and belongs to the caller.

@@ -264,7 +264,8 @@ impl From<Problem> for Rejected {
             Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
             Problem::Parameter(fault) => return fault.reason.into(),
             Problem::Setting(reason) => return reason.into(),
-            // A reader of ordinary dampers rejects the file of a family. This interface accepts both, so the case does not occur.
+            // The reader of ordinary dampers rejects the file of a family. This interface accepts both kinds of file, so the case does not
+            // occur.
             Problem::Family => DASHPOT_SETTING_GRID,
         })
     }

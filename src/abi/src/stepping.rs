@@ -1,4 +1,4 @@
-//! Checks and operations common to every step, with or without a setting.
+//! Checks and operations of every step, with or without a setting.
 
 use dashpot_core::step::{LONG_STEP, step_in_place};
 use dashpot_core::{Input, Model, Output, State};
@@ -6,12 +6,12 @@ use dashpot_core::{Input, Model, Output, State};
 use crate::state::{computed, dashpot_output, dashpot_state};
 use crate::status::{DASHPOT_BAD_TIME_STEP, DASHPOT_LONG_STEP, DASHPOT_OK, DASHPOT_OUTSIDE_RANGE, Rejected};
 
-/// Longest accepted step, s. A longer step is an error in the unit.
+/// Longest accepted step, s. A longer step indicates a wrong unit.
 const LONGEST_STEP: f64 = 100.0;
 /// Shortest accepted step other than 0, s. A shorter step is indistinguishable from 0.
 const SHORTEST_STEP: f64 = 1e-15;
 
-// The comparison is written out because `contains` costs seven more instructions in every step.
+// The comparison does not use `contains`, which costs seven more instructions in every step.
 #[allow(clippy::manual_range_contains)]
 #[inline(always)]
 pub(crate) fn checked_step(dt: f64) -> Result<f64, Rejected> {
@@ -64,7 +64,7 @@ pub(crate) unsafe fn move_on(
     let to = to.cast::<State>();
     // SAFETY: the caller guarantees a valid, aligned pointer. Both types have the same layout (asserted in `state`).
     let output = unsafe { &mut *output.cast::<Output>() };
-    // If `from` and `to` differ, the step works on a copy. So the states may overlap partially, and a rejected step leaves both unchanged.
+    // If `from` and `to` differ, the step works on a copy. So the states may overlap partially, and a rejected step changes neither state.
     let mut apart;
     let state = if from.cast() == to.cast_const() {
         // SAFETY: the caller guarantees a valid, aligned pointer. This is the only reference, because `from` equals `to`.

@@ -56,7 +56,7 @@ const _: () = {
         let mut p = 0;
         while p < GROUPS[g].parameters.len() {
             let row = &GROUPS[g].parameters[p];
-            // Part of the room for the meaning is reserved for the words of a choice.
+            // A part of the array for the meaning is reserved for the words of a choice.
             assert!(row.name.len() < NAME_LENGTH && row.unit.len() < 16 && row.meaning.len() < 192);
             p += 1;
         }

@@ -47,7 +47,7 @@ pub extern "C" fn dashpot_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// Returns a number that identifies an initialized block. It differs between builds whose blocks differ.
+/// Returns a number that identifies an initialized block. Builds with different blocks have different numbers.
 pub(crate) const fn magic(kind: &str, size: usize) -> u64 {
     let mut hash = fold(0xcbf2_9ce4_8422_2325, kind.as_bytes());
     hash = fold(hash, env!("CARGO_PKG_VERSION").as_bytes());

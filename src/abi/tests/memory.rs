@@ -1,7 +1,7 @@
-//! Calls of the whole interface with uninitialized blocks of exactly the size in the header, each allocated separately on the heap.
+//! Calls of the whole interface with uninitialized blocks. Each has exactly the size in the header and a separate heap allocation.
 //!
-//! Tools that watch every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools the
-//! tests still check that nothing is rejected that the header allows.
+//! Tools that check every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools, the
+//! tests still check that the functions accept everything that the header allows.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{DASHPOT_KNOWS_DISPLACEMENT, dashpot_input};
@@ -28,10 +28,10 @@ use std::mem::{MaybeUninit, size_of};
 use std::ptr::{null, null_mut};
 
 const DT: f64 = 1e-3;
-/// Steps of a run; only two under Miri, which interprets every instruction.
+/// Number of steps of a run. Miri interprets every instruction, so it gets only two.
 const STEPS: i32 = if cfg!(miri) { 2 } else { 8 };
 
-/// Allocates an uninitialized block, like a host's allocator.
+/// Allocates an uninitialized block, like the allocator of a host.
 fn room<T>() -> Box<MaybeUninit<T>> {
     Box::new(MaybeUninit::uninit())
 }
@@ -81,7 +81,7 @@ fn params(on: &[&str]) -> Box<dashpot_params> {
     params
 }
 
-/// Makes a model; `None` if an element needs another one, or if a model has no room for the states.
+/// Makes a model. Returns `None` if an element needs another element, or if the model would need too many internal states.
 fn model(params: &dashpot_params) -> Option<Box<dashpot_model>> {
     let mut model = room::<dashpot_model>();
     // SAFETY: room for a model and a filled parameter set. Only functions read the model.
@@ -162,7 +162,7 @@ fn run(model: &dashpot_model, what: &str) {
     four_corners(model, &state, what);
 }
 
-/// Steps arrays that end with their last element, first with separate `from` and `to`, then with equal ones.
+/// Steps arrays that end with their last element. First `from` and `to` are separate, then equal.
 fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
     let models: Box<[*const dashpot_model]> = vec![std::ptr::from_ref(model); 4].into();
     let mut from: Box<[dashpot_state]> = (0..4).map(|_| copy(state)).collect();
@@ -187,14 +187,14 @@ fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
 fn every_element_alone_and_all_together_run_in_blocks_of_exactly_their_size() {
     let mut together = vec!["fv_curve", "series_compliance"];
     if cfg!(miri) {
-        // No element has unsafe code of its own, and all elements take minutes under Miri.
+        // No element has its own unsafe code, and all elements take minutes under Miri.
         together.extend(["presliding_friction", "oil_compressibility"]);
     } else {
         for element in names() {
             if let Some(alone) = model(&params(&[element])) {
                 run(&alone, element);
             }
-            // Coupled elements interact with others only if the internal mass is present.
+            // Coupled elements interact with other elements only if the internal mass is present.
             let beside = model(&params(&["fv_curve", "series_compliance", element]));
             run(&beside.unwrap_or_else(|| panic!("{element} is refused")), element);
             together.push(element);
@@ -252,7 +252,7 @@ fn parameters_are_set_read_and_described_in_blocks_of_exactly_their_size() {
 fn a_model_file_is_read_to_its_last_byte_and_no_further() {
     let whole = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\ncoulomb_force = 40.0\nfv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [-500.0, 0.0, 900.0]\n";
     let mut set = params(&[]);
-    // The text is truncated at every byte, each time in an allocation that ends there. Under Miri it is truncated at a few bytes only.
+    // The text is truncated at every byte, each time in an allocation that ends there. Under Miri, it is truncated at a few bytes only.
     for end in (0..whole.len()).step_by(if cfg!(miri) { 83 } else { 1 }).chain([whole.len()]) {
         let text: Box<[u8]> = whole.as_bytes()[..end].into();
         let mut fault = room::<dashpot_fault>();

@@ -3,7 +3,7 @@
 use clap::ArgMatches;
 use std::path::PathBuf;
 
-/// Options that name an output, of all verbs.
+/// Options of all verbs that name an output.
 pub const OUTPUTS: [&str; 7] = ["output", "json", "report", "svg", "certificate", "excel", "next_tests"];
 
 /// Returns every value outside the output options that may be a file or a folder.

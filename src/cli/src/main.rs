@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 
 /// Identify a suspension damper from rig records, validate the model, and run it.
 ///
-/// Units are SI; extension (rebound) velocity and tension force are positive everywhere but in your own files.
+/// Units are SI. Extension (rebound) velocity and tension force are positive everywhere, except in your own files.
 #[derive(Parser)]
 #[command(
     name = "dashpot",
@@ -63,7 +63,7 @@ fn command() -> clap::Command {
 }
 
 fn main() -> ExitCode {
-    // Without arguments and with a console of its own, the command was double-clicked by a user without a terminal.
+    // If the command has no arguments and has its own console, a user without a terminal double-clicked it.
     if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {

@@ -5,13 +5,13 @@ use dashpot_report::words::{Language, Words};
 use dashpot_report::{Made, Print, made};
 use std::path::PathBuf;
 
-/// How a report is written that can be printed in short.
+/// Options of a report that can be printed in a short form.
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct PageArgs {
     /// Language and date.
     #[command(flatten)]
     pub text: TextArgs,
-    /// Print all of the report, not its first two pages alone
+    /// Print the whole report instead of its first two pages only
     #[arg(long)]
     full: bool,
 }
@@ -29,8 +29,7 @@ pub struct TextArgs {
 /// Date of a report.
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct DateArgs {
-    /// Date to write into the report; without it that of SOURCE_DATE_EPOCH, or none, so that the same input gives the same
-    /// report
+    /// Date to write into the report. Without it, the date of SOURCE_DATE_EPOCH, or no date, so that the same input gives the same report
     #[arg(long, value_name = "DATE")]
     date: Option<String>,
 }
@@ -55,7 +54,7 @@ impl TextArgs {
 }
 
 impl DateArgs {
-    /// Returns the inputs of a report from these files.
+    /// Returns the inputs of a report that is based on these files.
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
         let date = made::date(self.date.as_deref())?;
         let files: Vec<PathBuf> = files.into_iter().collect();
@@ -64,7 +63,7 @@ impl DateArgs {
     }
 }
 
-/// Returns the command line in shell syntax, without its outputs, which do not affect the result.
+/// Returns the command line in shell syntax, without its output options, which do not affect the result.
 fn command(arguments: impl Iterator<Item = String>) -> String {
     let outputs: Vec<String> =
         OUTPUTS.iter().chain(&["date"]).map(|name| format!("--{}", name.replace('_', "-"))).collect();

@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// Parses seconds, from `0.005`, `5ms` or `5 ms`.
 ///
 /// # Errors
-/// A text that is not a time.
+/// The text is not a time.
 pub fn seconds(text: &str) -> Result<f64, String> {
     read(text, Dimension::Time, "a time in s, or with its unit, such as 5ms")
 }
@@ -16,7 +16,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
 /// Parses meters, from `0.005`, `5mm` or `0.2in`.
 ///
 /// # Errors
-/// A text that is not a length.
+/// The text is not a length.
 pub fn metres(text: &str) -> Result<f64, String> {
     read(text, Dimension::Length, "a length in m, or with its unit, such as 5mm")
 }
@@ -24,7 +24,7 @@ pub fn metres(text: &str) -> Result<f64, String> {
 /// Parses newtons, from `120`, `0.12kN` or `27lbf`.
 ///
 /// # Errors
-/// A text that is not a force.
+/// The text is not a force.
 pub fn newtons(text: &str) -> Result<f64, String> {
     read(text, Dimension::Force, "a force in N, or with its unit, such as 0.12kN")
 }
@@ -65,10 +65,10 @@ impl SettingText {
     /// Converts the value to the unit of a damper's setting.
     ///
     /// # Errors
-    /// A unit of another quantity.
+    /// The unit belongs to another quantity.
     pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
         let own = axis.unit();
-        // Clicks have no unit, but the name `clicks`.
+        // Clicks have the name `clicks` instead of a unit.
         let is_clicks = own.is_empty() && axis.name() == "clicks" && setting_factor(&self.unit, "clicks").is_some();
         match setting_factor(&self.unit, own) {
             Some(factor) if is_clicks => Ok(factor * self.value),

@@ -32,7 +32,7 @@ pub struct App {
     /// Whether a task has requested a frame that is not drawn yet.
     called: Arc<AtomicBool>,
     pictures: (Sender<Picture>, Receiver<Picture>),
-    /// Layout of the last frame.
+    /// Inputs of the plot layout in the last frame.
     drawn: Option<Layout>,
 }
 
@@ -53,7 +53,7 @@ const SMALLEST: f32 = 11.0;
 const LOOK: Duration = Duration::from_millis(60);
 
 impl App {
-    /// Opens an empty window, in the language of the system if it is translated.
+    /// Opens an empty window in the language of the system, if the texts exist in that language.
     pub fn new(ctx: &egui::Context, dialogs: Box<dyn Dialogs>) -> App {
         App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
     }
@@ -66,7 +66,7 @@ impl App {
             calls.store(true, Ordering::Release);
             own.request_repaint();
         });
-        // egui's small letters have 9 px, unreadable on a screen in a rig's control room.
+        // egui's small letters have 9 px. They are unreadable on a screen in a rig's control room.
         ctx.all_styles_mut(|style| {
             for font in style.text_styles.values_mut() {
                 font.size = font.size.max(SMALLEST);
@@ -108,7 +108,7 @@ impl App {
         self.take_drops(ui);
         self.called.store(false, Ordering::Release);
         self.stay_awake(ui.ctx());
-        // Show a new result. The panel of a fit was not selected when the fit began.
+        // Show a new result. The panel of a fit was not selected at the start of the fit.
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
             self.view.side = Side::Result;
         }
@@ -216,8 +216,8 @@ fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>
     Ok(bytes)
 }
 
-/// Draws in the remaining space of a panel. Wider contents are clipped: widening the panel would move its tabs away
-/// from the pointer and shrink the plots.
+/// Draws in the remaining space of a panel, and clips wider contents. A wider panel would move its tabs away from the pointer and shrink
+/// the plots.
 fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
     let rest = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rest));
@@ -317,8 +317,7 @@ mod waking {
     use super::*;
     use crate::dialogs::Message;
 
-    /// The result of a task is drawn even if eframe runs the logic several times without a frame; then the window
-    /// idles.
+    /// A frame shows the result of a task, even if eframe runs the logic several times without a frame. Then the window idles.
     #[test]
     fn a_call_is_not_forgotten_before_it_is_drawn() {
         let ctx = egui::Context::default();
@@ -345,9 +344,8 @@ mod pictures {
     use super::*;
     use eframe::egui::Color32;
 
-    /// The screenshot of a plot contains the plot's part of the window, on a screen of two pixels per point.
-    ///
-    /// It is clipped at the edge of the window.
+    /// The screenshot of a plot contains the plot's part of the window, clipped at the edge of the window. The test screen has two pixels
+    /// per point.
     #[test]
     fn the_picture_of_a_plot_holds_its_pixels() {
         let colour = |x: usize, y: usize| Color32::from_rgb(10 * x as u8, 20 * y as u8, 7);

@@ -1,4 +1,4 @@
-//! The system's dialogs for files and folders, which do not block the window.
+//! Non-blocking dialogs of the system for files and folders.
 
 use crate::session::Waker;
 use crate::session::exports::Host;
@@ -9,14 +9,14 @@ use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
-/// Request for a file or folder.
+/// A file or folder to request from the user.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ask {
     /// A folder of records.
     Folder,
     /// Record files.
     Files,
-    /// A folder of records to compare with.
+    /// A folder of records for comparison.
     Reference,
     /// A model file.
     Model,
@@ -74,19 +74,17 @@ pub enum Reply {
 
 /// Source of the user's choices.
 pub trait Dialogs {
-    /// Opens a dialog that begins in a folder; does not wait.
+    /// Opens a dialog that begins in a folder. Returns without waiting for the user.
     fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
-    /// Returns the reply to a request once.
+    /// Returns the reply to a request, only once.
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// Shortest duration of a dialog that was really shown.
-///
-/// No user is faster, and a desktop portal that is missing or has no backend fails within this time.
+/// Shortest duration of a dialog that the user saw. No user is faster. A desktop portal that is missing or has no backend fails within this
+/// time.
 const SHOWN: Duration = Duration::from_millis(800);
 
-/// Tests whether the system may show dialogs: over the desktop portal (D-Bus) or by zenity. Windows and macOS always
-/// do.
+/// Tests whether the system may show dialogs: over the desktop portal (D-Bus) or by zenity. Returns `true` on Windows and macOS.
 fn may_show() -> bool {
     if cfg!(any(windows, target_os = "macos")) {
         return true;
@@ -151,12 +149,12 @@ pub struct Message {
     asked: Vec<Ask>,
     /// Initial folder of each request.
     pub began: Rc<RefCell<Vec<Option<PathBuf>>>>,
-    /// Whether the system shows no dialogs.
+    /// Whether to simulate a system without dialogs.
     pub without: bool,
 }
 
 impl Message {
-    /// Prepares one reply per request; an empty list means that the user cancels.
+    /// Prepares one reply per request. An empty list means that the user cancels.
     pub fn naming(paths: Vec<Vec<PathBuf>>) -> Message {
         Message { paths, ..Message::default() }
     }

@@ -1,18 +1,18 @@
 //! Graphics backends of the window: Direct3D 12 on Windows, OpenGL elsewhere and on Windows without Direct3D 12.
 //!
-//! On Windows, OpenGL needs the driver of the graphics card's maker; it is missing over remote desktop and in most
-//! virtual machines. Direct3D 12 is a part of Windows 10 and later, with a software driver (WARP) as a fallback. On
-//! Linux, Mesa provides a software driver for OpenGL.
+//! On Windows, OpenGL needs the driver from the manufacturer of the graphics card. That driver is missing over remote desktop and in most
+//! virtual machines. Direct3D 12 is a part of Windows 10 and later, with a software driver (WARP) as a fallback. On Linux, Mesa provides a
+//! software driver for OpenGL.
 //!
-//! wgpu's checks of indirect calls stay on, although this program makes no such calls. They compile a shader when the
-//! device is created. A system without a shader compiler (Wine 8) thus fails there, where OpenGL is the fallback, and
-//! does not panic at the first frame.
+//! wgpu's checks of indirect calls stay enabled, although this program makes no such calls. The checks compile a shader when the device is
+//! created. On a system without a shader compiler (Wine 8), Direct3D then fails at this point and OpenGL replaces it. Without the checks,
+//! the program would panic at the first frame.
 
 use eframe::Renderer;
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Returns the graphics backends, the preferred one first.
+/// Returns the graphics backends. The preferred one comes first.
 fn ways() -> Vec<(&'static str, Renderer)> {
     vec![
         #[cfg(windows)]
@@ -21,11 +21,11 @@ fn ways() -> Vec<(&'static str, Renderer)> {
     ]
 }
 
-/// Opens the window with the first backend that works; `open` sets its flag once the window is open.
+/// Opens the window with the first backend that works. `open` sets its flag once the window is open.
 ///
 /// # Errors
-/// A sentence with the error of each backend. A window that fails after it was open does not reopen: its contents are
-/// lost, and the user must know.
+/// Returns a sentence with the error of each backend. If a window fails after it was open, it does not reopen. Its contents are lost, and
+/// the user must know.
 pub fn run(open: impl Fn(Renderer, &Rc<Cell<bool>>) -> eframe::Result) -> Result<(), String> {
     first_that_works(ways(), open)
 }

@@ -82,8 +82,7 @@ impl Units {
         })
     }
 
-    /// Returns the displayed unit for an SI unit. It does not depend on the value, so that it stays constant while a
-    /// slider moves.
+    /// Returns the displayed unit for an SI unit. The unit does not depend on the value, so it stays constant while a slider moves.
     pub fn shown(self, unit: &str) -> Shown {
         let (force, length, velocity) = (self.force(), self.length(), self.velocity());
         let per_length = |power: i32, mark: &str| Shown {
@@ -123,7 +122,7 @@ pub fn digits(value: f64) -> String {
     dashpot_report::numbers::digits(value, 4)
 }
 
-/// Formats a number for an input field: the fewest digits that represent it to six significant places.
+/// Formats a number for an input field, with the fewest digits that represent it to six significant digits.
 pub fn typed(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
@@ -137,7 +136,7 @@ pub fn typed(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Parses the text of an input field: with decimal comma or point, whatever the language, and any minus sign.
+/// Parses the text of an input field. Accepts a decimal comma or point in every language, and any minus sign.
 pub fn read(text: &str) -> Option<f64> {
     let plain = text.trim().replace(',', ".").replace('\u{2212}', "-");
     plain.parse().ok().filter(|value: &f64| value.is_finite())

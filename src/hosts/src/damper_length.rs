@@ -1,11 +1,11 @@
 //! Parsing of the length of a damper.
 //!
-//! Adams uses mm and CarMaker m, so a number may carry its unit. A length that no damper has was probably meant in the other unit, and is
-//! rejected.
+//! Adams uses mm, and CarMaker uses m, so a number may have a unit. If the length is impossible for a damper, the user probably meant the
+//! other unit, and the length is rejected.
 
 use crate::fmu::LONGEST;
 
-/// Shortest damper, m: a model car's has 50 mm, and this allows a margin.
+/// Shortest damper, m. The damper of a model car has 50 mm, and the limit leaves a margin.
 const SHORTEST: f64 = 0.03;
 
 /// Splits a text into a number and an optional unit of length.
@@ -14,10 +14,10 @@ pub fn parts(text: &str) -> (&str, Option<&'static str>) {
     given.unwrap_or((text, None))
 }
 
-/// Parses a length in a model's own unit, given by name and size in meters. A number without a unit is in this unit.
+/// Parses a length. A number without a unit is in the model's own unit, given by its name and its size in meters.
 ///
 /// # Errors
-/// A text that is not the length of a damper.
+/// The text is not the length of a damper.
 pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
     let (number, given) = parts(text);
     let Ok(value) = number.parse::<f64>() else {
@@ -36,7 +36,7 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
             0.4125 / metres
         ));
     }
-    // Use the number itself if it is in the model's unit: 412.3 stays 412.3.
+    // If the number is in the model's unit, use it without conversion: 412.3 stays 412.3.
     Ok(match given {
         None => value,
         Some("mm") if metres == 1e-3 => value,
@@ -48,7 +48,7 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
 /// Parses a length in mm. A number without a unit is in mm.
 ///
 /// # Errors
-/// A text that is not the length of a damper.
+/// The text is not the length of a damper.
 pub fn in_millimetres(text: &str) -> Result<f64, String> {
     read(text, "mm")
 }
@@ -56,7 +56,7 @@ pub fn in_millimetres(text: &str) -> Result<f64, String> {
 /// Parses a length in m. A number without a unit is in m.
 ///
 /// # Errors
-/// A text that is not the length of a damper.
+/// The text is not the length of a damper.
 pub fn in_metres(text: &str) -> Result<f64, String> {
     read(text, "m")
 }
@@ -78,7 +78,7 @@ fn read(text: &str, unit: &str) -> Result<f64, String> {
             "no damper is {value} {given} long (they have {SHORTEST} to {LONGEST} m); a number alone is in {unit}, so give such as {example}"
         ));
     }
-    // Use the number itself, without conversion to m and back: 412.3 stays 412.3.
+    // Use the number without conversion to m and back: 412.3 stays 412.3.
     Ok(match (given, unit) {
         ("m", "mm") => value * 1e3,
         ("mm", "m") => value / 1e3,

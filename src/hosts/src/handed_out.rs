@@ -19,11 +19,11 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
 
 /// Returns the path of the static library from which an FMU can be compiled.
 ///
-/// It lies next to the program, where cargo puts it, or in `lib` next to the program's folder, where the packages have it. If it is at
-/// neither place, the first path is returned, although no such file exists.
+/// Cargo puts the library next to the program. Packages have it in `lib` next to the program's folder. If neither folder contains the
+/// library, the first path is returned, although no such file exists.
 ///
 /// # Errors
-/// An unknown path of the program.
+/// The path of the program is unknown.
 pub fn static_library() -> anyhow::Result<PathBuf> {
     Ok(static_library_of(&std::env::current_exe()?))
 }
@@ -37,10 +37,10 @@ fn static_library_of(program: &Path) -> PathBuf {
 /// Routine that every model of `export adams` and `export adm` calls.
 const ROUTINE: &[u8] = b"Dashpot_sfosub";
 
-/// Returns the name of a library for Adams in a run folder, which depends on its platform.
+/// Returns the name of a library for Adams in a run folder. The name depends on the platform of the library.
 ///
 /// # Errors
-/// A library that does not contain the routines.
+/// The library does not contain the routines.
 pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
     if !content.windows(ROUTINE.len()).any(|part| part == ROUTINE) {
         bail!(
@@ -48,11 +48,11 @@ pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
             String::from_utf8_lossy(ROUTINE)
         );
     }
-    // A library for Windows keeps its name on Linux.
+    // A library for Windows has the same name if the command runs on Linux.
     Ok(if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" })
 }
 
-/// Property file to be written.
+/// Contents of a property file before it is written.
 pub struct PropertyFile {
     /// Text of the file.
     pub text: String,
@@ -60,19 +60,19 @@ pub struct PropertyFile {
     pub points: usize,
     /// Elements of the model that the file cannot represent.
     pub left_out: Vec<&'static str>,
-    /// Remarks about the content besides the curve.
+    /// Remarks about the contents of the file in addition to the curve.
     pub remarks: Vec<String>,
 }
 
 /// Makes the property file of a model. The name of the file to write selects the format.
 ///
-/// With `own` it contains the model's own curve even if the file has a plain one.
+/// With `own`, the property file contains the model's own curve even if the model file has a plain FV curve.
 ///
-/// `named` is the name of the model, which is omitted if it is not ASCII, as these files require. `text` is the model file. `chatters`
-/// reports whether the curve alone, which is all that the file contains, chatters.
+/// `named` is the name of the model. Property files require ASCII, so any other name is omitted. `text` is the text of the model file.
+/// `chatters` returns messages if the FV curve alone chatters. The property file contains nothing but that curve.
 ///
 /// # Errors
-/// A model without a curve.
+/// The model has no curve.
 pub fn property_file(
     file: &ModelFile,
     own: bool,
@@ -133,10 +133,11 @@ fn followed(own: usize, added: usize, left: &Difference) -> String {
 /// Name of the library for Adams on this platform.
 const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
 
-/// Returns names and contents of the libraries for Adams: the given one, the embedded ones, or the one next to the program.
+/// Returns names and contents of the libraries for Adams: the given library, or else the embedded ones, or else the one next to the
+/// program.
 ///
 /// # Errors
-/// A library that cannot be read, or does not contain the routines.
+/// A library cannot be read, or does not contain the routines.
 pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
     let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
     if let Some(path) = named {
@@ -163,11 +164,11 @@ pub fn no_adams_library() -> String {
     )
 }
 
-/// Run folder for Adams to be written.
+/// Contents of a run folder for Adams before it is written.
 pub struct RunFolder {
     /// Names and contents of the files.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Reason for a missing native.adm.
+    /// Reason why native.adm is missing.
     pub no_native: Option<String>,
     has_library: bool,
     replaced: Vec<String>,
@@ -175,7 +176,7 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Returns remarks about the folder, if it is written to `folder`.
+    /// Returns remarks about the run folder for a path `folder`.
     pub fn notes(&self, folder: &Path) -> Vec<String> {
         let mut notes = Vec::new();
         if let Some(reason) = &self.no_native {
@@ -209,13 +210,13 @@ pub struct RunFolderInput<'a> {
     pub text: &'a [u8],
     /// Distance between the markers at zero displacement, mm.
     pub length: f64,
-    /// The tests that the rig of the folder runs.
+    /// The tests for the rig in the folder.
     pub tests: &'a [SineTest],
     /// The libraries with their names.
     pub libraries: Vec<(String, Vec<u8>)>,
-    /// Elements that were replaced in the model, as sentences at the beginning of README.txt.
+    /// Sentences for the beginning of README.txt about elements that were replaced in the model.
     pub replaced: Vec<String>,
-    /// Chatter of the model in a program with fixed steps, as sentences at the end of README.txt. Adams itself has no such steps.
+    /// Sentences for the end of README.txt about chatter of the model in a program with fixed steps. Adams itself has no such steps.
     pub chatters: Vec<String>,
 }
 

@@ -1,6 +1,6 @@
-//! Export of a damper for hosts: Adams files and an FMU, made from a model file.
+//! Export of a damper for hosts: Adams files and an FMU, based on a model file.
 //!
-//! The C code with which these files are compiled, or which they contain, is in `adams-usersub/` and `vi-crt-bridge/`.
+//! The C code of these files is in `adams-usersub/` and `vi-crt-bridge/`.
 
 pub mod adams;
 pub mod damper_length;

@@ -1,7 +1,8 @@
 //! FV curve for hosts that use only a curve: a property file, and the damper with which CarMaker computes its equilibrium.
 //!
-//! The model's own curve is that of its valves, and friction is separate. Alone it lacks most of the force at low velocity. So a host that
-//! uses only a curve gets the plain FV curve of the fit in the model file. No other curve is closer on the same tests.
+//! The model's own curve represents its valves, and friction is separate. Without friction, this curve lacks most of the force at low
+//! velocity. So a host that uses only a curve gets the plain FV curve that the fit stored in the model file. Among all curves, it has the
+//! smallest error on the tests of the fit.
 
 use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
@@ -16,29 +17,30 @@ use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 pub enum Source {
     /// The plain curve fitted to the same tests.
     Fitted,
-    /// The model's own curve, as requested.
+    /// The model's own curve, because the caller requested it.
     Asked,
-    /// The model's own curve, because the file has no other.
+    /// The model's own curve, because the file has no other curve.
     Only,
-    /// The model's own curve, because the file was changed after its fit, so the plain curve belongs to another damper.
+    /// The model's own curve. The file was changed after its fit, so the plain curve belongs to another damper.
     Changed,
 }
 
-/// A curve, with a gas force if there is one.
+/// A curve, and the gas force if there is one.
 pub struct PlainCurve {
     /// Damper with `fv_curve` and, if present, `gas_preload`.
     pub params: Params,
     /// Origin of the curve.
     pub source: Source,
-    /// Elements of the model that its curve does not contain.
+    /// Elements of the model that the curve does not contain.
     pub omitted_elements: Vec<&'static str>,
 }
 
 impl PlainCurve {
-    /// Returns the curve of a model file, or the model's own with `own`; `None` if there is neither.
+    /// Returns the plain FV curve of a model file. With `own`, or without such a curve, returns the model's own curve. Returns `None` if
+    /// there is neither.
     ///
     /// # Errors
-    /// A plain curve in the file that is not valid.
+    /// The plain FV curve of the file is not valid.
     pub fn from_model_file(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
         let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
         let omitted_elements = on.map(Element::name).collect();
@@ -65,13 +67,13 @@ impl PlainCurve {
     /// Returns the points of the curve.
     ///
     /// # Errors
-    /// Points that form no valid model.
+    /// The points do not form a valid model.
     pub fn curve(&self) -> anyhow::Result<Curve> {
         Ok(Curve::from_model(&self.params, &prepared(&self.params)?))
     }
 
-    /// Returns points whose Akima curve follows this curve, as Adams interpolates a property file. Also returns the number of original
-    /// points and the remaining difference.
+    /// Returns points whose Akima curve follows this curve, for Adams's interpolation of a property file. Also returns the number of
+    /// original points and the remaining difference.
     ///
     /// # Errors
     /// The errors of [`PlainCurve::curve`].
@@ -133,7 +135,7 @@ mod tests {
         for (text, own, source) in [
             (format!("{DAMPER}{FIT}"), true, Source::Asked),
             (DAMPER.to_owned(), false, Source::Only),
-            // The damper was changed by hand after the fit, whose tables the file keeps: a point of the curve, and an element.
+            // A point of the curve, and an element, were changed by hand after the fit. The file still contains the tables of the fit.
             (format!("{DAMPER}{FIT}").replace("1300.0]", "1500.0]"), false, Source::Changed),
             (
                 format!("{DAMPER}{FIT}").replace("\"stribeck_friction\"", "\"gas_preload\"").replace(
@@ -149,7 +151,7 @@ mod tests {
             assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
             assert!(plain.curve().unwrap().forces.len() == 3 && plain.note().contains("own fv_curve"));
         }
-        // A change within its interval does not count.
+        // A change within the interval of a number does not count.
         assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
     }
 

@@ -1,7 +1,7 @@
 //! Correction of records by the measurement errors that the model's own fit found.
 //!
-//! Measurement errors belong to the campaign and not to the damper, so no model contains them. A validation or diagnosis of the same
-//! campaign would meet them again, and would attribute them to the model.
+//! Measurement errors belong to the campaign and not to the damper, so no model contains them. Without a correction, a validation or
+//! diagnosis of the same campaign would attribute them to the model.
 
 use super::model_file::Identification;
 use super::of_the_rig::{Measured, to_measurement_error};
@@ -20,10 +20,10 @@ impl Identification {
         self.measurement.iter().filter_map(|(name, numbers)| Measured::named(name, *numbers)).collect()
     }
 
-    /// Corrects the records, in place, by the measurement errors that the fit found. Returns a note.
+    /// Corrects the records in place for the measurement errors that the fit found. Returns a note.
     ///
-    /// If one of the records belongs to the fit, all records belong to its rig and campaign, including those that the fit left out. If none
-    /// does, the records stay unchanged, and the note reports the errors that the fit found in its own records.
+    /// If one of the records belongs to the fit, all records belong to its rig and campaign, including the records that the fit left out.
+    /// If no record belongs to the fit, the records stay unchanged. The note then reports the errors that the fit found in its own records.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = to_measurement_error(&measured);
@@ -46,7 +46,7 @@ impl Identification {
             if let (Some(from), Some(begins)) = (self.clock_from, record.begins) {
                 record.clock_s = begins - from;
             }
-            // The records are already corrected by the errors that the user stated.
+            // The errors that the user stated are already corrected in the records.
             *record = correct_record(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);

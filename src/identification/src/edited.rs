@@ -1,4 +1,4 @@
-//! Detection of numbers that were changed since the fit: they lie outside the interval that the fit wrote.
+//! Detection of numbers that changed since the fit: they lie outside the interval from the fit.
 
 use crate::fit_tables::{Identification, Interval, IntervalOverSetting};
 use dashpot_core::Params;
@@ -42,7 +42,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         Some(Interval::List(all)) if all.len() == values.len() => {
             edited.extend(blank(all, values).into_iter().map(|at| format!("{name}[{at}]")));
         }
-        // The number of points changed: no interval of the fit remains.
+        // The number of points changed, so no interval of the fit is valid.
         Some(Interval::List(_)) => {
             known.intervals.remove(name);
             edited.push(name.to_owned());
@@ -93,7 +93,8 @@ fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     places
 }
 
-/// Returns whether an interval contains a value. An interval with NaN ends contains every value; that of a fixed point has two equal ends.
+/// Returns whether an interval contains a value. An interval with NaN ends contains every value. The interval of a fixed point has two
+/// equal ends.
 fn holds(ends: &[f64; 2], value: f64) -> bool {
     let room = 1e-9 * value.abs();
     ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(&value)

@@ -1,4 +1,4 @@
-//! Sentences about the priors of one damper: the priors used, and those that the records contradict.
+//! Sentences about the priors of one damper: the priors that the fit used, and the priors that the records contradict.
 
 use crate::phrases;
 use crate::short::in_words;
@@ -6,7 +6,7 @@ use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 use dashpot_messages::Sentence;
 
-/// Writes a sentence for each number with a prior of its own: its expectation, or the contradiction by the records.
+/// Writes a sentence for each number that has its own prior: the expected value, or the contradiction with the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
     let own = |estimate: &Estimate| {
         let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
@@ -22,7 +22,7 @@ pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
     estimate.standing == Standing::Identified && estimate.low.zip(estimate.high).is_some_and(is_outside)
 }
 
-/// Formats the expected value of a number, with its interval and the facts behind it.
+/// Formats the expected value of a number, with its interval and the dimensions from which it follows.
 pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
     let (low, high) = row.interval();
     Sentence::from(phrases::EXPECTED)
@@ -34,7 +34,7 @@ pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
         .with("facts", row.facts())
 }
 
-/// Formats the ratio of the identified value to the expected one.
+/// Formats the ratio of the identified value to the expected value.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)

@@ -37,7 +37,7 @@ use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
 use std::sync::Arc;
 
-/// Kind of model that is fitted.
+/// Kind of model to fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Family {
     /// The thesis's model.
@@ -59,7 +59,7 @@ const LAG: Element = element!("lagged_polynomial");
 pub struct FitOptions {
     /// Kind of model.
     pub family: Family,
-    /// Elements that the fit may use. With `None` it uses all that dampers typically have.
+    /// Elements that the fit may use. With `None`, the fit uses all typical elements of dampers.
     pub elements: Option<Vec<String>>,
     /// Prior knowledge of this damper, in addition to its records.
     pub priors: PriorSet,
@@ -72,27 +72,27 @@ impl FitOptions {
     }
 }
 
-/// Error of a fit.
+/// Reason why a fit failed.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum FitError {
     /// There is no test to fit.
     NoTests,
-    /// An unknown element name.
+    /// An element name is unknown.
     UnknownElement {
-        /// The name given.
+        /// The given name.
         name: String,
     },
-    /// An element that no fit identifies.
+    /// No fit identifies the element.
     NotFitted {
-        /// The name given.
+        /// The given name.
         name: String,
     },
-    /// The lagged polynomial is a model of its own and allows no other element.
+    /// The lagged polynomial is a separate model and allows no other element.
     OtherFamily,
-    /// No velocity on one side.
+    /// The tests have no velocity on one side.
     OneSided(&'static str),
-    /// A model of the literature found no numbers.
+    /// The fit of a model of the literature failed.
     Literature(#[from] LiteratureError),
     /// The least-squares fit found no finite forces.
     NotFinite {
@@ -126,7 +126,7 @@ impl FitError {
 /// Stage of a fit, for the progress line.
 #[derive(Debug, Clone, Copy)]
 pub struct Stage {
-    /// Fraction done, 0..1.
+    /// Completed fraction, 0..1.
     pub done: f64,
     /// Description of the stage.
     pub text: Template,
@@ -139,23 +139,23 @@ pub struct Fit {
     pub params: Params,
     /// Estimates of all fitted numbers.
     pub estimates: Vec<Estimate>,
-    /// Every effect of the model, and the most probable effects that the model lacks, with force and probability.
+    /// Every effect of the model, and the most probable missing effects, with force and probability.
     pub inventory: Vec<InventoryItem>,
-    /// Measurement errors of the records. The comparison corrects them; the model never contains them.
+    /// Measurement errors of the records. The comparison corrects them. The model never contains them.
     pub measured: Vec<Measured>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970. Present if the records have date and time.
+    /// Time at which the drifts of gain and zero are zero, s since 1970. It requires records with date and time.
     pub clock_from: Option<f64>,
     /// Prior knowledge of the damper, in addition to its records.
     pub priors: PriorSet,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
-    /// Names of the tests used.
+    /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of their contents, in the same order.
+    /// Fingerprints of the contents of these tests, in the same order.
     pub fingerprints: Vec<String>,
     /// Plain FV curve fitted to the same tests, for comparison.
     pub fv_only: Params,
-    /// Root mean square of the weighted residual. At 1 the residual equals noise and form error.
+    /// Root mean square of the weighted residual. At 1, the residual equals noise and form error.
     pub misfit: f64,
 }
 
@@ -178,7 +178,7 @@ struct Found {
 }
 
 impl Found {
-    /// Records that this data cannot determine a parameter, and that its element therefore stays off.
+    /// Records that this data cannot determine a parameter, and that the element of the parameter therefore stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
         self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
@@ -188,7 +188,7 @@ impl Found {
     }
 }
 
-/// Mixes the intervals with those of alternative structures. Each alternative has a weight relative to 1 for this structure.
+/// Mixes the intervals with the intervals of alternative structures. Each alternative has a weight, relative to 1 for this structure.
 fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
     for estimate in estimates {
@@ -204,7 +204,7 @@ fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     }
 }
 
-/// Widens the intervals until they contain those of another fit of the same numbers that the records do not exclude.
+/// Widens the intervals until they contain the intervals of another fit of the same numbers. The records do not exclude that fit.
 pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Item = &'e Estimate> + Clone) {
     for estimate in estimates {
         let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
@@ -221,9 +221,9 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
 const USUAL_DELAY: f64 = 1e-3;
 const USUAL_MASS: f64 = 2.0;
 
-/// A hypothesis that frees a rejected delay and mass of the load cell within their priors.
+/// Makes a hypothesis in which a rejected delay and mass of the load cell are free within their priors.
 ///
-/// Returns `None` if delay and mass are both free or stated already.
+/// Returns `None` if both delay and mass are free or stated already.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::from_params(&freed.base).force();
@@ -246,9 +246,8 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
     (freed.numbers.len() > of.numbers.len()).then_some(freed)
 }
 
-/// Estimates the numbers again with a rejected delay and mass of the load cell free within their priors.
-///
-/// A soft series path may become stiff once these errors are free.
+/// Estimates the numbers again after freeing a rejected delay and mass of the load cell within their priors. A soft series path may become
+/// stiff once these errors are free.
 fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
@@ -292,7 +291,7 @@ pub(crate) fn check_motion(segments: &[Segment]) -> Result<(), FitError> {
 /// Fits a model to records.
 ///
 /// # Errors
-/// No tests, an unknown element name, tests that move in one direction only, or forces that are not finite.
+/// There are no tests, an element name is unknown, the tests move in one direction only, or forces are not finite.
 pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) -> Result<Fit, FitError> {
     if records.is_empty() {
         return Err(FitError::NoTests);
@@ -350,7 +349,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     })
 }
 
-/// Fits an FV curve with a gas force, and nothing else, to tests.
+/// Fits an FV curve with a gas force to tests, without any other effect.
 pub(crate) fn plain_curve(segments: &[Segment]) -> Params {
     fv_curve::fit(&observations(segments)).params()
 }
@@ -365,13 +364,13 @@ fn fv_unknowns(from: &Params) -> (Params, Vec<Unknown>) {
     (base, list)
 }
 
-/// Information of the records beyond motion and force.
+/// Information about the records in addition to motion and force.
 pub(crate) struct About {
-    /// Whether the clocks of the records run on through the campaign.
+    /// Whether the clocks of the records continue from test to test through the campaign.
     clock_runs_on: bool,
     /// Measurement errors that the user stated.
     pub(crate) given: MeasurementError,
-    /// Middle of the measured temperatures, °C. `None` if none was measured or if they hardly vary.
+    /// Middle of the measured temperatures, °C. `None` if there are none, or if they hardly vary.
     temperature: Option<f64>,
 }
 
@@ -382,7 +381,7 @@ impl About {
     }
 }
 
-/// Effects that a fit tries: those typical of dampers and of rigs. A diagnosis finds all others.
+/// Effects that a fit tries: those typical of dampers and of rigs. A diagnosis searches for all others.
 const USUAL: [&str; 15] = [
     "series_compliance",
     "gas_preload",
@@ -411,9 +410,8 @@ pub fn identified() -> Vec<Element> {
     all
 }
 
-/// Smallest number of tests in which a drift can be distinguished from differences between the tests.
-///
-/// `SHORTEST` is the shortest span for a drift, s: in less than a minute a load cell drifts by no more than noise.
+/// Smallest number of tests that distinguishes a drift from differences between the tests. `SHORTEST` is the shortest span for a drift, s.
+/// In less than a minute, the drift of a load cell is below the noise.
 const FEWEST: usize = 6;
 const SHORTEST: f64 = 60.0;
 
@@ -442,11 +440,12 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
             _ => false,
         };
     }
-    // A diagnosis identifies a mass of the damper. A fit removes a mass on the load cell from the records.
+    // A fit does not use `moving_mass`, because only a diagnosis identifies a mass of the damper. A mass on the load cell is removed from
+    // the records.
     effect != "moving_mass" && effects_can_be_shown(effect, situation, about) && options.allows(effect)
 }
 
-/// Span of side forces, N, above which a fit tries friction under side force, for a damper of a car.
+/// Smallest span of side forces, N, for which a fit tries friction under side force. It applies to a damper of a car.
 const VARIED_SIDE_FORCE: f64 = 20.0;
 
 fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> bool {
@@ -457,9 +456,8 @@ fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> b
     }
 }
 
-/// Effects of every damper, with their numbers. If the most probable structure lacks one, no test shows it.
-///
-/// Effects of one row are alternatives.
+/// Effects of every damper, with their numbers. If the most probable structure lacks such an effect, no test shows it. Effects of one row
+/// are alternatives.
 const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
     (&["series_compliance"], &[number!("series_stiffness"), number!("internal_mass"), number!("series_damping")]),
     (&["gas_preload"], &[number!("gas_force")]),
@@ -513,7 +511,7 @@ fn fit_thesis(
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
     mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
     found.inventory = inventory;
-    // This holds without a series path too: a force channel that leads by the same amount would hide the path.
+    // The note applies without a series path too, because a leading force channel would hide the path.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
@@ -534,7 +532,7 @@ fn fit_thesis(
     Ok(found)
 }
 
-/// Computes the intervals, and notes the numbers that the records do not determine.
+/// Computes the intervals. Notes the numbers that the records do not determine.
 fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
@@ -558,7 +556,7 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
 
 /// Formats a sentence about a number of the model.
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
-    // Round to significant digits: with four decimals 0.15 mm in m would read 0.2 mm, and a creep of nm would read 0.
+    // Round to significant digits. With four decimals, 0.15 mm in m would become 0.2 mm, and a creep of nm would become 0.
     let value = in_words(estimate.value);
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
@@ -615,16 +613,15 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// Smallest reported fraction of the residual mean square that is due to a constant force in each test.
-///
-/// `OFF` is the ratio by which the residual must also exceed noise and form error. A model that fits stays below both limits. A model
-/// distorted by zeros that differ between tests exceeds both.
+/// Smallest reported fraction of the residual mean square that is due to a constant force in each test. `OFF` is the smallest ratio of the
+/// residual to noise and form error. A model that fits stays below both limits. A model distorted by zeros that differ between tests
+/// exceeds both.
 const CONSTANT: f64 = 0.2;
 const OFF: f64 = 2.0;
 
 /// Returns a remark if the residual has a different constant force in each test.
 ///
-/// No number of a model differs from test to test. So the zero of the channel drifts, or the gas force changes with its temperature.
+/// All tests share the numbers of a model. So the zero of the channel drifts, or the gas force changes with its temperature.
 fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     let model = Model::new(params).ok()?;
     let (mut constant, mut rest) = (Vec::new(), 0.0);
@@ -642,14 +639,14 @@ fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     })
 }
 
-/// Returns the indices of the tests that a search uses, with a note; `None` if it uses all tests.
+/// Returns the indices of the tests that a search uses, with a note. Returns `None` if it uses all tests.
 pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
     let selected = select(records)?;
     let note = Sentence::from(phrases::SELECTED).with("all", records.len()).with("selected", selected.len());
     Some((selected, note))
 }
 
-/// Notes that long roads are simulated in sections, if there are such roads.
+/// Notes that long roads are simulated in sections, if the tests contain such roads.
 pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     let Shortened { roads, stretches, seconds } = shortened(tests)?;
     let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);

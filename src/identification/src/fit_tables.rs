@@ -1,4 +1,4 @@
-//! Tables of a model file after its flat part: the results of the fit.
+//! Tables of a model file after the lines that the kernel reads: the results of the fit.
 
 use crate::Measured;
 use dashpot_core::{Params, element, list, number};
@@ -7,13 +7,13 @@ use dashpot_records::{Record, clock, restrict};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 
-/// Tables after the flat part of a model file.
+/// Tables of a model file after the lines that the kernel reads.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 pub struct Identification {
     /// Names of the tests that the fit used.
     #[serde(default)]
     pub tests: Vec<String>,
-    /// Fingerprints of their contents.
+    /// Fingerprints of the contents of these tests.
     #[serde(default)]
     pub fingerprints: Vec<String>,
     /// Parameters that the data does not determine.
@@ -33,7 +33,7 @@ pub struct Identification {
         skip_serializing_if = "Option::is_none"
     )]
     pub clock_from: Option<f64>,
-    /// Measurement errors that the fit found in its records, each with the ends of its 95 % interval. They are not part of the damper.
+    /// Measurement errors that the fit found in its records, each with the ends of its 95 % interval. They do not belong to the damper.
     #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
     pub measurement: BTreeMap<String, [f64; 3]>,
     /// 95 % intervals by parameter. Curves have one pair for each point. A point without an interval has NaN.
@@ -64,7 +64,7 @@ fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Erro
     clock::seconds(&text).map(Some).ok_or_else(|| serde::de::Error::custom(refusal()))
 }
 
-/// Rejects names that no fit finds: an error of unknown name could not be removed from any record.
+/// Rejects names that no fit uses, because an unknown error could not be corrected in any record.
 fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
     let numbers = BTreeMap::<String, [f64; 3]>::deserialize(from)?;
     match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
@@ -121,7 +121,7 @@ pub struct FvOnly {
 }
 
 impl Identification {
-    /// Returns whether the fit used this record: the same measurement, not only the same name.
+    /// Returns whether the fit used this record: the measurement must be the same, and not only the name.
     pub fn used(&self, record: &Record) -> bool {
         if self.fingerprints.is_empty() {
             return self.tests.contains(&record.name);
@@ -149,7 +149,7 @@ impl FvOnly {
         Some(low + (velocity - from) / (to - from) * (high - low))
     }
 
-    /// Interpolates between this curve and another at the fraction `part`. Returns `None` if a curve has fewer than two points.
+    /// Interpolates between this curve and another at the fraction `part`. Returns `None` if one of the curves has fewer than two points.
     pub(crate) fn between(&self, other: &FvOnly, part: f64) -> Option<FvOnly> {
         let mix = |from: f64, to: f64| from + part * (to - from);
         let velocity = if part < 0.5 { &self.velocity } else { &other.velocity };
@@ -158,7 +158,7 @@ impl FvOnly {
         Some(FvOnly { velocity: velocity.clone(), force, gas_force: mix(self.gas_force, other.gas_force) })
     }
 
-    /// Formats the lines of the model file that contain this curve, below the heading of a table.
+    /// Formats the lines of this curve in a model file, after the heading of a table.
     pub(crate) fn lines(&self) -> String {
         let floats = |v: &[f64]| v.iter().map(|x| format!("{x:?}")).collect::<Vec<_>>().join(", ");
         format!(
@@ -172,7 +172,7 @@ impl FvOnly {
     /// Converts the curve to a parameter set.
     ///
     /// # Errors
-    /// A value that the parameter table rejects.
+    /// The parameter table rejects a value.
     pub fn params(&self) -> Result<Params, String> {
         let mut p = Params::new();
         p.disable_all();

@@ -17,13 +17,13 @@ use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
 pub(crate) const Z: f64 = 1.96;
-/// Half-width, relative to the value, beyond which a parameter is not identified ...
+/// Relative half-width beyond which a parameter counts as not identified. [`SHARE`] states the exception.
 const RELATIVE: f64 = 0.5;
-/// ... unless its force effect is known to within this fraction of the largest force.
+/// Fraction of the largest force. A parameter counts as identified if the uncertainty of its force effect is smaller.
 const SHARE: f64 = 0.005;
-/// Side force, N, at which the force of side-force friction is evaluated.
+/// Side force, N, for the evaluation of side-force friction.
 const SIDE_FORCE: f64 = 300.0;
-/// Amplitude, m, up to which strokes count as small in the sources of a parameter.
+/// Largest amplitude, m, of small strokes in the sources of a parameter.
 const SMALL_STROKE: f64 = 0.006;
 
 /// Estimate of one number of the model.
@@ -41,9 +41,9 @@ pub struct Estimate {
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
-    /// Kinds of tests from which it was identified.
+    /// Kinds of tests from which the number was identified.
     pub from: Sentence,
-    /// Whether the data determines it.
+    /// Whether the data determines the number.
     pub standing: Standing,
 }
 
@@ -53,9 +53,9 @@ pub struct Estimate {
 pub enum Standing {
     /// Identified, with an interval.
     Identified,
-    /// The data does not determine it; the value is the default or a guess.
+    /// The data does not determine the parameter. The value is the default or an initial guess.
     NotIdentified,
-    /// The fit ran into a bound of the parameter table.
+    /// The fit reached a bound of the parameter table.
     AtBound,
 }
 
@@ -66,7 +66,7 @@ pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<
     known.estimates(hypothesis, &refit.theta, tests, refit.residual.as_slice())
 }
 
-/// Information of the records about free numbers.
+/// Information that the records give about free numbers.
 pub struct Known {
     /// Covariance of the numbers.
     pub covariance: DMatrix<f64>,
@@ -88,7 +88,7 @@ impl Known {
         }
     }
 
-    /// Computes estimates of all numbers of a hypothesis at `theta`, from the residual of the tests there.
+    /// Computes estimates of all numbers of a hypothesis at `theta`. `residual` is the residual of the tests at `theta`.
     pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test], residual: &[f64]) -> Vec<Estimate> {
         let Known { covariance: cov, determined, sources } = self;
         let params = hypothesis.params(theta);
@@ -125,7 +125,7 @@ impl Known {
                         _ => (value - Z * sd, value + Z * sd),
                     };
                     let half = 0.5 * (b - a);
-                    // A parameter may be known to be almost zero. So its force counts too.
+                    // A parameter may be almost zero with small uncertainty. So the force effect counts too.
                     let force = half * per_unit(*number, stroke, speed);
                     let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                     let (bound_low, bound_high) = scale.reach(*number);
@@ -139,7 +139,7 @@ impl Known {
                         from: sources[i].clone(),
                         standing: match (identified, at_bound) {
                             (false, _) => Standing::NotIdentified,
-                            // A bound that is the default law, such as Dahl's exponent of 1, needs no report.
+                            // A bound needs no report if it is the default law, such as Dahl's exponent of 1.
                             (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
                             _ => Standing::Identified,
                         },
@@ -165,7 +165,7 @@ impl Known {
                         .map(|(k, _)| k)
                         .collect();
                     let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                    // No point is more certain than the curve's deviation from the records near that point.
+                    // No point is more certain than the deviation of the curve from the records near that point.
                     let miss = if *curve == CurveName::Fv { misses.get(*point).copied().unwrap_or(0.0) } else { 0.0 };
                     let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
                     let value = params.list(curve.forces())[*point];
@@ -200,7 +200,7 @@ impl Known {
     }
 }
 
-/// Returns the largest force that one unit of a number makes; infinity if unknown.
+/// Returns the largest force of one unit of a number, or infinity if it is unknown.
 fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     const POWERS: [Number; 4] =
         [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];
@@ -217,7 +217,7 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     }
 }
 
-/// Determines for every number the kinds of tests that carry its information.
+/// Determines for every number the kinds of tests that give its information.
 pub fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
     let mut information = vec![[0.0; 3]; hypothesis.numbers.len()];
     let mut first = 0;

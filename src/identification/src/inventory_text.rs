@@ -1,4 +1,4 @@
-//! Items of an inventory as sentences.
+//! Sentences about the items of an inventory.
 
 use super::phrases;
 use dashpot_estimation::structure::inventory::InventoryItem;

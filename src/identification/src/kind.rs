@@ -7,7 +7,7 @@ use crate::fit::Family;
 pub enum Kind {
     /// A model file, which every command and host can run.
     Model(Family),
-    /// A file of a model of the literature, with its name there. The kernel cannot run it; it serves for comparison only.
+    /// A file of a model of the literature, with the name of the model. The kernel cannot run the model, so it serves for comparison only.
     Comparison(&'static str),
 }
 
@@ -31,7 +31,7 @@ impl Kind {
         KINDS.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 
-    /// Returns the names of the kinds that produce a model file if `of_models`, else the names of all other kinds.
+    /// Returns the names of the kinds that produce a model file if `of_models` is set. Otherwise returns all other names.
     pub fn names(of_models: bool) -> Vec<&'static str> {
         let is_asked = |kind: Kind| matches!(kind, Kind::Model(_)) == of_models;
         KINDS.iter().filter(|known| is_asked(known.1)).map(|known| known.0).collect()

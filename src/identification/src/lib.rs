@@ -1,8 +1,8 @@
-//! Identification of a damper: from rig records to a parameter set with intervals.
+//! Identification of a damper, from rig records to a parameter set with intervals.
 //!
-//! The thesis's way (chapter 4): FV curve from the peak-velocity points, friction and gas force from the slow tests,
-//! everything refined together on the stitched records. Variants of friction and spring are chosen by tests that the
-//! fit did not see.
+//! The fit follows chapter 4 of the thesis. It obtains the FV curve from the peak-velocity points, and friction and gas force from the slow
+//! tests. Then it refines all numbers together on the stitched records. Tests that the fit did not use decide between variants of friction
+//! and spring.
 
 mod as_the_fit_saw;
 mod edited;

@@ -1,7 +1,7 @@
-//! Model files for people and tools: the kernel's flat part, then tables with the results of the fit.
+//! Model files for people and tools: first the lines that the kernel reads, then tables with the results of the fit.
 //!
-//! Every host reads the flat part with the kernel's own reader ([`dashpot_core::model_file`]). The tables after it serve validation,
-//! diagnosis and people.
+//! Every host reads the part before the first table with the kernel's own reader ([`dashpot_core::model_file`]). The tables serve
+//! validation, diagnosis and people.
 
 use super::short::short;
 pub use crate::fit_tables::{FvOnly, FvOnlyAt, Identification, Interval, IntervalOverSetting};
@@ -26,17 +26,17 @@ use std::path::{Path, PathBuf};
 pub struct ModelFile {
     /// The damper.
     pub params: Params,
-    /// Setting on which the damper depends. A file that [`read`] accepts has an empty grid.
+    /// Setting on which the damper depends. Its grid is empty for a file that [`read`] accepts.
     pub axis: Axis,
-    /// Results of the fit; empty in a file written by hand.
+    /// Results of the fit, or empty for a file without a fit.
     pub identification: Identification,
-    /// Indices of the parameters that the text gives, whether their element is on or off.
+    /// Indices of the parameters in the text, whether their element is on or off.
     pub specified: Vec<usize>,
     /// Numbers outside the interval of their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] removes that interval.
     pub edited: Vec<String>,
 }
 
-/// Error of a model file that cannot be used.
+/// Reason why a model file cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum ModelFileError {
     /// The file cannot be read.
@@ -44,7 +44,7 @@ pub enum ModelFileError {
     Unreadable {
         /// Path.
         file: PathBuf,
-        /// The system's reason.
+        /// Reason from the operating system.
         why: std::io::Error,
     },
     /// The file is empty.
@@ -53,19 +53,19 @@ pub enum ModelFileError {
         /// Path.
         file: PathBuf,
     },
-    /// The flat part has an error.
+    /// A line before the first table is invalid: the part of the file that the kernel reads.
     #[error("{file}, line {line}: {subject}{text}")]
     Line {
         /// Path.
         file: PathBuf,
         /// Line.
         line: u32,
-        /// Parameter at fault with a colon, or nothing.
+        /// Name of the invalid parameter with a colon, or empty.
         subject: String,
         /// Description of the error.
         text: String,
     },
-    /// The tables have an error.
+    /// A table is invalid.
     #[error("{file}: {why}")]
     Tables {
         /// Path.
@@ -73,7 +73,7 @@ pub enum ModelFileError {
         /// Message of the TOML reader, with line and column.
         why: String,
     },
-    /// A model of the literature that the kernel cannot run.
+    /// The file contains a model of the literature that the kernel cannot run.
     #[error(
         "{file} holds a model of the literature for comparison; the kernel cannot run it. Give it to dashpot validate --against"
     )]
@@ -86,16 +86,16 @@ pub enum ModelFileError {
     Model {
         /// Path.
         file: PathBuf,
-        /// Parameter at fault, and the reason.
+        /// Invalid parameter, and the reason.
         fault: NoModel,
     },
 }
 
-/// Error of parameters that do not form a valid model.
+/// Reason why parameters do not form a valid model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("{parameter} {text}")]
 pub struct NoModel {
-    /// Parameter at fault.
+    /// Invalid parameter.
     pub parameter: &'static str,
     /// Reason.
     pub text: &'static str,
@@ -104,7 +104,7 @@ pub struct NoModel {
 /// Makes the model of a parameter set.
 ///
 /// # Errors
-/// The parameter at fault, and why.
+/// Returns the invalid parameter and the reason.
 pub fn prepared(params: &Params) -> Result<Model, NoModel> {
     Model::new(params).map_err(|fault| NoModel {
         parameter: name_of(fault.parameter).unwrap_or("a parameter"),
@@ -115,7 +115,7 @@ pub fn prepared(params: &Params) -> Result<Model, NoModel> {
 /// Makes the damper family of a definition.
 ///
 /// # Errors
-/// The parameter at fault, and why.
+/// Returns the invalid parameter and the reason.
 pub fn prepared_family(definition: &Definition) -> Result<Box<Family>, NoModel> {
     let mut family = Box::new(Family::OFF);
     family.set(&definition.params, &definition.axis).map_err(no_family)?;
@@ -132,14 +132,14 @@ impl ModelFile {
         Definition { params: self.params, axis: self.axis }
     }
 
-    /// Makes the file of a damper. Removes intervals from `identification` that do not contain their number, which was changed since the
-    /// fit.
+    /// Makes the file of a damper. If an interval of `identification` does not contain its number, the number changed since the fit, and
+    /// the interval is removed.
     pub fn new(params: Params, axis: Axis, mut identification: Identification, specified: Vec<usize>) -> ModelFile {
         let edited = edited::take_out(&params, &axis, &mut identification);
         ModelFile { params, axis, identification, specified, edited }
     }
 
-    /// Returns remarks about numbers of an element that is off, about missing numbers and about numbers changed since the fit.
+    /// Returns remarks on three kinds of numbers: those of disabled elements, missing numbers, and numbers changed since the fit.
     pub fn remarks(&self) -> Vec<Sentence> {
         let mut all = remarks::idle(&self.specified, &self.params);
         all.extend(remarks::on_defaults(&self.specified, &self.params, &self.identification));
@@ -147,16 +147,16 @@ impl ModelFile {
         all
     }
 
-    /// Returns all remarks of the file: those of its fit, and those about its numbers.
+    /// Returns all remarks of the file: the remarks of its fit, and the remarks on its numbers.
     pub fn notes(&self) -> Vec<String> {
         let remarks = self.remarks().into_iter().map(|sentence| sentence.to_string());
         self.identification.notes.iter().cloned().chain(remarks).collect()
     }
 
-    /// Returns whether the damper differs from the one that the fit wrote.
+    /// Returns whether the damper differs from the damper that the fit wrote.
     ///
-    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. A file edited by
-    /// hand keeps the tables of its fit. A change within an interval does not count.
+    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. If a user edits the
+    /// file, it keeps the tables of its fit. A change within an interval does not count.
     pub fn was_changed(&self) -> bool {
         let known = &self.identification;
         let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
@@ -167,7 +167,7 @@ impl ModelFile {
         !self.edited.is_empty() || parameter::table().any(|row| is_identified(&row) && is_off(&row))
     }
 
-    /// Returns the plain FV curve that the fit stored; else the model's own curve and gas force.
+    /// Returns the plain FV curve that the fit stored. If there is none, returns the model's own curve and gas force.
     pub fn plain(&self) -> Params {
         if let Some(Ok(params)) = self.identification.fv_only.as_ref().map(FvOnly::params) {
             return params;
@@ -182,7 +182,7 @@ impl ModelFile {
 
 /// Returns the parameters that affect a damper.
 ///
-/// Numbers of elements that are off do not, nor do those of a form that was not chosen (the knees while an FV table is used). Settings are
+/// Parameters of disabled elements and of unselected forms have no effect. An example is the knees while an FV table is used. Settings are
 /// included if they differ from their default.
 pub fn in_use(params: &Params) -> Vec<Row> {
     let says = |row: &Row| match row.element() {
@@ -192,10 +192,10 @@ pub fn in_use(params: &Params) -> Vec<Row> {
     parameter::table().filter(says).collect()
 }
 
-/// Reads a model file and checks that it makes a model.
+/// Reads a model file and checks that its parameters form a valid model.
 ///
 /// # Errors
-/// [`ModelFileError`], naming file, line and parameter.
+/// Returns a [`ModelFileError`] with file, line and parameter.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = path.to_path_buf();
     let text = read_small_text(path).map_err(|why| ModelFileError::Unreadable { file, why })?;
@@ -212,7 +212,7 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     family_of_text(&text, path)
 }
 
-/// Reads a model from text and checks that it makes a model. Messages name it by `path`.
+/// Reads a model from text and checks that its parameters form a valid model. `path` is its name in messages.
 ///
 /// # Errors
 /// The errors of [`read`].
@@ -296,7 +296,7 @@ fn parsed(
     Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
-/// Finds the number of the setting that does not fit its grid: line and message.
+/// Checks that the start and the hysteresis of the setting fit the grid. Returns the line and a message if they do not fit.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let line =
         |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
@@ -314,8 +314,8 @@ fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     })
 }
 
-/// Rejects a file that gives parameters only inside tables, such as `[parameters]`: all of them would keep their defaults. Tables of fits
-/// do not count, because they contain intervals under such names.
+/// Rejects a file that gives parameters only inside tables, such as `[parameters]`, because all of them would keep their defaults. Tables
+/// of fits do not count, because they contain intervals under the names of parameters.
 fn parameters_in_tables(text: &str, path: &Path) -> Result<(), ModelFileError> {
     let mut table = None;
     for (at, line) in text.lines().enumerate() {
@@ -352,7 +352,7 @@ fn bounds(parameter: u16) -> String {
     })
 }
 
-/// Returns the known name most similar to a misspelled one, as the end of a sentence; empty if none is similar.
+/// Returns the known name that is most similar to a misspelled name, as the end of a sentence. Returns an empty text if no name is similar.
 pub fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
     let shared = |other: &str| {
         let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
@@ -370,7 +370,7 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 pub(crate) fn text(value: &str) -> String {
-    // TOML basic string.
+    // Format a TOML basic string.
     let mut out = String::from("\"");
     for c in value.chars() {
         match c {
@@ -402,19 +402,18 @@ fn value(row: &Row, params: &Params, axis: &Axis) -> String {
     }
 }
 
-/// Formats the flat part alone, which a kernel reads.
+/// Formats the part of a model file that the kernel reads.
 pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
     flat_keeping(params, &[], comment)
 }
 
-/// Formats the flat part, including parameters at the indices `kept` whose elements are off.
-///
-/// A change of another number then loses nothing that a file specified: a reader may switch the element on.
+/// Formats the part that the kernel reads, including parameters of disabled elements at the indices `kept`. If a user changes another
+/// number, these parameters stay in the file, and a reader may enable their elements.
 pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     flat_over(params, &Axis::NONE, kept, comment)
 }
 
-/// Formats the flat part of a damper that may depend on a setting.
+/// Formats the part that the kernel reads, for a damper that may depend on a setting.
 pub fn flat_family(damper: &Definition, comment: impl Fn(&Row) -> String) -> String {
     flat_over(&damper.params, &damper.axis, &[], comment)
 }
@@ -433,7 +432,7 @@ fn setting(axis: &Axis) -> String {
     }
     for (index, entry) in ENTRIES.iter().enumerate() {
         let value = axis.number(index);
-        // Times, rates and hysteresis of 0 are absent.
+        // Times, rates and hysteresis of 0 are omitted.
         if index == 0 || value != 0.0 {
             let _ = writeln!(out, "{} = {}  # {}", entry.name, number(value), entry.meaning);
         }
@@ -466,7 +465,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
     out
 }
 
-/// Formats a model file without results of a fit, with remarks at its head.
+/// Formats a model file without results of a fit. Remarks stand at its beginning.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
     let mut out = String::from(
         "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\
@@ -487,10 +486,10 @@ fn fv_only_table(curve: &FvOnly) -> String {
     format!("\n[identification.fv_only]  # the plain FV curve fitted to the same tests\n{}", curve.lines())
 }
 
-/// Formats the model file of an ordinary damper with known fit: its numbers, then the tables of the fit.
+/// Formats the model file of an ordinary damper after a fit: its numbers, then the tables of the fit.
 ///
 /// # Errors
-/// Tables that TOML cannot represent.
+/// TOML cannot represent the tables.
 pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml::ser::Error> {
     #[derive(Serialize)]
     struct Tables<'a> {
@@ -520,7 +519,7 @@ pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     words
 }
 
-/// Formats the ends of an interval; twice the value if it has none.
+/// Formats the ends of an interval. Without an interval, both ends are the value.
 pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     match estimate {
         Some(Estimate { low: Some(low), high: Some(high), .. }) => format!("[{}, {}]", number(*low), number(*high)),
@@ -591,7 +590,7 @@ pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimat
     }
 }
 
-/// Writes the measurement errors of the records, and the kinds of tests behind each number of a list.
+/// Writes the measurement errors of the records, and the kinds of tests from which each number of a list was identified.
 pub(crate) fn write_origins<'e>(
     out: &mut String,
     measured: &[Measured],
@@ -706,7 +705,7 @@ mod tests {
         let file = family_of_text(&text, Path::new("family.toml")).unwrap();
         assert_eq!(file.definition(), damper);
         assert_eq!(flat_family(&file.definition(), |row| row.parameter.meaning.to_owned()), text);
-        // A reader of ordinary dampers rejects this file, and the message states the remedy.
+        // The reader of ordinary dampers rejects this file. The message states the remedy.
         let error = of_text(&text, Path::new("family.toml")).unwrap_err().to_string();
         assert!(error.starts_with("family.toml, line 5: \"setting\": the damper depends on this setting"), "{error}");
         let error = family_of_text(&text.replace("setting_start = 0.1", "setting_start = 9.0"), Path::new("f.toml"))
@@ -731,12 +730,12 @@ mod tests {
         let with = |name: &str| said.iter().find(|note| note.contains(name)).unwrap().clone();
         assert!(with("gas_force").contains("gas_preload is off"), "{said:?}");
         assert!(with("coulomb_force").contains("coulomb_steepness"), "{said:?}");
-        // A user interface may switch the element on.
+        // A user interface may enable the element.
         file.params.enable(element!("gas_preload"), true);
         assert_eq!(file.notes().len(), 1);
         let on = "elements = [\"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
         assert_eq!(of(on).notes(), ["kept"]);
-        // A file that this program writes gives no number without effect.
+        // A file that this program writes contains no number without effect.
         assert_eq!(
             of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
             Vec::<String>::new()
@@ -750,7 +749,7 @@ mod tests {
         assert!(error.starts_with("m.toml, line 5: fv_form: parameters stand above the first [table]"), "{error}");
         let error = of("fv_form = \"table\"\n[fv_curve]\nfv_form = \"piecewise\"\n").unwrap_err().to_string();
         assert!(error.starts_with("m.toml, line 4: parameters stand above the first [table]"), "{error}");
-        // Tables with notes of people, and tables of a fit, are allowed.
+        // Tables of notes and tables of a fit are allowed.
         for rest in [
             "substeps = 2\n[notes]\nsubsteps = 4\n",
             "[notes]\nwhy = \"mine\"\n",
@@ -772,7 +771,7 @@ mod tests {
         let knees = names("elements = [\"fv_curve\"]\nfv_form = \"piecewise\"\nsubsteps = 4\n");
         assert!(knees.contains(&"fv_rebound_v2") && knees.contains(&"substeps"), "{knees:?}");
         assert!(!knees.contains(&"fv_force") && !knees.contains(&"method"), "{knees:?}");
-        // Every element has numbers that count once it is switched on.
+        // Every element has numbers that take effect once the element is enabled.
         for element in Element::all() {
             let mut params = Params::new();
             params.enable(element, true);

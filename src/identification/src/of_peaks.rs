@@ -1,5 +1,5 @@
 //! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP).
-//! Such a table contains gas force and friction without naming them. They are subtracted if the user states them.
+//! The forces of such a table include gas force and friction. They are subtracted if the user states them.
 
 use crate::model_file::{self, NoModel, prepared};
 use dashpot_core::family::interpolation::MAX_GRID;
@@ -10,13 +10,13 @@ use dashpot_records::{
 };
 use std::path::Path;
 
-/// Error of a table that yields no model.
+/// Reason why a table does not give a model.
 #[derive(Debug, thiserror::Error)]
 pub enum OfPeaksError {
     /// The table cannot be read.
     #[error(transparent)]
     Table(#[from] RecordError),
-    /// A gas force or friction that is negative or not finite.
+    /// A gas force or friction is negative or not finite.
     #[error("{name} is {value}; it must be 0 N or more")]
     Negative {
         /// Name of the option.
@@ -35,14 +35,14 @@ pub enum OfPeaksError {
         file: String,
         /// Line in the table.
         line: usize,
-        /// Velocity there, m/s.
+        /// Velocity at that line, m/s.
         velocity: f64,
-        /// Force there, N.
+        /// Force at that line, N.
         force: f64,
         /// Force at the next lower speed, N.
         end: f64,
     },
-    /// A number that the parameter table rejects.
+    /// The parameter table rejects a number.
     #[error("{file}: {name} {reason}")]
     Rejected {
         /// Name of the table.
@@ -52,17 +52,17 @@ pub enum OfPeaksError {
         /// Reason of the rejection.
         reason: &'static str,
     },
-    /// A table of one click or none, or of more than a model holds.
+    /// The table has one click or none, or more clicks than a model can contain.
     #[error(
         "{file}: has {count} clicks, and a model over clicks holds 2 to {MAX_GRID}: --clicks all makes a model of each, --clicks N of one"
     )]
     Clicks {
         /// Name of the table.
         file: String,
-        /// Number of its clicks.
+        /// Number of clicks in the table.
         count: usize,
     },
-    /// No speed of both strokes has a force at every click.
+    /// No speed has a force in both strokes at every click.
     #[error(
         "{file}: there is no speed of both strokes at which all clicks have a force; --clicks all makes a model of each"
     )]
@@ -70,7 +70,7 @@ pub enum OfPeaksError {
         /// Name of the table.
         file: String,
     },
-    /// The numbers together make no model.
+    /// The numbers together do not form a valid model.
     #[error("{file}")]
     NoModel {
         /// Name of the table.
@@ -89,25 +89,25 @@ pub struct Begun {
     pub points: usize,
     /// Columns that were used, with their quantity and unit.
     pub columns: String,
-    /// Side that was interpreted as rebound, and whether the forces support that.
+    /// Side that was interpreted as rebound, and whether the forces support that interpretation.
     pub direction: String,
-    /// Whether the forces contradict that direction.
+    /// Whether the forces contradict that interpretation.
     pub is_doubtful: bool,
-    /// Speeds that were left out because a click has no force there, m/s.
+    /// Speeds that were left out, m/s, because a click has no force at them.
     pub left_out: Vec<f64>,
 }
 
-/// The damper's own force over velocity, and the table it was read from.
+/// The damper's own force over velocity, and the table from which it was read.
 struct Read {
     peaks: Peaks,
-    /// Velocity, m/s, and force, N, by velocity, with the standstill.
+    /// Velocity, m/s, and force, N, sorted by velocity, including zero velocity.
     curve: Vec<(f64, f64)>,
 }
 
 /// Makes a model file from a table. Subtracts gas force and friction, N, from the forces of the table.
 ///
 /// # Errors
-/// [`OfPeaksError`].
+/// The table does not give a model: [`OfPeaksError`].
 pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Begun, OfPeaksError> {
     let read = read_curve(path, options, gas_force, friction)?;
     let params = params_of(path, &read.curve, gas_force, friction)?;
@@ -117,7 +117,7 @@ pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f6
 /// Makes a model file over the clicks of a table of an adjustable damper.
 ///
 /// # Errors
-/// [`OfPeaksError`].
+/// The table does not give a model: [`OfPeaksError`].
 pub fn family_of_peaks(
     path: &Path,
     options: &PeakOptions,
@@ -133,7 +133,7 @@ pub fn family_of_peaks(
     let at =
         |click: &f64| read_curve(path, &PeakOptions { clicks: Some(*click), ..options.clone() }, gas_force, friction);
     let mut all: Vec<Read> = clicks.iter().map(at).collect::<Result<_, _>>()?;
-    // A damper over a setting has its FV points at the same velocities at every setting.
+    // The FV points of a damper over a setting have the same velocities at every setting.
     let mut speeds: Vec<f64> = all.iter().flat_map(|read| read.curve.iter().map(|(velocity, _)| *velocity)).collect();
     speeds.sort_by(f64::total_cmp);
     speeds.dedup();
@@ -177,7 +177,7 @@ fn read_curve(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64)
     Ok(Read { peaks, curve })
 }
 
-/// The parameters of a damper with a curve, gas force and friction.
+/// Returns the parameters of a damper with a curve, gas force and friction.
 fn params_of(path: &Path, curve: &[(f64, f64)], gas_force: f64, friction: f64) -> Result<Params, OfPeaksError> {
     let file = || path.display().to_string();
     let (velocities, forces): (Vec<f64>, Vec<f64>) = curve.iter().copied().unzip();
@@ -202,7 +202,7 @@ fn params_of(path: &Path, curve: &[(f64, f64)], gas_force: f64, friction: f64) -
     Ok(params)
 }
 
-/// The model file of a damper from a table.
+/// Makes the model file of a damper from a table.
 fn begun(path: &Path, read: &Read, damper: &Definition, left_out: Vec<f64>) -> Begun {
     let flat = model_file::flat_family(damper, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -232,7 +232,7 @@ fn columns(peaks: &Peaks) -> String {
 
 /// Describes the side that was interpreted as rebound. Returns whether the forces contradict it.
 fn direction(peaks: &Peaks) -> (String, bool) {
-    /// Ratio of compression to rebound force from which a remark is made. Dampers that are alike on both sides scatter by less.
+    /// Smallest ratio of compression to rebound force with a remark. Measured ratios of symmetric dampers differ from 1 by less.
     const CLEARLY: f64 = 1.2;
     let taken = match peaks.source {
         StrokeSource::Headings => "rebound and compression taken as the headings name them",

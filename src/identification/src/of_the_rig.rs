@@ -1,10 +1,10 @@
 //! Measurement errors that a fit estimates: delay of the force channel, mass on the load cell, drift of gain and zero through a campaign.
 //!
-//! A constant zero error is not among them. In the force it is equivalent to another gas force, in the displacement to another table of the
-//! spring. So only the user can state it ([`dashpot_records::Options`]).
+//! A constant zero error is not among them. In the force it is equivalent to another gas force. In the displacement it is equivalent to
+//! another table of the spring. So only the user can state it ([`dashpot_records::Options`]).
 //!
-//! The other errors are estimated together with the numbers of the model, if they improve the prediction of tests left out of the fit. They
-//! never become part of the model.
+//! The other errors are estimated together with the numbers of the model if they improve the prediction of left-out tests. They never
+//! become part of the model.
 
 use super::phrases;
 use dashpot_estimation::deviations::sandwich;
@@ -19,10 +19,10 @@ use serde::Serialize;
 /// Errors that a fit tries, in the order in which the load cell produces them.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
 
-/// Smallest ratio of the highest to the lowest frequency at which a delay can be distinguished from compliance.
+/// Smallest ratio of the highest to the lowest frequency that distinguishes a delay from compliance.
 ///
-/// The phases of both grow with frequency, but along different curves. At one frequency both phases are equal. The value 1.5 is a choice. A
-/// mass is distinguished from a spring in the same way.
+/// The phases of both grow with frequency, but along different curves. If all tests have the same frequency, a delay and a compliance can
+/// give the same phase. The value 1.5 is a choice. The ratio also applies to a mass and a spring.
 const APART: f64 = 1.5;
 
 /// Returns whether the frequencies of the tests distinguish a delay from a soft series path.
@@ -39,7 +39,7 @@ pub fn can_distinguish_delay(tests: &[Test]) -> bool {
 /// One measurement error of the records.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
-    /// Name: `delay`, `rig_mass`, `gain_drift` or `drift` (of the force's zero).
+    /// Name: `delay`, `rig_mass`, `gain_drift` or `drift` (drift of the zero of the force).
     pub name: &'static str,
     /// Value.
     pub value: f64,
@@ -71,13 +71,13 @@ impl Measured {
         numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
     }
 
-    /// Makes a measurement error from a diagnosis. Returns `None` for an error that the reader of records cannot correct.
+    /// Makes a measurement error from a diagnosis. Returns `None` if the reader of records cannot correct the error.
     pub fn from_artefact(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
         let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
         may.then(|| Measured::new(artefact, numbers))
     }
 
-    /// Adds the error that the user had stated to the error found in the corrected records.
+    /// Adds the error that the user stated to the error that was found in the corrected records.
     pub fn with_stated(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,
@@ -87,9 +87,8 @@ impl Measured {
         Measured { value: self.value + before, low: self.low + before, high: self.high + before, ..self }
     }
 
-    /// Adds the error found in the corrected records to the one corrected before.
-    ///
-    /// The two intervals come from separate records of the same quantity, so their squares add.
+    /// Adds the error found in the corrected records to the previously corrected error. The two intervals come from separate records, so
+    /// their squares add.
     pub fn and(self, rest: Measured) -> Measured {
         let value = self.value + rest.value;
         let half = |m: &Measured| 0.5 * (m.high - m.low);
@@ -116,7 +115,7 @@ impl Measured {
     pub fn finding(&self) -> Sentence {
         let (factor, what) = match self.name {
             "delay" if self.value < 0.0 => {
-                // Report a negative delay as a lead: readers would take a negative delay for a mistake.
+                // Report a negative delay as a lead, because readers would consider a negative delay a mistake.
                 let of = |value: f64| format!("{:.3}", -1e3 * value);
                 return Sentence::from(phrases::FOUND_EARLY)
                     .with("value", of(self.value))
@@ -139,7 +138,7 @@ impl Measured {
     }
 }
 
-/// Converts the findings of a fit to the measurement error that a correction of records removes.
+/// Converts the findings of a fit to a measurement error, which can be corrected in records.
 pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
     MeasurementError {

@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 
 /// Fraction of a stroke's highest velocity above which a sample counts as being at peak velocity.
 ///
-/// On a sine this is 11° to either side. That is a few samples even at forty per cycle, and a smooth curve changes its force by less than 2
-/// % there.
+/// On a sine, these samples lie within 11° of the peak. That is a few samples even at forty per cycle. There, a smooth curve changes its
+/// force by less than 2 %.
 const AT_PEAK: f64 = 0.98;
 
 /// Force at the peak velocity of one stroke of a test, mean over its whole cycles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
-    /// Velocity, m/s, rebound positive: the mean of the samples that count, slightly below the highest.
+    /// Velocity, m/s, rebound positive. It is the mean of the samples at peak velocity, slightly below the highest velocity.
     pub velocity_m_s: f64,
     /// Force, N, tension positive.
     pub force_n: f64,
@@ -48,7 +48,7 @@ impl AtPeak {
         (!rebound.is_empty() && !compression.is_empty()).then_some(Self { velocity, rebound, compression })
     }
 
-    /// Returns the peaks in rebound and compression of a force given at the record's samples.
+    /// Returns the peaks of a force in rebound and compression. `force` contains the force at the record's samples.
     pub fn pick(&self, force: &[f64]) -> [Peak; 2] {
         let mean = |samples: &[usize], of: &[f64]| samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64;
         [&self.rebound, &self.compression]
@@ -71,7 +71,7 @@ mod tests {
             record.time.push(phase / w);
             record.displacement.push(0.05 * libm::sin(phase));
             record.velocity.push(0.5 * libm::cos(phase) + 0.01 * noise);
-            // A hysteresis loop about the curve: its force cancels in the mean, because the samples lie on both sides of the peak.
+            // The force has a hysteresis loop about the curve. Its mean is zero, because the samples lie on both sides of the peak.
             let force = if libm::cos(phase) > 0.0 { 2000.0 } else { 800.0 } * 0.5 * libm::cos(phase);
             record.force.push(force + 60.0 * libm::sin(phase) + 20.0 * noise);
         }

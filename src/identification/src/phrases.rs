@@ -1,4 +1,4 @@
-//! English templates of every sentence that a fit reports. A test finds each template that a language lacks.
+//! English templates of every sentence that a fit reports. A test finds templates without a translation.
 //!
 //! A model file keeps these texts in English, with the ids of their messages for reports in other languages ([`dashpot_messages::Kept`]).
 

@@ -6,9 +6,9 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{self, Element, Row};
 use dashpot_messages::Sentence;
 
-/// Reports the specified parameters whose element is off, in a sentence for each element.
+/// Reports the specified parameters of disabled elements, with a sentence for each element.
 ///
-/// `specified` holds the indices of the parameters that the file gives. `params` is the damper read from the same file.
+/// `specified` contains the indices of the parameters in the file. `params` is the damper from the same file.
 pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
     let mut of: Vec<(&str, Vec<&str>)> = Vec::new();
     for row in parameter::table().filter(|row| specified.contains(&row.index)) {
@@ -25,9 +25,9 @@ pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
         .collect()
 }
 
-/// Reports the missing numbers of elements that are on, in a sentence for each element. Missing numbers have their defaults.
+/// Reports the missing numbers of enabled elements, with a sentence for each element. Missing numbers have their defaults.
 ///
-/// An element may omit numbers. It is reported if it gives none at all, or if it omits a number that the fit identified.
+/// An element may omit numbers. It is reported if it omits all numbers, or a number that the fit identified.
 pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification) -> Vec<Sentence> {
     let is_known = |name: &str| {
         let is_open = |open: &String| open.split(['[', '@']).next() == Some(name);
@@ -57,7 +57,7 @@ pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification)
     Element::all().filter(|element| params.is_on(*element)).filter_map(of_element).collect()
 }
 
-/// Reports the numbers that lie outside the interval of their fit, and therefore changed since.
+/// Reports the numbers outside the interval of their fit. They changed since the fit.
 pub fn edited(names: &[String]) -> Option<Sentence> {
     let named = Sentence::from(phrases::EDITED).with_names("names", names.iter().map(String::as_str), phrases::COMMA);
     (!names.is_empty()).then_some(named)

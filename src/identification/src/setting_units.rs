@@ -3,7 +3,7 @@
 use dashpot_core::family::Axis;
 use dashpot_records::{Record, restate_in_unit};
 
-/// Error for settings that cannot be compared.
+/// Reason why settings cannot be compared.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
     "test '{test}' has its {name} in {unit}, the model in {own}: state the one that is right as setting_unit in campaign.toml beside the records, or in the model file"
@@ -19,7 +19,7 @@ pub struct SettingUnitError {
     pub own: String,
 }
 
-/// Returns whether `name` is the setting of an axis. An axis without a name accepts any.
+/// Returns whether `name` is the setting of an axis. An axis without a name accepts any name.
 pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
     axis.name().is_empty() || axis.name() == name
 }
@@ -34,10 +34,10 @@ pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl Into
     restate_in_unit(unit, axis.unit(), values)
 }
 
-/// Converts the settings of records to the unit of the damper's setting, where both are the same quantity.
+/// Converts the settings of records to the unit of the damper's setting, if both have the same quantity.
 ///
 /// # Errors
-/// A setting whose unit measures another quantity than the damper's unit.
+/// The unit of a setting and the unit of the damper belong to different quantities.
 pub fn restate_settings<'r>(
     axis: &Axis,
     records: impl IntoIterator<Item = &'r mut Record>,

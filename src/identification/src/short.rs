@@ -1,16 +1,16 @@
 //! Formatting of numbers in comments and sentences.
 
-/// Returns the decimals of four significant digits; negative if the digits end before the decimal point.
+/// Returns the decimals of four significant digits. The result is negative if the digits end before the decimal point.
 fn decimals(value: f64) -> i32 {
     3 - libm::log10(value.abs()).floor() as i32
 }
 
-/// Formats four significant digits in code notation, which is enough for a comment.
+/// Formats a number with four significant digits in code notation. This suffices for a comment.
 pub(super) fn short(value: f64) -> String {
     if value.abs() >= 1e5 { format!("{value:.3e}") } else { in_words(value) }
 }
 
-/// Formats four significant digits without an exponent, as sentences of any language do.
+/// Formats a number with four significant digits and without an exponent, for sentences of any language.
 pub(super) fn in_words(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

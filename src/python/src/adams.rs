@@ -20,13 +20,13 @@ use std::path::{Path, PathBuf};
 
 /// Parses a length in mm from a text with a unit, or from a number in m.
 fn millimetres(length: &str) -> Result<f64, String> {
-    // The error of this function states that a number alone is in m.
+    // The error message of this function states that a number alone is in m.
     in_metres(length)?;
     let has_unit = length.trim_end().ends_with('m');
     in_millimetres(&if has_unit { length.to_owned() } else { format!("{length}m") })
 }
 
-/// Writes a run folder of Adams; returns notes on it.
+/// Writes a run folder of Adams. Returns notes on the folder.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_adams(
@@ -74,7 +74,7 @@ pub fn export_adams(
     Ok(notes)
 }
 
-/// Writes the FV curve as a property file of Adams Car; `name` is the name of the model. Returns the number of points, and notes.
+/// Writes the FV curve as a property file of Adams Car. `name` is the name of the model. Returns the number of points, and notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_dpr(
@@ -96,7 +96,8 @@ pub fn export_dpr(
     Ok((made.points, made.remarks))
 }
 
-/// Writes a compiled Adams Car model with dampers replaced, each by the name of its SFORCE, its length and its model file. Returns notes.
+/// Writes a compiled Adams Car model in which dampers are replaced. Each damper has the name of its SFORCE, its length and its model file.
+/// Returns notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_adm(
@@ -117,7 +118,7 @@ pub fn export_adm(
     Ok(made.notes)
 }
 
-/// Makes a model from a property file of Adams Car; returns the text of its file.
+/// Makes a model from a property file of Adams Car. Returns the text of the model file.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_dpr(path: PathBuf) -> PyResult<String> {
@@ -126,7 +127,7 @@ pub fn import_dpr(path: PathBuf) -> PyResult<String> {
 
 /// Makes a model from a table of peak forces.
 ///
-/// Returns the text of its file, the side that was interpreted as rebound, and whether the forces contradict that.
+/// Returns the text of the model file, the side that was interpreted as rebound, and whether the forces contradict that interpretation.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn import_peaks(

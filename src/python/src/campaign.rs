@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Records of a campaign, cleaned, in SI units; extension and tension positive.
+/// Cleaned records of a campaign in SI units. Extension and tension are positive.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Campaign {
     /// The records.
@@ -77,7 +77,7 @@ pub fn options(mapping: &str, strict: bool) -> PyResult<Options> {
 
 #[pymethods]
 impl Campaign {
-    /// Reads and clean files and folders as one campaign.
+    /// Reads and cleans files and folders as one campaign.
     #[staticmethod]
     #[pyo3(signature = (paths, mapping, strict, progress=None))]
     fn read(
@@ -104,7 +104,7 @@ impl Campaign {
         self.read.records.len()
     }
 
-    /// Returns the channels of one test as arrays, by name.
+    /// Returns the channels of one test as arrays with their names.
     fn channels<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyDict>> {
         let record = self.read.records.get(index).ok_or_else(|| PyIndexError::new_err("no such test"))?;
         let channels = PyDict::new(py);
@@ -123,9 +123,9 @@ impl Campaign {
         Ok(channels)
     }
 
-    /// Returns all data to [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
+    /// Returns all data that [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
     ///
-    /// These are the findings as JSON, the channels of every test, and the fingerprints of the tests at reading.
+    /// These data are the findings as JSON, the channels of every test, and the fingerprints that the tests had at reading.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {

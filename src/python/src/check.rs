@@ -9,7 +9,8 @@ use pyo3::prelude::*;
 
 /// Checks whether a damper chatters in a host.
 ///
-/// Returns the output of `dashpot check --json`, the messages of the command, and the text of the model file of the damper for this host.
+/// Returns the output of `dashpot check --json` and the messages of the command. Also returns the text of the model file of the damper for
+/// this host.
 #[pyfunction]
 #[pyo3(signature = (model, host_step, wheel_mass, for_step=None))]
 pub fn check(

@@ -22,11 +22,11 @@ type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
 
 /// Result of a comparison.
 ///
-/// It contains the figures as JSON, the forces of every test, and the records as compared. The note on the models of the literature, and
-/// their forces, follow.
+/// It contains the figures as JSON, the forces of every test, and the compared records. It also contains the note on the models of the
+/// literature, and their forces.
 type Validated<'py> = (String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>);
 
-/// Combines tests with existing forces.
+/// Combines tests with forces that were computed before.
 pub fn compared<'a>(
     file: &ModelFile,
     read: &'a dashpot_records::Campaign,
@@ -41,8 +41,8 @@ pub fn compared<'a>(
 
 /// Computes the figures of a comparison.
 ///
-/// The campaign supplies the tests of the fit and the unusable tests. Limits are checked if given. Models of the literature are added by
-/// their names and forces.
+/// The campaign supplies the tests of the fit and the unusable tests. Limits are checked if they are given. Models of the literature are
+/// added with their names and forces.
 pub fn figures(
     read: &dashpot_records::Campaign,
     compared: &[Compared<'_>],
@@ -66,10 +66,10 @@ pub fn figures(
 
 /// Compares a model with records, and with the plain FV curve.
 ///
-/// Returns the output of `dashpot validate --json`, the simulated forces of every test, and the records as compared, which are corrected by
-/// the measurement errors of the model's own fit.
-/// Given limits are checked like `dashpot validate --limits`. Named models of the literature are compared like `dashpot validate
-/// --against`. The note on these models and the forces of each follow.
+/// Returns the output of `dashpot validate --json`, the simulated forces of every test, and the compared records. These records are
+/// corrected for the measurement errors of the model's own fit. Given limits are checked like `dashpot validate --limits`. Named models of
+/// the literature are compared like `dashpot validate --against`. The result then includes the note on these models, and the forces of each
+/// model.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(

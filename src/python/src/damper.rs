@@ -1,4 +1,4 @@
-//! Many dampers, stepped together without an allocation for each damper.
+//! Many dampers in one step, without an allocation for each damper.
 
 use crate::errors::{StepError, say};
 use crate::model::Model;
@@ -15,18 +15,19 @@ use rayon::prelude::*;
 
 /// Number of values of a state.
 const NUMBERS: usize = 14;
-/// Shortest and longest step, s, equal to those of the C interface.
+/// Shortest and longest step, s, equal to the limits of the C interface.
 const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
-/// Largest inputs, equal to those of the C interface.
+/// Largest inputs, equal to the limits of the C interface.
 const LARGEST: f64 = 1e3;
 const LARGEST_SIDE_FORCE: f64 = 1e9;
 const LARGEST_TEMPERATURE: f64 = 1e5;
-/// Smallest number of dampers whose step is distributed to threads: the distribution costs some microseconds, a step about half of one.
+/// Smallest number of dampers for a distribution of the step to threads. The distribution costs some microseconds, and a step about half a
+/// microsecond.
 const SHARED: usize = 256;
 /// Number of dampers in each unit of work of a thread.
 const CHUNK: usize = 64;
 
-/// Values of one channel: one for all dampers, or one for each.
+/// Values of one channel: one value for all dampers, or one for each.
 enum Channel<'py> {
     /// One value for all dampers.
     One(f64),
@@ -115,19 +116,20 @@ impl Inputs<'_> {
     }
 }
 
-/// Returns whether all inputs lie within their limits; false for NaN.
+/// Returns whether all inputs lie within their limits. Returns false for NaN.
 fn sane(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() + input.velocity.abs() <= LARGEST
         && input.side_force.abs() <= LARGEST_SIDE_FORCE
         && input.temperature.abs() <= LARGEST_TEMPERATURE
 }
 
-/// Returns whether a motion is too large for a damper, for example because it is in millimeters. Records beyond these limits are rejected.
+/// Returns whether a motion is too large for a damper, for example because it is in millimeters. The reader of records rejects such
+/// motions.
 fn is_of_no_damper(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() > 0.5 || input.velocity.abs() > 20.0
 }
 
-/// Dampers with their states, with one model for all or one for each.
+/// Dampers with their states. They have one model for all, or one model each.
 #[pyclass(module = "dashpot._native")]
 pub struct Dampers {
     models: Vec<Py<Model>>,
@@ -140,7 +142,8 @@ pub struct Dampers {
 impl Dampers {
     /// Makes dampers in steady motion at their initial positions, m, initial velocities, m/s, side forces, N, and temperatures, °C.
     ///
-    /// This corresponds to `dashpot_state_init_motion` of the C interface, and at velocity 0 to `dashpot_state_init`.
+    /// At nonzero velocity, the state corresponds to `dashpot_state_init_motion` of the C interface. At velocity 0 it corresponds to
+    /// `dashpot_state_init`.
     #[new]
     fn new(
         py: Python<'_>,
@@ -196,7 +199,7 @@ impl Dampers {
         self.states.len()
     }
 
-    /// Steps all dampers by `dt` (s) to the given inputs, and write their forces (N) to `out`. Returns whether a motion is too large for a
+    /// Steps all dampers by `dt` (s) to the given inputs, and writes their forces (N) to `out`. Returns whether a motion is too large for a
     /// damper.
     #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
     #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
@@ -249,10 +252,10 @@ impl Dampers {
         let (states, next) = (&own.states[..], &mut own.next[..]);
         let forces = out.as_array_mut();
         let refused = if count == 1 {
-            // Releasing and reacquiring the interpreter lock costs as much as the step.
+            // Releasing and reacquiring the interpreter lock costs as much as the step, so keep the lock.
             run(models, states, next, forces, &inputs, dt)
         } else {
-            // Below that number this thread does all work, however many other threads exist.
+            // With fewer dampers, this thread does all work, regardless of the number of other threads.
             let pool = if count >= SHARED { work::pool(py) } else { None };
             let step = move || run(models, states, next, forces, &inputs, dt);
             py.detach(move || match pool {
@@ -285,7 +288,7 @@ impl Dampers {
         Ok(array)
     }
 
-    /// Restores states that were read from `state`.
+    /// Restores states that `get_state` returned.
     #[setter]
     #[allow(clippy::needless_pass_by_value)]
     fn set_state(&mut self, rows: PyArrayLike2<'_, f64, AllowTypeChange>) -> PyResult<()> {
@@ -315,7 +318,7 @@ impl Dampers {
     }
 }
 
-/// Steps all dampers. Returns the index of the first damper without a finite force, if any.
+/// Steps all dampers. If a damper has no finite force, returns the index of the first such damper.
 fn run(
     models: &[Py<Model>],
     states: &[State],

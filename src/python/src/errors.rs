@@ -22,12 +22,12 @@ create_exception!(dashpot, ExportError, DashpotError, "A model that cannot be ex
 create_exception!(dashpot, RigError, DashpotError, "What the virtual rig cannot measure.");
 create_exception!(dashpot, OutputError, DashpotError, "A file that cannot be written, or would take another's place.");
 
-/// Converts an error of the crates to an exception. Its text is the error with its causes in one sentence, as the command prints it.
+/// Converts an error of the crates to an exception. The text is the error with its causes in one sentence, equal to the command's message.
 pub fn raise<E: pyo3::PyTypeInfo>(error: impl Into<anyhow::Error>) -> PyErr {
     PyErr::new::<E, _>(as_arguments(dashpot_output::format_once(&error.into())))
 }
 
-/// Replaces options of the command in a sentence by arguments of the package.
+/// Replaces options of the command in a sentence by the corresponding arguments of the package.
 fn as_arguments(said: String) -> String {
     if !said.contains("--") {
         return said;

@@ -49,12 +49,12 @@ pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDi
     Ok(arrays)
 }
 
-/// Diagnosis as the input of papers; it lives as long as this process.
+/// Diagnosis as the input of its reports. It exists until the process ends.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Diagnosed {
     /// Diagnosis.
     pub found: Diagnosis,
-    /// Errors of its models over every sample.
+    /// Errors of the diagnosed models over every sample.
     pub over_whole_records: OfDiagnosis,
     /// Diagnosed model.
     pub model: Py<Model>,
@@ -153,10 +153,10 @@ pub fn diagnose_family<'py>(
     Ok((json, curves.iter().map(of_setting).collect::<PyResult<_>>()?))
 }
 
-/// Diagnoses a model against records, and against a reference if given.
+/// Diagnoses a model against records, and against a reference if one is given.
 ///
-/// Returns the output of `dashpot diagnose --json`, the text of the model file with the named effects added, the mean cycle of every test,
-/// and the input of papers.
+/// Returns the output of `dashpot diagnose --json`, and the text of the model file with the named effects added. Also returns the mean
+/// cycle of every test, and the input of reports.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]

@@ -17,7 +17,7 @@ use std::path::PathBuf;
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Wanted {
-    /// Name of the model in it.
+    /// Name of the model in the FMU.
     name: String,
     /// Name of the first model file, without its folder.
     model_file: String,
@@ -50,7 +50,7 @@ struct Files {
 }
 
 impl Wanted {
-    /// Makes the files. This happens before anything is written, because the options may be rejected.
+    /// Makes the files. This precedes all writing, because invalid options cause an error.
     fn files(&self, models: &[&Model], stem: &str) -> anyhow::Result<Files> {
         let version = match self.fmi {
             2 => Version::Two,
@@ -98,7 +98,7 @@ impl Wanted {
         if self.carmaker.is_none() {
             return Ok(Files { made, plug_info: None });
         }
-        // With concealed parameters no curve may show them.
+        // With concealed parameters, no curve may reveal them.
         let curve =
             if self.hide_parameters { None } else { PlainCurve::from_model_file(&models[0].file, self.model_curve)? };
         let written = format!(
@@ -112,7 +112,8 @@ impl Wanted {
     }
 }
 
-/// Writes a functional mock-up unit, and the file next to it for `CarMaker` if requested. Returns the platforms on which the FMU runs.
+/// Writes a functional mock-up unit. If requested, also writes the file next to it for `CarMaker`. Returns the platforms on which the FMU
+/// runs.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_fmu(py: Python<'_>, models: Vec<Py<Model>>, path: PathBuf, wanted: Wanted) -> PyResult<Vec<String>> {

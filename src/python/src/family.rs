@@ -37,7 +37,7 @@ pub struct Family {
 
 #[pymethods]
 impl Family {
-    /// Makes a family from the text of a model file; errors refer to it by `name`.
+    /// Makes a family from the text of a model file. `name` is its name in error messages.
     #[staticmethod]
     #[allow(clippy::needless_pass_by_value)]
     fn parse(text: String, name: PathBuf) -> PyResult<Family> {
@@ -67,7 +67,7 @@ impl Family {
         Model::from_text(text, &name)
     }
 
-    /// Returns the force of the damper in steady motion at each velocity and its setting. Both arrays have the same length.
+    /// Returns the force of the damper in steady motion at each velocity and its setting. Both arrays must have the same length.
     fn steady_force<'py>(
         &self,
         py: Python<'py>,
@@ -88,7 +88,7 @@ impl Family {
             let mut order: Vec<usize> = (0..setting.len()).collect();
             order.sort_by(|a, b| setting[*a].total_cmp(&setting[*b]));
             let mut forces = vec![f64::NAN; velocity.len()];
-            // Each damper is prepared once for each setting.
+            // Prepare each damper once for each setting.
             for run in order.chunk_by(|a, b| setting[*a] == setting[*b]) {
                 let model = model_file::prepared(&definition.params_at(setting[run[0]]))?;
                 for place in run {
@@ -101,7 +101,7 @@ impl Family {
         Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
     }
 
-    /// Compares the family with records, each at its own setting or at the `given` one, like `dashpot validate`.
+    /// Compares the family with records like `dashpot validate`. Each test has its own setting, or the `given` setting.
     #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
     fn validate<'py>(
         &self,
@@ -119,7 +119,7 @@ impl Family {
             restate_settings(&file.axis, &mut read.records)?;
             let note = file.identification.right(&mut read.records);
             read.notes.extend(note);
-            // Several settings among the tests are expected here.
+            // The tests may have several settings here, so no warning is necessary.
             read.accept_settings();
             let compared = compare_family(file, &read, given, &say)?;
             let mut validation = figures(&read, &compared, None, &[])?;
@@ -140,7 +140,7 @@ impl Family {
         Ok((json, forces, Campaign { read }))
     }
 
-    /// Returns times, displacements, velocities and forces for a motion with a setting for each time.
+    /// Returns times, displacements, velocities and forces for a motion with a setting at each time.
     #[allow(clippy::needless_pass_by_value, clippy::type_complexity)]
     fn simulate<'py>(
         &self,
@@ -181,7 +181,7 @@ impl Family {
     }
 }
 
-/// Fits a damper over a setting; returns the text of its model file, and the figures as JSON.
+/// Fits a damper over a setting. Returns the text of its model file, and the figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, setting, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 pub fn fit_family(

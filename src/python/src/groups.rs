@@ -1,4 +1,4 @@
-//! Diagnosis of many dampers, or of one at many settings, each against its reference.
+//! Diagnosis of many dampers, or of one damper at many settings. Each is compared with its reference.
 
 use crate::campaign::{Campaign, options};
 use crate::errors::{DiagnosisError, RecordError, raise};
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
-/// Records as paths, or already read. In the latter case the paths are those of the files.
+/// Records as paths, or already read. If they are already read, the paths are those of their files.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Data {
@@ -22,7 +22,7 @@ pub struct Data {
 }
 
 impl Data {
-    /// Returns the records of these paths: already read, or read now.
+    /// Returns the records of these paths. Reads them if necessary.
     fn of(
         &self,
         paths: &[PathBuf],
@@ -35,7 +35,7 @@ impl Data {
     }
 }
 
-/// Split of the data, and the reference of the groups. Without a reference the first group serves as one.
+/// Split of the data, and the reference of the groups. Without a reference, the first group is the reference.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Grouping {
@@ -44,14 +44,14 @@ pub struct Grouping {
     reference: Option<Data>,
     /// Name of the reference.
     reference_name: String,
-    /// Whether each group is compared with the one before it.
+    /// Whether each group is compared with the preceding group.
     chain: bool,
-    /// Entries of a `campaign.toml`, with which files are read, as JSON.
+    /// Entries of a `campaign.toml` as JSON. They are the options for reading the files.
     mapping: String,
     strict: bool,
 }
 
-/// Diagnoses of groups as the input of papers; they live as long as this process.
+/// Diagnoses of groups as the input of reports. They exist until the process ends.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
     /// Diagnoses.
@@ -62,7 +62,7 @@ pub struct Grouped {
     pub files: Vec<PathBuf>,
 }
 
-/// Error that ends the work: records that cannot be read, or a group that cannot be diagnosed.
+/// Error that ends the work: records cannot be read, or a group cannot be diagnosed.
 enum Refusal {
     Reading(anyhow::Error),
     Diagnosing(anyhow::Error),
@@ -80,10 +80,10 @@ impl From<GroupError> for Refusal {
 /// Mean cycles of every test of a group.
 type Cycles<'py> = Vec<Bound<'py, PyDict>>;
 
-/// Diagnoses groups of records, each against the reference.
+/// Diagnoses groups of records. Each group is compared with the reference.
 ///
-/// Returns the output of `dashpot diagnose --group --json`, the notes on whole campaigns as JSON, the mean cycles of every group, and the
-/// input of papers.
+/// Returns the output of `dashpot diagnose --group --json`, and the notes on whole campaigns as JSON. Also returns the mean cycles of every
+/// group, and the input of reports.
 #[pyfunction]
 #[pyo3(signature = (model, grouping, max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -99,7 +99,7 @@ pub fn diagnose_groups<'py>(
     let file = &model.get().file;
     let reading = options(&grouping.mapping, grouping.strict)?;
     let done = work::run(py, progress, |progress| -> Result<_, Refusal> {
-        // The progress of reading many folders is unknown before the last is found.
+        // The number of folders is unknown until the last one is found, so the progress of reading is unknown.
         let read = |paths: &[PathBuf]| load(paths, &reading, &|_| progress.say(0.0, "reading"));
         let Grouping { data, by, reference, reference_name, .. } = &grouping;
         let mut good = match reference {

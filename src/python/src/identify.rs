@@ -28,18 +28,18 @@ struct FitJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Fit as the input of its tables; it lives as long as this process.
+/// Fit as the input of its tables. It exists until the process ends.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Fitted {
     /// Fit.
     pub fit: Fit,
-    /// Errors over every sample.
+    /// Errors of the model over every sample.
     pub over_whole_records: Deviation,
     /// The campaign without its records.
     pub about: dashpot_records::Campaign,
 }
 
-/// Fits a model; returns the text of its model file, the figures as JSON, and the input of its tables.
+/// Fits a model. Returns the text of its model file, the figures as JSON, and the input of its tables.
 #[pyfunction]
 #[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 #[allow(clippy::needless_pass_by_value)]

@@ -1,7 +1,7 @@
-//! The compiled part of the Python package `dashpot`: records, models and dampers as objects, results as JSON.
+//! The compiled part of the Python package `dashpot`. It provides records, models and dampers as objects, and results as JSON.
 //!
-//! The user interface is written in Python on top of this part (`python/dashpot`), where results become dataclasses. Results are passed as
-//! the JSON that the command writes, so both give equal digits. Every number is printed so that it parses back to a bitwise equal value.
+//! The user interface is Python code on top of this part (`python/dashpot`), which converts results to dataclasses. Results are passed as
+//! the JSON of the command, so both give equal digits. Every number is printed so that it parses back to a bitwise equal value.
 //!
 //! | file | what |
 //! |---|---|
@@ -16,13 +16,13 @@
 //! | `check` | chatter in a host |
 //! | `limits` | tables of limits, and their checks on records |
 //! | `adams` | files of Adams, and models from such files and from tables |
-//! | `damper` | many dampers, stepped together |
+//! | `damper` | many dampers in one step |
 //! | `export` | FMU |
 //! | `papers` | reports, workbooks, certificates, figures |
 //! | `rig` | the virtual rig, and matrices of tests |
 //! | `errors` | exceptions with the messages of the command |
 //! | `work` | long work without the interpreter lock, on separate threads, interrupted by Ctrl-C |
-//! | `progress` | calls to Python during long work |
+//! | `progress` | calls of a Python function during long work |
 
 mod adams;
 mod campaign;

@@ -1,4 +1,4 @@
-//! Limits: a table of them, and their check on records, like `dashpot validate --limits`.
+//! Tables of limits, and their check on records, like `dashpot validate --limits`.
 
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise, say};
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// One limit from Python: name, quantity, velocity (m/s), low and high (N), amplitude (m), setting. A missing bound is infinite or `None`.
 pub type Row = (String, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// Makes limits from rows. An error names the first invalid row by its index.
+/// Makes limits from rows. An error message states the index of the first invalid row.
 pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
     let limit = |(k, row): (usize, Row)| {
         let (name, quantity, velocity_m_s, low, high, amplitude_m, setting) = row;
@@ -52,7 +52,7 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
             )));
         }
         let quantity = quantity_name(quantity);
-        // A limit without a name has the name of its quantity, as in the file.
+        // As in a file, a limit without a name has the name of its quantity.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
         Ok((name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting))
@@ -66,7 +66,7 @@ pub fn check_limits(limits: Vec<Row>) -> PyResult<()> {
     of_rows(limits).map(|_| ())
 }
 
-/// Figures of a campaign from which every limit can be checked.
+/// Figures of a campaign for the check of every limit.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Figures {
     of: limits::Figures,
@@ -92,13 +92,13 @@ impl Figures {
         Ok(Figures { of: serde_json::from_str(text).map_err(raise::<ValidationError>)? })
     }
 
-    /// Returns the figures as text, to be stored and checked against other limits later.
+    /// Returns the figures as text, for storage and later checks of other limits.
     #[getter]
     fn text(&self) -> PyResult<String> {
         serde_json::to_string(&self.of).map_err(raise::<ValidationError>)
     }
 
-    /// Compares the figures with limits. Returns `limits` of the output of `dashpot validate --limits --json`, without the model.
+    /// Compares the figures with limits. Returns the entry `limits` in the output of `dashpot validate --limits --json`, without the model.
     fn judge(&self, limits: Vec<Row>) -> PyResult<String> {
         let limits = of_rows(limits)?;
         limits::check_without_setting(&limits).map_err(raise::<ValidationError>)?;

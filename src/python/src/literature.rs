@@ -19,7 +19,7 @@ struct LiteratureJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Identifies the model with this name; returns the text of its file, and its figures as JSON.
+/// Identifies the model with this name. Returns the text of its file, and its figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, name, hold_out=Vec::new(), progress=None))]
 pub fn fit_literature(

@@ -24,7 +24,7 @@ pub struct Model {
     /// Prepared model.
     pub prepared: Box<dashpot_core::Model>,
     text: String,
-    /// Parameters in use, determined at the first request, because that takes some thousand times as long as a step.
+    /// Parameters in use. They are determined at the first request, because that takes some thousand times as long as a step.
     in_use: OnceLock<Vec<parameter::Row>>,
 }
 
@@ -66,7 +66,7 @@ struct ModelJson<'a> {
 }
 
 impl Model {
-    /// Makes a model from the text of a model file; errors refer to it by `name`.
+    /// Makes a model from the text of a model file. `name` is its name in error messages.
     pub fn from_text(text: String, name: &Path) -> PyResult<Model> {
         let file = model_file::of_text(&text, name).map_err(|error| {
             match model_file::family_of_text(&text, name) {
@@ -92,13 +92,13 @@ impl Model {
     /// Reads a model file.
     #[staticmethod]
     fn read(path: PathBuf) -> PyResult<Model> {
-        // The reader gives its own message if the file is missing or is no text.
+        // The reader has its own error message for a file that is missing or is not text.
         let text = dashpot_records::read_small_text(&path)
             .map_err(|why| raise::<ModelError>(model_file::ModelFileError::Unreadable { file: path.clone(), why }))?;
         Model::from_text(text, &path)
     }
 
-    /// Makes a model from the text of a model file; errors refer to it by `name`.
+    /// Makes a model from the text of a model file. `name` is its name in error messages.
     #[staticmethod]
     fn parse(text: String, name: PathBuf) -> PyResult<Model> {
         Model::from_text(text, &name)
@@ -146,7 +146,7 @@ impl Model {
         serde_json::to_string(&said).map_err(raise::<ModelError>)
     }
 
-    /// Returns the lowest and the highest velocity, m/s, of the FV curve, which is extrapolated linearly beyond.
+    /// Returns the lowest and the highest velocity, m/s, of the FV curve. Beyond them, the curve is extrapolated linearly.
     fn velocity_range(&self) -> (f64, f64) {
         self.prepared.elements().paths.fv_curve.range()
     }
@@ -231,7 +231,7 @@ impl Model {
         if record.displacement.is_none() && record.velocity.is_none() {
             return Err(PyValueError::new_err("a motion needs displacement_m or velocity_m_s"));
         }
-        // Number of steps of the simulation. An invalid step is rejected below.
+        // Number of steps of the simulation. The simulation rejects an invalid step.
         let instants = match step {
             Some(step) if step > 0.0 => ((time[time.len() - 1] - time[0]) / step) as usize,
             _ => time.len(),
@@ -251,10 +251,10 @@ impl Model {
     }
 }
 
-/// Runs work of so many steps without the interpreter lock.
+/// Runs work without the interpreter lock.
 ///
-/// Work that is shorter than the interval of Ctrl-C checks runs in this thread, which saves a tenth of a millisecond compared with separate
-/// threads.
+/// Work with fewer steps than the interval between checks for Ctrl-C runs in this thread. This saves a tenth of a millisecond compared with
+/// separate threads.
 fn long<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,
@@ -270,7 +270,7 @@ fn long<T: Send>(
     work::run(py, progress, |progress| work(&|done, all| progress.say(done as f64 / all as f64, text)))
 }
 
-/// Writes a text to a file atomically. Only with `force` may it replace a file of another kind.
+/// Writes a text to a file atomically. A file of another kind is replaced only with `force`.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write(path: PathBuf, text: &str, force: bool) -> PyResult<()> {

@@ -1,4 +1,4 @@
-//! Reports, workbooks, certificates and figures as files. The functions of the command make them, with equal bytes for equal input.
+//! Reports, workbooks, certificates and figures as files. The functions of the command make them, so equal input gives equal bytes.
 
 use crate::campaign::Campaign;
 use crate::compare::{compared, figures};
@@ -21,16 +21,16 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Format of a paper, and its statement of inputs.
+/// Format and stated inputs of a written report, workbook or figure.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Page {
     /// `en`, `de`, `fr` or `zh`.
     language: String,
     date: Option<String>,
-    /// Whether a printer prints the whole report.
+    /// Whether the printed report is complete.
     full: bool,
-    /// Whether other files may be replaced.
+    /// Whether the output may replace other files.
     force: bool,
     /// Name or path of the model file.
     model: String,
@@ -38,7 +38,7 @@ pub struct Page {
     is_file: bool,
     /// Name of the records.
     data: String,
-    /// Words of the equivalent command; empty if there is none.
+    /// Words of the equivalent command, or empty if there is none.
     command: Vec<String>,
     /// Files that were read in addition to model and records.
     files: Vec<PathBuf>,
@@ -58,9 +58,9 @@ impl Page {
         Path::new(&self.model).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// Returns the inputs of a paper.
+    /// Returns the inputs of a report.
     ///
-    /// These are the model's file, as it was when read or written, and then files that are read again.
+    /// The first is the content of the model's file when it was read or written. The other files are read again.
     fn made<'a>(&'a self, model: Option<&Model>, files: impl IntoIterator<Item = &'a PathBuf>) -> PyResult<Made> {
         let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
         let model = model
@@ -71,9 +71,9 @@ impl Page {
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
 
-    /// Runs the work that writes a file of this kind, or into a folder if no kind is given.
+    /// Runs the work that writes a file of this kind. Without a kind, the work writes into a folder.
     ///
-    /// The output may not replace an input of the paper.
+    /// The output may not replace an input of the report.
     fn write<T: Send>(
         &self,
         py: Python<'_>,
@@ -100,9 +100,9 @@ impl Page {
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
-/// Writes a validation: `report`, `certificate`, `workbook` or `figures`, the last into a folder. Returns the written files.
+/// Writes a validation as `report`, `certificate`, `workbook` or `figures`. Figures are written into a folder. Returns the written files.
 ///
-/// The figures are computed again from the existing forces. `campaign` has the records as they were compared.
+/// The error figures are computed again from the given forces. `campaign` contains the records with the corrections of the comparison.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn write_validation(
@@ -163,7 +163,7 @@ pub fn write_validation(
     })
 }
 
-/// Writes a diagnosis: `report`, `workbook` or `figures`, the last into a folder. Returns the written files.
+/// Writes a diagnosis as `report`, `workbook` or `figures`. Figures are written into a folder. Returns the written files.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_diagnosis(
@@ -206,7 +206,7 @@ pub fn write_diagnosis(
     })
 }
 
-/// Writes the diagnoses of groups: `report` or `workbook`.
+/// Writes the diagnoses of groups as `report` or `workbook`.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found: &Grouped) -> PyResult<()> {
@@ -226,7 +226,7 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
 
 /// Writes the proposed tests as a test matrix.
 ///
-/// Returns the number of its rows. Without a test for a rig it is 0, and nothing is written.
+/// Returns the number of rows. If no proposed test is for a rig, returns 0 and writes nothing.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write_next_tests(path: PathBuf, found: &Diagnosed, force: bool) -> PyResult<usize> {

@@ -9,7 +9,7 @@ use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Tests: from a file, from a plan, or the thesis's with changes.
+/// Tests from a file, from a plan, or from the thesis with changes.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Tests {
@@ -38,7 +38,7 @@ impl Tests {
         lists || self.frequency_limit_hz.is_some() || !self.slow_tests
     }
 
-    /// Returns the plan whose tests determine a severity; `None` for the user's own tests.
+    /// Returns the plan whose tests determine a severity, or `None` for the user's own tests.
     fn searched(&self) -> Result<Option<Plan>, Refusal> {
         match &self.plan {
             _ if self.matrix.is_some() || self.is_varied() => Ok(None),
@@ -47,7 +47,8 @@ impl Tests {
         }
     }
 
-    /// Returns the tests of a campaign. By default it is the plan that shows injected effects, or the thesis's tests without them.
+    /// Returns the tests of a campaign. The default is a plan for injected effects. Without injected effects, the default is the thesis's
+    /// tests.
     fn chosen(&self, hides: bool, order: u64) -> Result<Matrix, Refusal> {
         if let Some(file) = &self.matrix {
             return Matrix::read(file);
@@ -88,7 +89,7 @@ const ARGUMENTS: [(&str, &str); 8] = [
     ("sample rate", "sample_rate_hz"),
 ];
 
-/// Converts an error of the rig, with the names of arguments.
+/// Converts an error of the rig. In its message, names of arguments replace options.
 fn refused(error: anyhow::Error) -> PyErr {
     match error.downcast_ref::<Refusal>() {
         Some(Refusal::Option { option, problem }) => {
@@ -107,10 +108,10 @@ fn of_rig(error: SeverityError) -> anyhow::Error {
     }
 }
 
-/// Measures tests on the virtual rig; returns their number.
+/// Measures tests on the virtual rig. Returns their number.
 ///
-/// `hide` names effects with their strengths, or with their severities if `severity` is set. An effect without a number has the strength of
-/// a typical strong case.
+/// `hide` contains names of effects with their strengths, or with their severities if `severity` is set. An effect without a number has the
+/// strength of a typical strong case.
 #[pyfunction]
 #[pyo3(signature = (folder, tests, bench, hide, severity, progress=None))]
 #[allow(clippy::needless_pass_by_value)]

@@ -1,9 +1,9 @@
 //! Long work without the interpreter lock, on separate threads.
 //!
-//! Ctrl-C and exceptions of the progress function end it.
+//! Ctrl-C and exceptions of the progress function end the work.
 //!
-//! The threads belong to one unit of work. Rayon's global threads last as long as the process and are missing in a process forked after
-//! their start (multiprocessing does that on Linux). A wait for them there never ends.
+//! The threads belong to one unit of work. Rayon's global threads exist until the process ends, but not in a process forked after their
+//! start (multiprocessing does that on Linux). Waiting for them in a forked process never ends.
 
 use crate::progress::{Ended, Progress};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -16,10 +16,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{Builder, scope};
 use std::time::Duration;
 
-/// Interval between checks for Ctrl-C. A user does not notice it, and acquiring the interpreter lock so rarely costs nothing.
+/// Interval between checks for Ctrl-C. Users do not notice this delay, and acquiring the interpreter lock so rarely has no measurable cost.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Number of threads of one unit of work; 0 means the number of processors.
+/// Number of threads of one unit of work. 0 means the number of processors.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
 /// Sets the number of threads of each fit, validation, diagnosis and step of many dampers in this process.
@@ -42,13 +42,13 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
             let (alive, ended) = channel::<()>();
             let own = &progress;
             let worker = Builder::new().spawn_scoped(scope, move || {
-                // This value is dropped at the end, however the work ends.
+                // This value is dropped at the end of the work, even if the work fails.
                 let _alive = alive;
                 own.cancel.run_on(THREADS.load(Ordering::Relaxed), || work(own))
             });
             let Ok(worker) = worker else { return Ok(None) };
             while ended.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
-                // Python checks signals only in its first thread. In other threads this does nothing.
+                // Python checks signals only in its main thread. In other threads, this call does nothing.
                 if let Err(interrupt) = Python::attach(|py| py.check_signals()) {
                     progress.stop(interrupt);
                 }
@@ -67,10 +67,11 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
     done.ok_or_else(|| PyRuntimeError::new_err("the system gives no threads to work on"))
 }
 
-/// Returns the threads that share steps of many dampers; `None` if the system provides none. They are made again after a fork and after
-/// [`set_threads`].
+/// Returns the threads that share steps of many dampers, or `None` if the system provides no threads. New threads replace them after a fork
+/// and after [`set_threads`].
 ///
-/// The lock is only held together with the interpreter lock, which a fork acquires first. So no child process starts with it held.
+/// This function locks the pool only while it also has the interpreter lock, which a fork acquires first. So the lock is free in a new
+/// child process.
 pub fn pool(_: Python<'_>) -> Option<Arc<ThreadPool>> {
     static POOL: Mutex<Option<(u32, usize, Arc<ThreadPool>)>> = Mutex::new(None);
     let wanted = (std::process::id(), THREADS.load(Ordering::Relaxed));

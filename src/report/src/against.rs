@@ -1,4 +1,4 @@
-//! Compares the model with models of the literature, on the tests used in the fit and on the left-out tests.
+//! Compares the model with models of the literature, separately for fitted tests and left-out tests.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;

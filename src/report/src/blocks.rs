@@ -14,7 +14,7 @@ pub struct Section {
     pub title: String,
     /// Contents in reading order.
     pub blocks: Vec<Block>,
-    /// Alternative parts that the reader selects one at a time (the single tests); usually none.
+    /// Alternative parts, such as the single tests. The reader selects one at a time. Most sections have none.
     pub choices: Vec<Section>,
     /// Whether only the complete print includes the section.
     pub beyond: bool,
@@ -25,7 +25,7 @@ pub struct Section {
 /// One piece of a section.
 #[derive(Debug, Clone)]
 pub enum Block {
-    /// The sentences for every reader, in larger type.
+    /// The main sentences of the section, in larger type.
     Lead(String),
     /// A verdict and its sentence.
     Verdict(Overall, String),
@@ -33,7 +33,7 @@ pub enum Block {
     Heading(String),
     /// Plain text.
     Paragraph(String),
-    /// A caution that the reader must know before trusting the figures.
+    /// A caution about the reliability of the figures.
     Warning(String),
     /// A list of remarks.
     List(Vec<String>),
@@ -61,7 +61,7 @@ pub struct Figure {
 /// A table.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// Meaning and calculation of the figures.
+    /// Meaning and calculation of the table's figures.
     pub caption: String,
     /// Columns.
     pub columns: Vec<Column>,
@@ -74,11 +74,11 @@ pub struct Table {
 /// A column of a table.
 #[derive(Debug, Clone)]
 pub struct Column {
-    /// Heading shared by neighboring columns of one group; empty for none.
+    /// Heading that neighboring columns of one group share; empty without a group.
     pub group: &'static str,
     /// Heading with unit.
     pub heading: &'static str,
-    /// Whether the cells are numbers, aligned right.
+    /// Whether the cells are numbers, which are aligned right.
     pub figures: bool,
     /// Whether the cells are sentences, which may wrap.
     pub wraps: bool,
@@ -100,7 +100,7 @@ impl Section {
         Self { folded: true, ..self.beyond() }
     }
 
-    /// Iterates over the section and its alternative parts, in reading order.
+    /// Iterates over the section and its alternative parts in reading order.
     pub fn parts(&self) -> impl Iterator<Item = &Section> {
         std::iter::once(self).chain(&self.choices)
     }

@@ -13,10 +13,10 @@ pub struct Cell {
     pub value: Value,
 }
 
-/// Value behind the text of a cell.
+/// Value that a workbook stores for a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// No value; the cell has only its text.
+    /// No value: the cell has only its text.
     Words,
     /// A number in the unit of the heading.
     Number(f64),
@@ -42,23 +42,23 @@ impl Cell {
         Self { text: value.to_string(), value: Value::Number(value as f64) }
     }
 
-    /// Creates a cell from a displacement or velocity in SI, shown in mm or mm/s.
+    /// Creates a cell from a displacement or velocity in SI. The cell shows mm or mm/s.
     pub fn milli(si: f64) -> Self {
         Self { text: numbers::milli(si), value: Value::Number(1e3 * si) }
     }
 
-    /// Creates a cell from a fraction, shown in percent.
+    /// Creates a cell from a fraction. The cell shows percent.
     pub fn fraction(value: f64) -> Self {
         Self { text: numbers::fraction(value), value: Value::Measured(100.0 * value, "%".into()) }
     }
 
-    /// Creates a cell from a value, shown in the unit that engineers use for the quantity.
+    /// Creates a cell from a value. The cell shows the unit that engineers use for the quantity.
     pub fn measured(value: f64, unit: &str) -> Self {
         let (factor, usual) = reading_unit(value, unit);
         Self { text: numbers::with_unit(value, unit), value: Value::Measured(factor * value, usual) }
     }
 
-    /// Creates two cells from a value and the ends of its interval, in one unit.
+    /// Creates two cells in one unit: a value, and the ends of its interval.
     pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> [Self; 2] {
         let (factor, usual) = reading_unit(value, unit);
         let (text, ends) = numbers::with_interval(value, low, high, unit, words);
@@ -79,7 +79,7 @@ impl Cell {
         Self::from("–")
     }
 
-    /// Creates a cell from a known number, else the placeholder.
+    /// Creates a cell from a number, or the placeholder if the number is missing.
     pub fn known(value: Option<f64>, cell: impl Fn(f64) -> Cell) -> Self {
         value.map_or_else(Self::none, cell)
     }

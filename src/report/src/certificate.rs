@@ -1,4 +1,4 @@
-//! The certificate, a page of its own: verdict, diagram with the windows, every limit, and the origin of the data.
+//! The certificate, a separate page: verdict, diagram with the limits, table of every limit, and the origin of the data.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -16,7 +16,7 @@ use dashpot_records::Record;
 pub struct CertificateInput<'a> {
     /// Results of the limits.
     pub certificate: &'a Certificate,
-    /// The records behind the verdicts, with the test object, the date and the operator.
+    /// The records from which the verdicts follow, with the test object, the date and the operator.
     pub records: &'a [&'a Record],
     /// Name of the data.
     pub data: String,
@@ -30,7 +30,7 @@ pub struct CertificateInput<'a> {
     pub words: &'a Words,
 }
 
-/// Renders the certificate as a page of its own.
+/// Renders the certificate as a separate page.
 pub fn render(input: &CertificateInput<'_>) -> String {
     let words = input.words;
     let figure = peaks::against_limits(input.certificate, input.curve, words);
@@ -103,14 +103,14 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let row = |one: &Checked| {
         let limit = &one.limit;
         let tests = one.measured.as_ref().map_or_else(String::new, |v| in_short(&v.tests));
-        // The force was interpolated between two tests; neither test measured it.
+        // The force was interpolated between two tests, so neither test measured it.
         let between = limit.quantity == Quantity::Force && one.measured.as_ref().is_some_and(|v| v.tests.len() > 1);
         let tests = if between { words.fill(words.certificate_interpolated, &[("tests", &tests)]) } else { tests };
         vec![
             label(one, words).into(),
-            // Every velocity of a report and of its figures is in mm/s.
+            // All velocities in a report and its figures are in mm/s.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
-            // The unit of a bound stands in its own column, because times in ms and forces in N share the table.
+            // A separate column contains the unit of a bound, because times in ms and forces in N share the table.
             limit.quantity.display().0.into(),
             bound(limit.quantity, limit.low),
             bound(limit.quantity, limit.high),
@@ -142,7 +142,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
     }
 }
 
-/// Lists names of tests. Of more than three names only the first and the last appear.
+/// Lists names of tests. If there are more than three, lists only the first and the last.
 fn in_short(tests: &[String]) -> String {
     match tests {
         [first, .., last] if tests.len() > 3 => format!("{first} … {last} ({})", tests.len()),
@@ -150,7 +150,7 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
-/// Formats the limited quantity with the name from the limit file.
+/// Formats the limited quantity, with its name from the limit file.
 fn label(one: &Checked, words: &Words) -> String {
     let limit = &one.limit;
     let quantity = match limit.quantity {
@@ -202,7 +202,7 @@ mod tests {
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
-        // The certificate leaves missing metadata blank for filling in, and does not read the clock.
+        // The certificate leaves missing metadata blank for handwriting. It does not read the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(

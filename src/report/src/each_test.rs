@@ -6,10 +6,10 @@ use crate::plot::{in_space, of_test};
 use crate::words::Words;
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
-/// Largest number of plotted tests for which a browser opens the page without delay (about 70 kB each).
+/// Largest number of plotted tests with which a browser opens the page without delay (about 70 kB each).
 const MOST_SHOWN: usize = 120;
 
-/// Builds one alternative part per test, the worst test first.
+/// Builds one alternative part per test. The worst test comes first.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Section {
     let cycles = of_test::CYCLES_SHOWN.to_string();
     let mut blocks = vec![Block::Paragraph(words.fill(words.single_about, &[("cycles", &cycles)]))];
@@ -36,7 +36,7 @@ pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, word
     Section::new("worst", title, vec![Block::Figures(plots), Block::Paragraph(about)])
 }
 
-/// Returns the indices of the tests to plot, the worst first, at most as many as a page allows.
+/// Returns the indices of the tests to plot. The worst test comes first, and the number of tests is limited.
 fn by_error(validation: &Validation) -> Vec<usize> {
     let mut places: Vec<usize> = (0..validation.tests.len()).collect();
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
@@ -107,7 +107,7 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) ->
     sentences.join(" ")
 }
 
-/// Converts a test's name to a portable part of a file name. The running number keeps the file name unique.
+/// Converts a test's name to a portable part of a file name. The serial number keeps the file name unique.
 fn file_name(name: &str) -> String {
     let safe = |c: char| {
         if c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '.' { c } else { '_' }

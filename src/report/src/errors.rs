@@ -31,7 +31,7 @@ pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     ]
 }
 
-/// Labels the rows of a matrix: by amplitude, of tests outside the matrix (slow or not periodic), and by peak velocity.
+/// Labels three groups of rows of a matrix: by amplitude, tests outside the matrix (slow or not periodic), and by peak velocity.
 fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [Vec<(String, MatrixRow)>; 3] {
     let named =
         |row: &MatrixRow, text: Message, value: f64| (words.fill(text, &[("value", &write(value))]), row.clone());
@@ -76,9 +76,8 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model.
-///
-/// These errors replace the columns of the curve and the model.
+/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model. These errors use the columns of curve
+/// and model.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: Message, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
@@ -90,7 +89,7 @@ pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     blocks
 }
 
-/// Formats by [`milli`] without trailing zeros.
+/// Formats with [`milli`], without trailing zeros.
 fn short(si: f64) -> String {
     let text = milli(si);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
@@ -141,7 +140,7 @@ fn error_columns(words: &Words) -> Vec<Column> {
     model.into_iter().chain(curve).collect()
 }
 
-/// Builds the cells below [`error_columns`].
+/// Builds the cells for the columns of [`error_columns`].
 fn figures(errors: &Errors) -> Vec<Cell> {
     let Errors { model, fv_only } = errors;
     let mut cells = vec![

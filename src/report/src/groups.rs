@@ -49,7 +49,7 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     Page { subtitle, sections, made, words }
 }
 
-/// Formats the name of a group. It includes the group's reference if that differs from the common reference.
+/// Formats the name of a group. If the group's reference differs from the common reference, the name includes it.
 fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String {
     if answer.reference == answers.reference {
         return answer.group.clone();
@@ -82,12 +82,11 @@ fn of_groups(answers: &GroupResults, words: &Words) -> Table {
 
 /// Size of the figure, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
-/// Number of groups with a distinct hue; further groups are gray.
+/// Number of groups with a distinct hue. Further groups are gray.
 const HUES: usize = 8;
 
-/// Draws the FV curves of all groups and of the reference in one figure.
-///
-/// The curves include friction and gas force, over the velocity range of each group's tests.
+/// Draws the FV curves of all groups and of the reference in one figure. They include friction and gas force, over the velocity range of
+/// each group's tests.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

@@ -18,7 +18,7 @@ pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(Section::new("inventory", words.inventory_section, blocks))
 }
 
-/// Builds the table. Without a given model, no effect was kept or replaced, and `status` is false.
+/// Builds the table. Without a given model, no effect could be kept or replaced, so `status` is false.
 pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Table> {
     if items.is_empty() {
         return None;
@@ -44,7 +44,7 @@ pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Tab
     Some(Table { caption: String::new(), columns, rows: items.iter().map(row).collect(), sortable: true })
 }
 
-/// Formats a probability in percent. A value that rounds to 0 or 100 is marked as a bound.
+/// Formats a probability in percent. If it rounds to 0 or 100, the text states a bound.
 pub fn probability(value: f64) -> String {
     match value {
         v if v > 0.995 => format!(">\u{a0}{}", fraction(0.99)),
@@ -53,7 +53,7 @@ pub fn probability(value: f64) -> String {
     }
 }
 
-/// Formats the status of an effect, with the effect that it replaces.
+/// Formats the status of an effect. If the effect replaces another, the text includes that effect.
 pub fn status_text(item: &InventoryItem, words: &Words) -> String {
     let status = match item.status {
         Status::Kept => words.status_kept,

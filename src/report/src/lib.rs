@@ -1,10 +1,10 @@
-//! The validation report: one self-contained HTML file that opens without a network and prints.
+//! The validation report: one self-contained HTML file that needs no network and can be printed.
 //!
 //! [`diagnosis`] writes the report of `dashpot diagnose` with the same blocks.
 //!
-//! A report is a list of [`Section`]s made of a few kinds of [`Block`]. Every section builder lives in its own file and
-//! does not contain HTML; [`page`] writes the HTML and is independent of dampers. [`ReportInput::extra`] adds further
-//! sections (before/after pictures, a diagnosis); [`svgs`] writes their figures too.
+//! A report is a list of [`Section`]s with a few kinds of [`Block`]. Every section builder has its own file and does not contain HTML.
+//! [`page`] writes the HTML and does not depend on dampers. [`ReportInput::extra`] adds further sections (before/after pictures, a
+//! diagnosis). [`svgs`] writes their figures too.
 //!
 //! Equal input gives equal bytes: the report contains no clock time, no random name and no machine name. All text is in
 //! [`words`], one file per language.
@@ -70,15 +70,15 @@ pub struct ReportInput<'a> {
     pub data: String,
     /// Results of the comparison.
     pub validation: &'a Validation,
-    /// The tests compared, in the order of `validation.tests`; they supply the plots and cleaning notes.
+    /// The compared tests, in the order of `validation.tests`. They supply the plots and cleaning notes.
     pub tests: &'a [Compared<'a>],
-    /// Parameters of the model; the section is left out when empty.
+    /// Parameters of the model. Without parameters, the report omits the section.
     pub parameters: Vec<ParameterRow>,
-    /// Description of the identification: [`Block::Paragraph`], [`Block::Warning`], tables; left out when empty.
+    /// Description of the identification: [`Block::Paragraph`], [`Block::Warning`], tables. The report omits an empty description.
     pub identification: Vec<Block>,
     /// Further sections, placed before the single tests.
     pub extra: Vec<Section>,
-    /// The adjustable damper, whose curves come first; absent for an ordinary damper.
+    /// The adjustable damper, whose curves come first, or `None` for an ordinary damper.
     pub family: Option<FamilyReport<'a>>,
 }
 
@@ -86,7 +86,7 @@ impl<'a> ReportInput<'a> {
     /// Collects the complete report of a model file, its records and their comparison.
     ///
     /// # Errors
-    /// If the simulation cannot step with the model's parameters.
+    /// The simulation cannot step with the model's parameters.
     pub fn from_validation(
         model: &ModelFile,
         campaign: &Campaign,
@@ -132,10 +132,10 @@ pub fn render_sections(title: &str, subtitle: &str, sections: &[Section], words:
     page::page(title, subtitle, sections, words, Print::Whole)
 }
 
-/// Writes the report. It replaces an older report only once the new one is complete.
+/// Writes the report. An older report is replaced only when the new report is complete.
 ///
 /// # Errors
-/// If the folder does not exist or is not writable; the older report then stays.
+/// The folder does not exist or is not writable. The older report then stays.
 pub fn write_atomic(input: &ReportInput<'_>, path: &Path) -> anyhow::Result<()> {
     write_page(&render(input), path)
 }
@@ -149,7 +149,7 @@ fn write_page(page: &str, path: &Path) -> anyhow::Result<()> {
 /// Returns the paths in the order of the report.
 ///
 /// # Errors
-/// If the folder or a file is not writable.
+/// The folder or a file is not writable.
 pub fn svgs(input: &ReportInput<'_>, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     write_figures(&sections(input), folder)
 }
@@ -172,7 +172,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
     let limits_id = limits.as_ref().map(|section| section.id.clone());
     let mut answer = summary::section(validation, words);
-    // The verdict comes first. Its table follows the first figure; the certificate prints that table.
+    // The verdict comes first. Its table follows the first figure. The certificate prints that table.
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
@@ -181,7 +181,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let first = sections.len() + family.as_ref().map_or(0, Vec::len);
     sections.extend(family.into_iter().flatten());
     if let Some(svg) = peaks::force_at_peak(validation, &input.curve, words) {
-        // A family has a line for each setting, in its own figure.
+        // For a family, a separate figure has a line for each setting.
         let caption = if input.family.is_some() { words.fv_caption_by_setting } else { words.fv_caption };
         let figure = Figure::new("force-at-peak", svg).saying(caption);
         sections.push(Section::new("peaks", words.fv_section, vec![Block::Wide(figure)]));
@@ -205,7 +205,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     sections.extend(parameters::section(&input.parameters, words).map(Section::beyond));
     sections.push(made::section(&input.made, words).beyond());
     if input.family.is_some() {
-        // Only curves, errors and loops by setting, and a verdict on limits, stay expanded.
+        // All sections are collapsed, except curves, errors and loops by setting, and a verdict on limits.
         let kept = limits_id.as_deref();
         for section in sections.iter_mut().skip(first).filter(|section| Some(section.id.as_str()) != kept) {
             *section = section.clone().folded();

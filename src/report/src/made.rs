@@ -1,7 +1,7 @@
-//! Origin of a report, which allows its reproduction.
+//! Origin of a report. It allows the reproduction of the report.
 //!
-//! The origin consists of version, command, files with their hashes, and an optional date. The clock is not read: equal
-//! input gives equal bytes.
+//! The origin consists of version, command, files with their hashes, and an optional date. No function reads the clock, so equal input
+//! gives equal bytes.
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -14,7 +14,7 @@ use std::path::Path;
 /// A file that was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MadeFrom {
-    /// Name as given.
+    /// Name from the command line.
     pub name: String,
     /// Size in bytes.
     pub bytes: u64,
@@ -47,12 +47,11 @@ impl Made {
     }
 }
 
-/// Returns the date of a report: the given date, else the date of `SOURCE_DATE_EPOCH`, else none.
-///
-/// The clock is not read, so equal input gives an equal report.
+/// Returns the date of a report: the given date, or the date of `SOURCE_DATE_EPOCH`, or no date. The function does not read the clock, so
+/// equal input gives an equal report.
 ///
 /// # Errors
-/// If `SOURCE_DATE_EPOCH` is not a number of seconds.
+/// `SOURCE_DATE_EPOCH` is not a number of seconds.
 pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     match (given, std::env::var("SOURCE_DATE_EPOCH")) {
         (Some(date), _) => Ok(Some(date.to_owned())),
@@ -64,7 +63,7 @@ pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     }
 }
 
-/// Quotes words as one line that a shell splits into the same words.
+/// Quotes words and joins them to one line. A shell splits the line into the same words.
 pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
     let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
     let quoted = |word: String| match () {
@@ -138,8 +137,8 @@ pub fn section(made: &Made, words: &Words) -> Section {
 
 /// Converts seconds since 1970, the unit of `SOURCE_DATE_EPOCH`, to a day of the Gregorian calendar.
 pub fn day_of(seconds: u64) -> String {
-    // Days are counted from 1 March of year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level
-    // date algorithms).
+    // Years begin on 1 March, counted from year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date
+    // algorithms).
     let days = seconds / 86_400 + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);
     let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;

@@ -1,7 +1,7 @@
 //! Report of a manoeuvre.
 //!
-//! It contains the forces of the dampers with the model and with its FV curve alone. It also contains the road, the
-//! chassis, the operating region of the dampers, and the vehicle.
+//! It contains the damper forces, once with the model and once with the model's FV curve alone. It also contains the road, the chassis, the
+//! operating region of the dampers, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -33,25 +33,24 @@ pub struct CornerFigures {
     pub corner: &'static str,
     /// Region of displacement and velocity in the manoeuvre.
     pub saw: Region,
-    /// Largest force with the model, N.
+    /// Largest force in the run with the model, N.
     pub largest_force_n: f64,
-    /// Largest force with the curve, N.
+    /// Largest force in the run with the FV curve, N.
     pub largest_force_fv_n: f64,
-    /// rms difference of the two forces, N, without the error of the coupling step ([`Figures::quiet_step_s`]).
+    /// rms difference of the forces with model and curve, N, without the error of the coupling step ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
-    /// rms error, N, that the coupling in the host's step adds to the force with the model and with the curve.
-    ///
-    /// `None` if the coupling does not chatter.
+    /// rms error of the force, N, due to chatter in the host's step: for the model, and for the curve. `None` if the coupling does not
+    /// chatter.
     pub rms_chatter_n: Option<[f64; 2]>,
-    /// rms of the force with the model about its mean, N.
+    /// rms of the force with the model after subtraction of its mean, N.
     pub rms_force_n: f64,
     /// Dissipated energy with the model, J.
     pub energy_j: f64,
     /// Dissipated energy with the curve, J.
     pub energy_fv_j: f64,
-    /// Fraction of the time within a tenth of the tests' region from a rig test.
+    /// Fraction of the time in which a rig test is near: within a tenth of the tests' region, in both directions.
     pub fraction_inside_tests: Option<f64>,
-    /// Velocities, m/s, at which the model's FV curve ends; `None` for a curve without ends.
+    /// Velocities, m/s, at which the model's FV curve ends, or `None` for a curve without ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
     /// Fraction of the time beyond the ends of the curve, where the force is extrapolated linearly.
     pub fraction_beyond_curve: f64,
@@ -64,19 +63,18 @@ pub struct Figures {
     pub manoeuvre: String,
     /// Step, s.
     pub step_s: f64,
-    /// Largest heave acceleration with the model and with the curve, m/s².
+    /// Largest heave acceleration for the model and for the curve, m/s².
     pub largest_heave_acceleration_m_s2: [f64; 2],
-    /// rms heave acceleration with the model and with the curve, m/s².
+    /// rms heave acceleration for the model and for the curve, m/s².
     pub rms_heave_acceleration_m_s2: [f64; 2],
     /// rms difference of heave between model and curve, m, without the error of the coupling step.
     pub rms_heave_difference_m: f64,
-    /// Step, s, of the comparison if the coupling of force and motion chatters in the host's step with either model.
-    ///
-    /// `None` if the coupling does not chatter.
+    /// Shorter step, s, for the comparison of model and curve. `None` if the coupling of force and motion chatters with neither model in
+    /// the host's step.
     pub quiet_step_s: Option<f64>,
-    /// Largest ratio c h / m of the coupling: damping times step over mass.
+    /// Largest ratio c h / m of the coupling: damping times step divided by mass.
     pub coupling: f64,
-    /// Largest ratio c h / m of moving dampers.
+    /// Largest ratio c h / m of the coupling while the damper moves.
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,
@@ -108,7 +106,7 @@ impl Covered {
         Covered { region: region(loops.iter().flatten().copied()), loops }
     }
 
-    /// Returns a predicate: whether a point lies within a tenth of the tests' region from a test, in both directions.
+    /// Returns a predicate. It is true if a point lies within a tenth of the tests' region from a test, in both directions.
     fn near(&self) -> impl Fn([f64; 2]) -> bool {
         const CELLS: usize = 20;
         let r = self.region;
@@ -136,7 +134,7 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
     (sum / n.max(1) as f64).sqrt()
 }
 
-/// Evaluates the runs with the model and with the curve; `quiet` are both runs in shorter steps.
+/// Evaluates the runs with model and curve. `quiet` contains both runs in shorter steps.
 pub fn figures(
     name: &str,
     step: f64,
@@ -199,7 +197,7 @@ pub fn figures(
     }
 }
 
-/// Selects the runs with model and curve whose difference is due to the dampers alone.
+/// Selects the runs with model and curve whose difference comes from the dampers alone.
 fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
     quiet.map_or(host, |quiet| quiet.runs.each_ref())
 }
@@ -221,7 +219,7 @@ pub struct ManoeuvreInput<'a> {
     pub covered: Option<&'a Covered>,
     /// The vehicle.
     pub car: &'a Car,
-    /// Its speed, m/s.
+    /// Speed of the vehicle, m/s.
     pub speed: f64,
     /// Origin of the report.
     pub made: &'a Made,
@@ -303,7 +301,7 @@ impl ManoeuvreInput<'_> {
         self.words.fill(self.words.manoeuvre_chassis, &figures)
     }
 
-    /// Returns the lines of both runs in drawing order: the model on top.
+    /// Returns the lines of both runs in drawing order, so that the model is on top.
     fn both(&self, point: &dyn Fn(&Sample) -> [f64; 2]) -> Vec<Series> {
         vec![
             series(Role::FvOnly, self.words.fv_curve, self.curve, point),
@@ -333,7 +331,7 @@ impl ManoeuvreInput<'_> {
             let less = Series { role: Role::Model, label: words.model, lines, marks: Marks::Line };
             let svg = self.over_time(title(words.corner_difference), words.axis_difference, vec![less]);
             figures.push(Figure::new(format!("difference-time-{name}"), svg));
-            // The curve is drawn last: it is narrow, and the model's loops would cover it.
+            // The curve is drawn last, because its loop is narrow and the model's loops would cover it.
             let loops =
                 self.both(&|s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force]).into_iter().rev().collect();
             let plane = plane(title(words.corner_force_velocity), words.axis_velocity, words.axis_force, loops);
@@ -432,9 +430,8 @@ impl ManoeuvreInput<'_> {
     }
 }
 
-/// Notes that model and curve were compared in shorter steps, and quantifies the error of the host's step.
-///
-/// Returns `None` if the host's step was used.
+/// Notes that model and curve were compared in shorter steps, and states the error of the host's step. Returns `None` if the comparison
+/// used the host's step.
 pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     let most =
         |of: usize| f.corners.iter().filter_map(|c| c.rms_chatter_n).map(|chatter| chatter[of]).fold(0.0, f64::max);
@@ -444,7 +441,7 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_quiet, &figures))
 }
 
-/// Notes the damper that spends the most time beyond the velocities of its identified FV curve.
+/// Names the damper that spends the most time beyond the velocities of its identified FV curve.
 ///
 /// Returns `None` if no damper leaves these velocities.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
@@ -458,7 +455,7 @@ pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_beyond, &figures))
 }
 
-/// Formats the requirements of the coupling on a host, if there are any.
+/// Formats the requirements of the coupling on a host. Returns `None` if there are none.
 pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     let [all, moving, mass, slow] =
         [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));

@@ -5,14 +5,12 @@ use crate::words::Words;
 use dashpot_records::newtons::places;
 use dashpot_records::reading_unit;
 
-/// Formats a force, N: without decimals, or below 10 N with two digits, as small dampers need.
+/// Formats a force, N, without decimals. Below 10 N it has two digits, for small dampers.
 pub fn force(newton: f64) -> String {
     number(newton, places(newton, 0))
 }
 
-/// Formats a difference of forces, N.
-///
-/// It has one decimal, or two digits below 1 N, which may be the whole error of a small damper.
+/// Formats a difference of forces, N, with one decimal. Below 1 N it has two digits, because that may be the whole error of a small damper.
 pub fn error(newton: f64) -> String {
     number(newton, places(newton, 1))
 }
@@ -32,7 +30,7 @@ pub fn frequency(hertz: f64) -> String {
     digits(hertz, 3)
 }
 
-/// Formats a value with `significant` digits; very large and very small values as a power of ten.
+/// Formats a value with `significant` digits. Very large and very small values have a power of ten.
 pub fn digits(value: f64, significant: i32) -> String {
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".into() } else { "–".into() };
@@ -47,16 +45,14 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
 }
 
-/// Formats a value with the decimals that give `reference` three digits.
-///
-/// Figures in one comparison then end at the same decimal, and values negligible relative to `reference` appear as
-/// zero.
+/// Formats a value with the decimals that give `reference` three digits. Figures in one comparison then end at the same decimal. Values
+/// that are negligible relative to `reference` appear as zero.
 pub fn comparable(value: f64, reference: f64) -> String {
     let exponent = if reference == 0.0 { 0.0 } else { libm::log10(reference.abs()).floor() };
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
-/// Formats a value in the unit that engineers use for the quantity: mm, N/mm, ms; four digits.
+/// Formats a value with four digits in the unit that engineers use for the quantity: mm, N/mm, ms.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let (factor, unit) = reading_unit(value, unit);
     spaced(digits(factor * value, 4), &unit)
@@ -66,7 +62,7 @@ pub fn with_unit(value: f64, unit: &str) -> String {
 pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
     let (factor, unit) = reading_unit(value, unit);
     let [value, low, high] = [value, low, high].map(|v| factor * v);
-    // Digits beyond the first two of the interval's half width are not significant.
+    // Digits after the first two of the interval's half width are not significant.
     let half = 0.5 * (high - low).abs();
     let write = |v: f64| match half {
         half if half.is_finite() && half > 0.0 && (1e-4..1e6).contains(&value.abs()) => {

@@ -15,9 +15,9 @@ pub enum Print {
     /// The result and its evidence: two pages.
     #[default]
     Brief,
-    /// Everything.
+    /// All sections.
     Whole,
-    /// One page: everything but the list of files.
+    /// One page with all contents except the list of files.
     Certificate,
 }
 
@@ -80,7 +80,7 @@ fn section(html: &mut String, section: &Section, (words, print): (&Words, Print)
     let class = if section.beyond { " class=\"beyond\"" } else { "" };
     let (id, title) = (escape(&section.id), escape(&section.title));
     if section.folded {
-        // A printed section cannot be expanded, so the complete print expands all.
+        // A printed section cannot be expanded, so the complete print expands all sections.
         let open = if print == Print::Whole { " open" } else { "" };
         let _ = writeln!(
             html,
@@ -159,7 +159,7 @@ fn figure(html: &mut String, figure: &Figure, class: &str) {
 fn table(html: &mut String, table: &Table, words: &Words) {
     let class = if table.sortable { " class=\"sortable\"" } else { "" };
     if !table.caption.is_empty() {
-        // A <caption> element would be as wide as the table and scroll with it, so a paragraph serves instead.
+        // A <caption> element would be as wide as the table and scroll with it. Therefore, the caption is a paragraph.
         let sorts = if table.sortable {
             format!(" <span class=\"sorts\">{}</span>", escape(words.sort_help))
         } else {
@@ -190,7 +190,7 @@ fn cell_text(cell: &Cell, words: &Words) -> String {
     if cell.value == Value::Words { cell.text.clone() } else { words.number(&cell.text) }
 }
 
-/// Writes the row of group headings, if any column has a group.
+/// Writes the row of group headings if any column has a group.
 fn groups(html: &mut String, columns: &[Column]) {
     if columns.iter().all(|column| column.group.is_empty()) {
         return;
@@ -204,7 +204,7 @@ fn groups(html: &mut String, columns: &[Column]) {
     html.push_str("</tr>\n");
 }
 
-/// Returns the class of a column: numbers align right, and a line precedes the first column of a group.
+/// Returns the class of a column. Numbers align right, and a line precedes the first column of a group.
 fn class_of(columns: &[Column], index: usize) -> &'static str {
     let Some(column) = columns.get(index) else {
         return "";

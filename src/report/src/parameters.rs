@@ -17,15 +17,15 @@ use dashpot_identification::{Estimate, Fit, Standing};
 /// A parameter of the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterRow {
-    /// Name as in the model file.
+    /// Name of the parameter in the model file.
     pub name: String,
     /// Value, in `unit`.
     pub value: f64,
     /// Unit.
     pub unit: String,
-    /// Lower end of the range, where known.
+    /// Lower end of the range, if known.
     pub low: Option<f64>,
-    /// Upper end of the range, where known.
+    /// Upper end of the range, if known.
     pub high: Option<f64>,
     /// Source of the value: identified, measured, default, given.
     pub source: String,
@@ -35,7 +35,7 @@ pub struct ParameterRow {
     pub assumed: Option<String>,
 }
 
-/// Remark of a table on a parameter.
+/// Remark on a parameter in a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remark {
     /// What the parameter of this name means.
@@ -68,9 +68,7 @@ impl Remark {
     }
 }
 
-/// Formats the assumption about a parameter that the data could not determine, and its source.
-///
-/// `why` states the reason for which its element is off, if it is off.
+/// Formats the assumption about a parameter that the data could not determine, and its source. If its element is off, `why` is the reason.
 pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
     assumed_by(name, value, (params, &PriorSet::default()), why, words)
 }
@@ -90,7 +88,7 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
     let median = prior.map(|prior| prior.distribution.center());
     let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
-    // Any other value comes from the fit: a compromise between the prior and weak evidence of the records.
+    // Any other value comes from the fit. It is a compromise between the prior and weak evidence in the records.
     let source = match (prior, median) {
         _ if of_damper.is_some_and(|own| (value / own.center() - 1.0).abs() < NEAR) => {
             words.fill(words.assumed_dimensions, &[("source", of_damper.map_or("", |own| own.facts()))])
@@ -153,7 +151,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
                     _ => (None, None),
                 };
-                // Parameters of the element's other form are omitted.
+                // Omit parameters of an unselected form of the element.
                 if low.is_none() && !missing && values == p.default {
                     continue;
                 }
@@ -236,7 +234,7 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
     }
 }
 
-/// Largest relative distance from the center of a damper's own prior at which a value counts as the prior's.
+/// Largest relative distance of a value from the center of a damper's own prior at which the prior counts as its source.
 const NEAR: f64 = 0.1;
 
 /// Formats the assumption about an estimate that the data could not determine.
@@ -246,7 +244,7 @@ pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String
 
 /// Formats the assumption about an estimate of a damper that has its own priors.
 pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) -> Option<String> {
-    // An undetermined point of a curve was fitted nevertheless; its interval shows the uncertainty.
+    // The fit includes an undetermined point of a curve, and its interval shows the uncertainty.
     if e.index.is_some() {
         return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
     }

@@ -1,19 +1,17 @@
-//! Rates a fit in one sentence: in comparison with the noise and with the FV curve alone.
+//! Rates a fit in one sentence, in comparison with the noise and with the FV curve alone.
 
 use crate::numbers::digits;
 use crate::words::Words;
 use dashpot_simulation::whole_records::Quality;
 
-/// Ratio of error to noise up to which the records allow no better fit. A larger ratio indicates a deficiency of the
-/// model.
+/// Largest ratio of error to noise at which noise explains the error. A larger ratio indicates a deficiency of the model.
 const NOISE: f64 = 1.5;
-/// Largest mean error of a good fit, percent of a test's largest force.
-///
-/// A damper repeats itself within 1 to 2 % from test to test (Dixon, *The Shock Absorber Handbook*, 2007, chapter 10).
+/// Largest mean error of a good fit, percent of a test's largest force. A damper repeats within 1 to 2 % from test to test (Dixon, *The
+/// Shock Absorber Handbook*, 2007, chapter 10).
 const GOOD: f64 = 2.0;
-/// Largest mean error of a fair fit; beyond it, friction, gas or hysteresis are not reproduced.
+/// Largest mean error of a fair fit, percent. With a larger error, the model lacks friction, gas or hysteresis.
 const FAIR: f64 = 5.0;
-/// Ratio of the curve's error to the model's error from which the model counts as better.
+/// Smallest ratio of the curve's error to the model's error at which the model counts as better.
 const BETTER: f64 = 1.05;
 
 /// Formats the sentence.

@@ -5,7 +5,7 @@ use crate::words::Words;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
-/// Confidence below which a report warns of a detected sign.
+/// Smallest confidence of a detected sign at which a report gives no warning.
 const SURE_OF_SIGN: f64 = 0.9;
 
 /// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those of a model file.
@@ -24,7 +24,7 @@ pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Bloc
     blocks
 }
 
-/// Returns the sign and the remarks, one sentence each.
+/// Returns the sign and the remarks, with one sentence each.
 pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()

@@ -1,5 +1,4 @@
-//! Test object, operator and date of the measurement, as in the files. Missing entries stay blank for filling in by
-//! hand.
+//! Test object, operator and date of the measurement, from the files. Missing entries stay blank for handwriting.
 
 use super::numbers::digits;
 use crate::words::Words;
@@ -8,12 +7,11 @@ use dashpot_records::{Record, TestMetadata, clock};
 
 /// Largest number of values that are listed individually.
 const LISTED: usize = 3;
-/// Times below this limit, s, are relative to an unknown day.
+/// Smallest time, s, that contains a date. A shorter time is relative to an unknown day.
 const DAY: f64 = 86_400.0;
 
-/// Returns one line each for part, serial number, operator and date, which a certificate requires.
-///
-/// Rig and temperature follow if they are known.
+/// Returns one line each for part, serial number, operator and date. A certificate requires these lines. Rig and temperature follow if they
+/// are known.
 pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     let said = |of: fn(&TestMetadata) -> &Option<String>| {
         let mut values: Vec<String> = Vec::new();
@@ -38,7 +36,7 @@ pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     lines
 }
 
-/// Lists values. Of more than [`LISTED`] values only the first and the last appear.
+/// Lists values. If there are more than [`LISTED`], lists only the first and the last.
 fn in_short(values: &[String], words: &Words) -> Option<String> {
     match values {
         [] => None,

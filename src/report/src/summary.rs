@@ -20,7 +20,7 @@ pub fn figures(validation: &Validation, words: &Words) -> Section {
     Section::new("key", words.key_section, vec![Block::Table(key_table(validation, words))])
 }
 
-/// Compares the result with that of the force–velocity curve alone.
+/// Compares the error of the model with the error of the force–velocity curve alone.
 fn headline(validation: &Validation, words: &Words) -> String {
     let Errors { model, fv_only } = validation.overall.errors;
     let closer = validation.tests.iter().filter(|test| is_closer(test)).count().to_string();
@@ -52,7 +52,7 @@ fn headline(validation: &Validation, words: &Words) -> String {
     words.fill(words.headline, &figures)
 }
 
-/// Describes the error of the model in the tests left out of the fit.
+/// Describes the error of the model in the left-out tests.
 fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     let figures = |errors: &Errors| {
         let figures = [
@@ -78,7 +78,7 @@ fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     }
 }
 
-/// Returns the index of the test with the largest relative error; among equal errors, the first.
+/// Returns the index of the test with the largest relative error. Of equal errors, the first one counts.
 pub fn worst(validation: &Validation) -> Option<usize> {
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
     (0..validation.tests.len()).min_by(|a, b| percent(b).total_cmp(&percent(a)))

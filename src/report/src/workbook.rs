@@ -2,8 +2,8 @@
 //!
 //! Each table has a sheet. The first sheet lists the tables and their origin.
 //!
-//! A number keeps all its digits and is displayed with the digits of the page. Equal input gives equal bytes: the date
-//! in the file's properties is fixed, and the displayed date is that of the report.
+//! A number keeps all its digits, and Excel displays the digits of the page. Equal input gives equal bytes. The date in the file's
+//! properties is therefore fixed, and the displayed date is the date of the report.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::{Cell, Value};
@@ -32,14 +32,14 @@ pub struct Workbook<'a> {
 const LONGEST_NAME: usize = 31;
 /// Largest width of a column, characters, that is readable without scrolling.
 const WIDEST: usize = 60;
-/// Number of rows that determine the width of a column; further rows rarely change it.
+/// Number of rows that determine the width of a column. Further rows rarely change it.
 const ROWS_LOOKED_AT: usize = 1000;
 
 impl Workbook<'_> {
     /// Returns the bytes of the file.
     ///
     /// # Errors
-    /// If a table is larger than a sheet of Excel.
+    /// A table is larger than a sheet of Excel.
     pub fn bytes(&self) -> anyhow::Result<Vec<u8>> {
         Ok(self.book()?.save_to_buffer()?)
     }
@@ -128,10 +128,10 @@ impl Workbook<'_> {
     }
 }
 
-/// Writes the workbook. It replaces an older workbook only once the new one is complete.
+/// Writes the workbook. An older workbook is replaced only when the new workbook is complete.
 ///
 /// # Errors
-/// If a table is too large for a sheet, the folder is missing, or another file exists at the path.
+/// A table is too large for a sheet, the folder is missing, or another file exists at the path.
 pub fn write_workbook(workbook: &Workbook<'_>, path: &Path) -> anyhow::Result<()> {
     let named = || format!("writing the workbook {}", path.display());
     let bytes = workbook.bytes().with_context(named)?;
@@ -160,7 +160,7 @@ fn safe(text: &str) -> String {
     shortened(kept.trim().trim_matches('\''), LONGEST_NAME)
 }
 
-/// Truncates a text to `most` UTF-16 units, the units in which Excel counts.
+/// Truncates a text to `most` UTF-16 units. Excel counts in these units.
 fn shortened(text: &str, most: usize) -> String {
     let mut units = 0;
     let fits = |c: &char| {
@@ -190,7 +190,7 @@ enum Kind {
     One,
     /// A number and its unit in a second column, because the rows have different units.
     WithUnit,
-    /// Both ends of an interval, with a column for the unit if the rows have different units.
+    /// Both ends of an interval, and a column for the unit if the rows have different units.
     Ends(bool),
 }
 
@@ -221,7 +221,7 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     let width = |sheet: &mut Worksheet, at: u16, text: &str, cells: &[String]| -> Result<(), XlsxError> {
         sheet.write_string_with_format(0, at, text, &heading)?;
         let widest = cells.iter().take(ROWS_LOOKED_AT).map(|c| columns_of(c)).max().unwrap_or(0);
-        // A heading may occupy three lines.
+        // The limit lets a heading occupy three lines.
         let wanted = widest.max(columns_of(text).div_ceil(3)).max(10) + 2;
         sheet.set_column_width(at, wanted.min(WIDEST) as f64).map(drop)
     };
@@ -258,8 +258,7 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     Ok(())
 }
 
-/// Writes one part of a cell: the whole cell, or the low or high end of an interval. A missing part leaves the cell
-/// empty.
+/// Writes one part of a cell: the whole cell, or the low or high end of an interval. If the part is missing, the cell stays empty.
 fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize) -> Result<(), XlsxError> {
     let number = match &cell.value {
         Value::Words => {
@@ -292,13 +291,13 @@ fn named(column: &Column, unit: Option<&str>) -> String {
         name = format!("{}: {name}", column.group);
     }
     match unit {
-        // The heading of a fraction may contain the unit already.
+        // The heading of a fraction may already contain the unit.
         Some(unit) if !name.contains(unit) => format!("{name}, {unit}"),
         _ => name,
     }
 }
 
-/// Counts the columns of text width; Chinese letters are twice as wide.
+/// Counts the columns of text width. Chinese letters are twice as wide as other letters.
 fn columns_of(text: &str) -> usize {
     text.chars().map(|c| if c > '\u{2e80}' { 2 } else { 1 }).sum()
 }
@@ -376,7 +375,7 @@ mod tests {
         );
         let rows: Vec<&[Data]> = range.rows().skip(1).collect();
         assert_eq!(rows.len(), 2);
-        // A text that begins with = stays a text.
+        // A text that begins with `=` stays a text.
         assert_eq!(rows[0][0], Data::String("=SUM(A1)".into()));
         assert_eq!(rows[0][1], Data::Float(1234.5678));
         assert_eq!((&rows[0][2], &rows[0][3]), (&Data::Float(12.5), &Data::String("mm".into())));

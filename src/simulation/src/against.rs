@@ -10,19 +10,19 @@ use dashpot_records::{Campaign, Record};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Note if [`Rivals::fitted_to_all`].
+/// Note for a comparison with [`Rivals::fitted_to_all`].
 pub const FITTED_TO_ALL: &str = "the model file names no tests; the models compared with are fitted to all tests given";
 
-/// Error of a comparison with models of the literature.
+/// Reason why a comparison with models of the literature failed.
 #[derive(Debug, thiserror::Error)]
 pub enum AgainstError {
     /// The model is unknown, or its fit failed.
     #[error(transparent)]
     Literature(#[from] LiteratureError),
-    /// A file that contains no model of the literature.
+    /// A file contains no model of the literature.
     #[error(transparent)]
     File(#[from] FileError),
-    /// The tests differ from those of the model's fit.
+    /// None of the tests of the model's fit is in the data.
     #[error(
         "--against identifies its models from the tests that the model was fitted to, and none of those {count} is in the data given, such as \
          {first:?}: give them beside the others"
@@ -30,7 +30,7 @@ pub enum AgainstError {
     OtherTests {
         /// Number of tests of the fit.
         count: usize,
-        /// Name of one of them.
+        /// Name of one of these tests.
         first: String,
     },
 }
@@ -40,7 +40,7 @@ pub enum AgainstError {
 pub struct Rival {
     /// The model with its parameters.
     pub literature: Literature,
-    /// Its forces, for each record.
+    /// Forces of the model for each record.
     pub forces: Vec<Vec<f64>>,
 }
 
@@ -49,15 +49,15 @@ pub struct Rival {
 pub struct Rivals {
     /// Models in the requested order.
     pub all: Vec<Rival>,
-    /// Whether the models were fitted to all given tests, because the model file names none.
+    /// Whether the models were fitted to all given tests, because the model file contains no test names.
     pub fitted_to_all: bool,
 }
 
-/// Returns the requested models, each once: names, `all`, or files that `dashpot fit --model` wrote. It reports errors before minutes of
-/// fitting.
+/// Returns each requested model once: names, `all`, or files that `dashpot fit --model` wrote. Reports errors before the fit, which takes
+/// minutes.
 ///
 /// # Errors
-/// A request that is neither a name nor a file.
+/// A request is neither a name nor a file.
 pub fn named(wanted: &[String]) -> Result<Vec<String>, LiteratureError> {
     let mut names: Vec<String> = Vec::new();
     for name in wanted {
@@ -75,11 +75,11 @@ fn is_model(name: &str) -> bool {
 }
 
 impl Rivals {
-    /// Identifies or reads the requested models, and simulates every record with each. `progress` receives the fraction done and the name
-    /// of the next model.
+    /// Identifies or reads the requested models, and simulates every record with each model. `progress` receives the completed fraction and
+    /// the name of the next model.
     ///
     /// # Errors
-    /// [`AgainstError`].
+    /// The comparison failed: [`AgainstError`].
     pub fn compare(
         wanted: &[String],
         file: &ModelFile,

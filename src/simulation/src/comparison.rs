@@ -15,7 +15,7 @@ use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Error of a comparison of a model with records.
+/// Reason why a model cannot be compared with records.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
     /// The parameters do not form a valid model.
@@ -41,10 +41,10 @@ pub enum CompareError {
 
 /// Simulates every record with the model and with the FV curve alone.
 ///
-/// `progress` receives the number of records done and their total, from several threads.
+/// Several threads call `progress` with the number of completed records and their total.
 ///
 /// # Errors
-/// Parameters that form no valid model, or no FV curve.
+/// The parameters do not form a valid model, or there is no FV curve.
 pub fn compare<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -54,12 +54,12 @@ pub fn compare<'a>(
     compare_records(file, campaign, &|_| Ok(Dampers::Constant(file.params, fv_only)), progress)
 }
 
-/// Simulates every record with a damper over a setting, each at its own setting, or at the `given` one if it has none.
+/// Simulates every record with a damper over a setting. Each record has its own setting, or else the `given` one.
 ///
-/// The FV curve is fitted to the records of each setting. For a changing setting it is that of the family, without an actuator.
+/// An FV curve is fitted to the records of each setting. For a changing setting, the FV curves of the family apply, without an actuator.
 ///
 /// # Errors
-/// A record without a setting if none is given, and the errors of [`compare`].
+/// A record has no setting and none is given, or [`compare`] fails.
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -80,7 +80,7 @@ pub fn compare_family<'a>(
             let own: Vec<&Record> =
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
-            // Tests in only one direction have no FV curve of their own.
+            // Records with motion in only one direction have no separate FV curve.
             fit(&own, &options, |_| ())
                 .map_or_else(|_| plain_curve(&file.definition().params_at(*setting)), |fit| fit.params)
         })
@@ -93,7 +93,7 @@ pub fn compare_family<'a>(
     compare_records(file, campaign, &at, progress)
 }
 
-/// Damper of a record, and the FV curve alone.
+/// Damper of a record, and its FV curve alone.
 enum Dampers {
     /// Damper and FV curve at a constant setting.
     Constant(Params, Params),
@@ -104,7 +104,7 @@ enum Dampers {
 /// Returns the setting of every record: its own if it is the model's setting, else the given one. `None` if it changes within the record.
 ///
 /// # Errors
-/// The first record without a setting.
+/// Returns the first record without a setting.
 pub fn settings_of(
     file: &ModelFile,
     campaign: &Campaign,
@@ -126,10 +126,10 @@ pub fn settings_of(
     campaign.records.iter().map(of).collect()
 }
 
-/// Summarizes a validation by the settings of its tests, with the responses to steps of the setting. Returns the setting of every test.
+/// Summarizes a validation by the settings of its tests, and adds the responses to steps of the setting. Returns the setting of every test.
 ///
 /// # Errors
-/// The errors of [`settings_of`], and parameters that form no valid model.
+/// [`settings_of`] fails, or the parameters do not form a valid model.
 pub fn summarize_settings(
     validation: &mut Validation,
     file: &ModelFile,
@@ -144,7 +144,7 @@ pub fn summarize_settings(
     Ok(settings)
 }
 
-/// Returns only the FV curve with the gas force of a damper.
+/// Returns a damper that has only the FV curve and the gas force of the given damper.
 fn plain_curve(params: &Params) -> Params {
     let mut curve = *params;
     curve.disable_all();
@@ -153,11 +153,11 @@ fn plain_curve(params: &Params) -> Params {
     curve
 }
 
-/// Returns only the FV curve with the gas force of a damper over a setting. It follows every command instantaneously.
+/// Returns a damper over a setting that has only the FV curve and the gas force. It follows every command instantaneously.
 fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
-        // Every entry allows 0, which switches it off.
+        // For every entry 0 is allowed and disables it.
         let _ = plain.axis.set_number(index, 0.0);
     }
     plain
@@ -208,7 +208,7 @@ pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64;
     between_velocities(model, reach(-1.0), reach(1.0))
 }
 
-/// Returns the plain FV curve of the fit. If the model file has none, it is fitted to these records.
+/// Returns the plain FV curve of the fit. If the model file has none, fits one to these records.
 fn fv_only(file: &ModelFile, campaign: &Campaign) -> Result<Params, CompareError> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(CompareError::FvOnly);

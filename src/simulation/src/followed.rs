@@ -1,11 +1,12 @@
-//! Check whether the step resolves a mass that rings on its spring.
+//! Check whether the step resolves a mass that oscillates on its spring.
 
 use crate::limit::plain;
 use dashpot_core::Model;
 
 /// Returns a remark for a damper in host steps of this length, s.
 ///
-/// The remark states that its mass rings and that the steps do not resolve the oscillation. Returns `None` if they do.
+/// The remark states that the internal mass oscillates, and that the steps do not resolve the oscillation. Returns `None` if the steps
+/// resolve the oscillation.
 pub fn remark(model: &Model, step: f64) -> Option<String> {
     let integration = model.integration();
     let longest = integration.longest_that_follows();

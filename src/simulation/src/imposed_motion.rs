@@ -1,11 +1,11 @@
-//! A motion imposed on a model: completed, resampled on request, and simulated.
+//! A motion that is imposed on a model: completed, resampled on request, and simulated.
 
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
-/// Largest number of rows of a resampled motion: some gigabytes of output.
+/// Largest number of rows of a resampled motion. They give some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
 /// Number of samples between two reports of progress.
@@ -13,12 +13,12 @@ pub const MOST_ROWS: usize = 50_000_000;
 /// They take some hundredths of a second. So cancellation appears immediate, and the cost of a report is negligible.
 pub const PROGRESS_INTERVAL: usize = 16_384;
 
-/// A motion with which a model can be driven.
+/// A motion that can drive a model.
 #[derive(Debug, Clone)]
 pub struct ImposedMotion {
     /// Time, s, strictly increasing.
     pub time: Vec<f64>,
-    /// Displacement, m; if missing, the kernel integrates the velocity.
+    /// Displacement, m. If it is missing, the kernel integrates the velocity.
     pub displacement: Option<Vec<f64>>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
@@ -45,10 +45,10 @@ pub struct SimulatedSample {
     pub force: f64,
 }
 
-/// Error of an imposed motion.
+/// Reason why a motion cannot be imposed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImposeError {
-    /// An initial position was given although the file has a displacement.
+    /// There is an initial position, although the file has a displacement.
     #[error(
         "the motion has a displacement, which says where it starts: an initial position is for motions that give \
          velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
@@ -65,15 +65,15 @@ pub enum ImposeError {
     LongStep {
         /// The step, s.
         step: f64,
-        /// Length of the motion, s.
+        /// Duration of the motion, s.
         duration: f64,
     },
-    /// The step makes too many rows.
+    /// The step gives too many rows.
     #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
     ShortStep {
         /// The step, s.
         step: f64,
-        /// Length of the motion, s.
+        /// Duration of the motion, s.
         duration: f64,
         /// Number of rows.
         rows: f64,
@@ -86,12 +86,12 @@ pub enum ImposeError {
 impl ImposedMotion {
     /// Completes a motion.
     ///
-    /// A motion with displacement and velocity is used unchanged. From displacement alone, the velocity is the derivative of the cubic
-    /// spline through it, with continuous acceleration (not-a-knot ends; exact for cubics, otherwise of third order in the sample time).
-    /// From velocity alone, the kernel integrates from `initial_position`, by default 0.
+    /// A motion with displacement and velocity stays unchanged. From displacement alone, the velocity is the derivative of the cubic spline
+    /// through it. The spline has continuous acceleration and not-a-knot ends. It is exact for cubics, and otherwise of third order in the
+    /// sample time. From velocity alone, the kernel integrates from `initial_position`, by default 0.
     ///
     /// # Errors
-    /// An initial position for a motion with displacement, or a derivative that overflows.
+    /// A motion with displacement has an initial position, or a derivative overflows.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
         let MotionRecord { time, displacement, velocity, side_force, temperature, setting } = record;
         let setting = setting.map(|of| of.values);
@@ -112,11 +112,11 @@ impl ImposedMotion {
 
     /// Resamples the motion at a fixed step, s, from its first time.
     ///
-    /// Displacement and velocity follow the cubic through both at the neighboring samples, which is the path of the kernel between two
-    /// steps. Side force, temperature and setting are linear.
+    /// Displacement and velocity follow the cubic Hermite interpolant between neighboring samples. The kernel uses the same path within a
+    /// step. Side force, temperature and setting are linear.
     ///
     /// # Errors
-    /// A step that is not positive, is longer than the motion, or makes too many rows.
+    /// The step is not positive, is longer than the motion, or gives too many rows.
     pub fn resampled(&self, step: f64) -> Result<ImposedMotion, ImposeError> {
         if !(step.is_finite() && step > 0.0) {
             return Err(ImposeError::Step(step));
@@ -124,7 +124,7 @@ impl ImposedMotion {
         let n = self.time.len();
         let (start, end) = (self.time[0], self.time[n - 1]);
         let duration = end - start;
-        // The last sample is included although its time is rounded.
+        // The factor includes the last sample in spite of rounding errors of its time.
         let steps = (duration / step * (1.0 + 1e-9)).floor();
         if steps < 1.0 {
             return Err(ImposeError::LongStep { step, duration });
@@ -176,7 +176,7 @@ impl ImposedMotion {
         Ok(out)
     }
 
-    /// Computes the displacement with the kernel's rule: the velocity is linear between samples.
+    /// Computes the displacement with the kernel's rule, in which the velocity is linear between samples.
     fn integrated(&self) -> Vec<f64> {
         let mut x = self.initial_position;
         let mut displacement = vec![x];
@@ -200,14 +200,14 @@ impl ImposedMotion {
     /// Simulates the motion with one kernel step for each sample, from the steady state at the first sample.
     ///
     /// # Errors
-    /// A motion so extreme that a number overflows.
+    /// The motion is so extreme that a number overflows.
     pub fn drive(&self, model: &Model) -> Result<Vec<SimulatedSample>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
     }
 
     /// Returns the command during the step that ends at a sample, if the motion has a setting.
     ///
-    /// It is the mean of the setting at both ends of the step, because a change is equally likely in both halves.
+    /// The command is the mean of the setting at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
         let setting = self.setting.as_ref()?;
         Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))
@@ -274,17 +274,16 @@ impl ImposedMotion {
     }
 }
 
-/// Evaluates the cubic through values and slopes at both ends of an interval of length `h`: value and slope at the fraction `s`.
+/// Evaluates the cubic for given values and slopes at both ends of an interval of length `h`. Returns value and slope at the fraction `s`.
 fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
     let (dx, p, q) = (x[1] - x[0], h * v[0], h * v[1]);
     let (square, cube) = (3.0 * dx - 2.0 * p - q, p + q - 2.0 * dx);
     (x[0] + s * (p + s * (square + s * cube)), (p + s * (2.0 * square + s * 3.0 * cube)) / h)
 }
 
-/// Computes the slopes at the samples of the cubic spline through them, not-a-knot at both ends (de Boor, A Practical Guide to Splines,
-/// 1978, IV).
+/// Computes the slopes of the cubic spline through the samples, not-a-knot at both ends (de Boor, A Practical Guide to Splines, 1978, IV).
 ///
-/// Three samples give the slopes of a parabola, two samples those of a line.
+/// Three samples give the slopes of a parabola. Two samples give the slope of a line.
 fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
     let n = t.len();
     let h: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
@@ -298,8 +297,8 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
         }
         _ => {}
     }
-    // Tridiagonal system: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. In the end rows the neighboring row has eliminated the
-    // slope two samples away.
+    // Tridiagonal system: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. The not-a-knot conditions of the end rows contain a
+    // third slope, which is already eliminated with the neighboring row.
     let (l, m) = (n - 2, n - 3);
     let (first, last) = (h[0] + h[1], h[l] + h[m]);
     let (mut below, mut at, mut above, mut right) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
@@ -334,7 +333,7 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::TAU;
 
-    /// Two strokes of different speed, `n` samples in 1 s.
+    /// Returns two superposed sines of different speed, with `n` samples in 1 s.
     fn wave(n: usize) -> MotionRecord {
         let time: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).collect();
         let w = [3.0 * TAU, 11.0 * TAU];

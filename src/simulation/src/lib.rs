@@ -5,15 +5,15 @@
 //! | [`prediction`] | forces of a model for a record |
 //! | [`step_response`] | response of the force to a step of the setting |
 //! | [`valve_response`] | response of the valve, from the numbers of its actuator |
-//! | [`warm_starts`] | temperature of the damper when each record begins |
+//! | [`warm_starts`] | temperature of the damper at the start of each record |
 //! | [`own_setting`] | setting of a record, for a damper that depends on one |
-//! | [`comparison`] | a model and its FV curve compared with a campaign |
+//! | [`comparison`] | comparison of a model and its FV curve with a campaign |
 //! | [`against`] | comparison with models of the literature |
 //! | [`whole_records`] | errors of a model over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and its maneuvers |
 //! | [`chatter`] | chatter of a damper in a host with a zero-order hold of its force |
-//! | [`followed`] | resolution of a mass that rings on its spring |
+//! | [`followed`] | resolution of a mass that oscillates on its spring |
 //! | [`stiffness`] | rates of a damper's states |
 //! | [`accuracy`] | error of the fixed step relative to a converged solution |
 

@@ -7,11 +7,11 @@ use dashpot_records::{Record, setting_factor};
 /// Setting of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnSetting {
-    /// The record does not state it.
+    /// The record does not state the setting.
     Unstated,
-    /// It is constant.
+    /// The setting is constant.
     Constant(f64),
-    /// It changes within the record.
+    /// The setting changes within the record.
     Changing,
 }
 

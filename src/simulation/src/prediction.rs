@@ -8,7 +8,8 @@ use dashpot_estimation::samples::input_at;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Predicts the forces of a model at the samples of a record, from the smoothed motion of the record and the steady state.
+/// Predicts the forces of a model at the samples of a record. The input is the smoothed motion of the record, and the start is in steady
+/// state.
 ///
 /// See [`dashpot_records::smoothing::smooth`]. The oil is warmer than the surroundings by `rise`, K
 /// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
@@ -26,8 +27,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     };
     let mut start = model.steady_state(&input(0));
     warm(model, &mut start, rise);
-    // A periodic record was cut from a running test. So the internal state at its start equals the internal state one
-    // cycle later.
+    // A periodic record is a part of a longer test. So the internal state at its start equals the internal state one cycle later.
     if let Some(first) = record.cycles.first().filter(|c| c.start == 0 && c.end < n) {
         let later = run(start, 1..first.end + 1, &mut Vec::new());
         start.mass_displacement = later.mass_displacement - later.displacement + start.displacement;
@@ -40,9 +40,9 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     forces
 }
 
-/// Predicts the forces of a damper over a setting at the samples of a record whose setting changes.
+/// Predicts the forces of a damper over a setting at the samples of a record in which the setting changes.
 ///
-/// The command between two samples is their mean, because the change is equally likely in both halves of the interval.
+/// The command between two samples is the mean of their settings, because the change is equally likely in both halves of the interval.
 pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| input_at(record, motion, i);
@@ -74,7 +74,7 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
 
 /// Returns the forces at velocities from `low` to `high`, on both sides of zero.
 ///
-/// The velocities are dense near zero, where friction and bleed determine the shape.
+/// The velocities are dense near zero, where friction and bleed determine the shape of the curve.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {
     /// Number of points on each side of zero.
     const POINTS: i32 = 120;

@@ -1,7 +1,7 @@
 //! Response of the force to a step of the setting: measured and modeled, up and down.
 //!
-//! Along the motion of the test the model gives the force at the setting before the step and at the one after. The response is the fraction
-//! of the difference that the force has completed. So a step during a sine counts like a step at constant speed.
+//! For the motion of the test, the model gives the force at the setting before the step and at the setting after it. The response is the
+//! completed fraction of the difference of these forces. So a step during a sine is equivalent to a step at constant speed.
 
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
@@ -11,28 +11,30 @@ use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
 
-/// Time before a step that a response shows, and longest time after the step, s.
+/// Displayed time before a step, and longest displayed time after the step, s.
 const BEFORE: f64 = 0.01;
 const BEHIND: f64 = 1.0;
 /// Largest number of points of a response.
 const POINTS: usize = 1500;
-/// Smallest level after a step, relative to the longest level of its kind. A shorter level would truncate the responses of all.
+/// Smallest duration of a level after a step, relative to the longest level of its kind. A shorter level would truncate the responses of
+/// all steps.
 const LONG: f64 = 0.5;
-/// Smallest number of steps of one test in one direction for a response of its own. With fewer steps the noise would determine the slowest
+/// Smallest number of steps of one test in one direction for a separate response. With fewer steps, the noise would determine the slowest
 /// response.
 const FEWEST: usize = 3;
-/// Shortest level after a step that shows the end of the response, s.
+/// Shortest duration of a level that shows the end of the response, s.
 const SHORTEST: f64 = 0.03;
 /// Fraction at the end of a level that determines the end of the response.
 const SETTLED: f64 = 0.25;
-/// Difference of force, relative to the largest, below which an instant of a step is not used.
+/// Smallest difference of force, relative to the largest, at which an instant of a step is used.
 const LEAST: f64 = 0.2;
 /// Smallest fraction of the way at which a response may end. A shorter one would be scaled up by more than five.
 const SHORTEST_WAY: f64 = 0.2;
 /// Largest error by rounding of the motion, relative to the difference of force, at which an instant is used.
 ///
-/// If the velocity is a derivative of the position, its window rounds a corner of the motion. At a limit of 1, a step shortly before a turn
-/// of a triangle showed 41 % overshoot and 14.8 ms instead of 10.1 ms. At 0.1 all instants of a sine are used.
+/// If the velocity is a derivative of the position, its window rounds a corner of the motion. With a limit of 1, a step shortly before the
+/// reversal of a triangle showed an overshoot of 41 %. It also showed 14.8 ms instead of 10.1 ms. With 0.1, all instants of a sine are
+/// used.
 const ROUNDED: f64 = 0.1;
 
 /// One step with the forces before and after it.
@@ -46,15 +48,15 @@ pub struct StepForces {
     pub before: Vec<f64>,
     /// Force at the setting after the step along the same motion, N.
     pub after: Vec<f64>,
-    /// Window of the derivative if the velocity is computed from the position, s; 0 if it was measured.
+    /// Window of the derivative, s, if the velocity is computed from the position. 0 if the velocity was measured.
     pub velocity_window_s: f64,
 }
 
 impl StepForces {
-    /// Returns, for each instant, whether the forces of the model are unaffected by rounding in the window of the velocity.
+    /// Returns, for each instant, whether rounding in the window of the velocity leaves the model's forces unaffected.
     ///
-    /// Rounding moves a value toward the mean of its neighbors in the window; this difference estimates the error of the force. In the
-    /// middle of a corner the rounded velocity is linear again. So a quarter of the window to either side of each rounded instant counts as
+    /// Rounding moves a value toward the mean of its neighbors in the window. This difference estimates the error of the force. In the
+    /// middle of a corner, the rounded velocity is linear again. So instants within a quarter of the window from a rounded instant count as
     /// rounded too.
     fn has_known_motion(&self) -> Vec<bool> {
         if self.velocity_window_s == 0.0 {
@@ -84,7 +86,7 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     scaled(&raw, zero, one)
 }
 
-/// Averages the fraction of the force change that is completed. Returns NaN at times without a usable step.
+/// Averages the completed fraction of the force change. Returns NaN at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -124,16 +126,16 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
     raw.iter().map(|r| (r - zero) / (one - zero)).collect()
 }
 
-/// Computes measured and modeled response on a grid, and the fraction that the model has completed at the end of the grid.
+/// Computes measured and modeled response on a grid, and the model's completed fraction at the end of the grid.
 ///
-/// Force errors of the model at the levels are not part of the response, so the measured response ends at the same fraction as the model.
-/// This fraction is below 1 if the level is too short for the valve. If it were set to 1, a time constant of 60 ms would appear as 47 ms at
-/// 63 %.
+/// Force errors of the model at the levels do not belong to the response. So the measured response ends at the same fraction as the model.
+/// This fraction is below 1 if the level is too short for the valve. If the fraction were set to 1, a time constant of 60 ms would appear
+/// as 47 ms at 63 %.
 fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
     let [measured, model] =
         forces.map(|of| fraction_of_way(&steps.iter().map(|step| of(step)).collect::<Vec<_>>(), grid));
-    // The force change of a step starts at the force before it.
+    // The force change of a step is relative to the force before the step.
     let [zero, one] = ends(&model, grid);
     let model = scaled(&model, zero, 1.0);
     let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), SHORTEST_WAY, 1.0);
@@ -153,7 +155,7 @@ struct Kind {
 /// One step, measured and modeled.
 struct Step {
     test: String,
-    /// Whether the damper was in rebound.
+    /// Whether the damper was in rebound at the step.
     is_rebound: bool,
     /// Time until the next step, s.
     level: f64,
@@ -164,7 +166,7 @@ struct Step {
 /// Computes the responses to the steps of the setting in records, grouped by the settings before and after.
 ///
 /// # Errors
-/// Parameters that form no valid model.
+/// The parameters do not form a valid model.
 pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
     let mut kinds: Vec<Kind> = Vec::new();
     let family = prepared_family(definition)?;
@@ -231,7 +233,7 @@ fn response(kind: Kind) -> StepResponse {
     let longest = kind.steps.iter().map(|step| step.level).fold(0.0, f64::max);
     let steps: Vec<&Step> = kind.steps.iter().filter(|step| step.level >= LONG * longest).collect();
     let span = steps.iter().map(|step| step.level).fold(longest, f64::min) + BEFORE;
-    // The grid is not finer than the samples, between which there is no information.
+    // The grid is not finer than the sampling, because there is no information between the samples.
     let points = (span / kind.sample.max(1e-6)).min(POINTS as f64).max(8.0) as usize;
     let grid: Vec<f64> = (0..=points).map(|k| span * k as f64 / points as f64 - BEFORE).collect();
     let mut groups: BTreeMap<(&str, bool), Vec<&Step>> = BTreeMap::new();
@@ -287,7 +289,7 @@ mod tests {
 
     #[test]
     fn a_corner_that_the_derivative_rounds_is_no_part_of_a_response() {
-        // A triangle reverses 50 ms after the step; its velocity is rounded over a window of 17 ms.
+        // A triangle reverses 50 ms after the step. Its velocity is rounded over a window of 17 ms.
         let (turn, half) = (0.05, 0.0085);
         let grid: Vec<f64> = (0..200).map(|k| 1e-3 * f64::from(k) - 0.01).collect();
         let speed = |t: f64| if t < turn { 1.0 } else { -1.0 };

@@ -1,24 +1,25 @@
 //! Stiffness of the states of a damper, for hosts whose own solver integrates them.
 //!
 //! `dashpot_step` is stable at every step. A host may integrate the states itself (`dashpot_evaluate`, an FMU in model exchange) with an
-//! explicit method. This is stable only if the step times the fastest rate lies in the stability region of the method. Beyond it the force
-//! may be wrong without an error.
+//! explicit method. This is stable only if the product of step and fastest rate lies in the stability region of the method. Otherwise the
+//! force may be wrong without an error.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::family::Definition;
 use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
-/// Largest step times rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis.
+/// Largest product of step and rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis.
 ///
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
 /// Rate, 1/s, above which a typical host step of 1 ms is unstable with that method.
 const STIFF: f64 = RUNGE_KUTTA / 1e-3;
-/// Velocities at which the rates are evaluated, m/s, in both directions: from standstill, where FV curves are steepest, to a pothole.
+/// Velocities for the evaluation of the rates, m/s, in both directions. The range is from standstill, where FV curves are steepest, to a
+/// pothole.
 const SPEEDS: [f64; 7] = [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.5];
 
-/// Returns the largest magnitude of an eigenvalue of the states' Jacobian, 1/s; 0 if no state changes.
+/// Returns the largest magnitude of an eigenvalue of the states' Jacobian, 1/s, or 0 if no state changes.
 pub fn fastest_rate(model: &Model) -> f64 {
     let count = model.states();
     let mut fastest = 0.0f64;
@@ -39,7 +40,7 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
-/// Returns the longest step, s, at which an explicit solver can integrate the states of all dampers, at every setting of their grids.
+/// Returns the longest step, s, with which an explicit solver can integrate the states of all dampers, at every setting of their grids.
 pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
     let at_each_setting = |damper: &D| {
         let damper: Definition = (*damper).into();
@@ -57,18 +58,18 @@ pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-/// Formats a limit with two digits, never as 0.
+/// Formats a limit with two digits, and never as 0.
 fn in_digits(limit: f64) -> String {
     let digits = (1.0 - libm::log10(limit).floor()).clamp(0.0, 12.0) as usize;
     format!("{limit:.digits$}")
 }
 
-/// Returns [`remark`] for parameters: a text in the description of an FMU, which includes model exchange.
+/// Returns [`remark`] for parameters. It is a text for the description of an FMU, which includes model exchange.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
 }
 
-/// Returns a remark for hosts that integrate the states; `None` if a step of 1 ms is stable.
+/// Returns a remark for hosts that integrate the states, or `None` if a step of 1 ms is stable.
 pub fn remark(model: &Model) -> Option<String> {
     let rate = fastest_rate(model);
     (rate > STIFF).then(|| {
@@ -95,7 +96,7 @@ mod tests {
 
     #[test]
     fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
-        // The mass is overdamped: its fast rate is at most the slope of the FV curve divided by the mass.
+        // The mass is overdamped. Its fast rate is at most the slope of the FV curve divided by the mass.
         let model = model(3e6, 0.05);
         let slope = model.elements().paths.fv_curve.evaluate(0.0).derivative;
         let rate = fastest_rate(&model);

@@ -1,4 +1,4 @@
-//! Response of the valve of a damper over a setting to a step of its command, from the numbers of its actuator alone.
+//! Response of the valve of a damper over a setting to a step of its command, based on the numbers of its actuator alone.
 
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_core::family::axis::Axis;
@@ -6,14 +6,14 @@ use dashpot_identification::validation::{ResponseTimes, StepResponse};
 
 /// Number of points of a response.
 const POINTS: usize = 400;
-/// Number of time constants that a response shows: it then lacks a thousandth.
+/// Displayed number of time constants of a response. At its end, a thousandth of the change remains.
 const CONSTANTS: f64 = 7.0;
-/// Time before the step, as a fraction of the shown time after it.
+/// Time before the step, as a fraction of the displayed time after the step.
 const BEFORE: f64 = 0.1;
 
 /// Computes the response of the valve to a step of the command, as a fraction of its change.
 ///
-/// Before the step the valve is in equilibrium at `from`, after a long travel from the side to which it now moves. Returns `None` without
+/// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step. Returns `None` without
 /// an actuator, or if the valve does not move.
 pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let actuator = axis.actuator();
@@ -24,7 +24,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let rate = actuator.rate[falls];
     let at_limit = if rate > 0.0 { (to - from).abs() / rate } else { 0.0 };
     let moving = at_limit + CONSTANTS * actuator.time[falls];
-    // A valve without a lag jumps. Some time after the jump shows that the valve stays there.
+    // A valve without a lag jumps. The time after the jump shows that the valve stays at its new position.
     let span = (actuator.dead_time + moving).max(1.25 * actuator.dead_time).max(1e-3);
     let rest = Stand { lagged: from, turned: if actuator.has_hysteresis() { (from - to).signum() } else { 0.0 } };
     let (zero, one) = (actuator.setting(&rest), actuator.setting(&actuator.at_rest(&rest, to)));
@@ -46,7 +46,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     })
 }
 
-/// Returns whether the valve of an axis deviates from its command.
+/// Returns whether the setting of the valve deviates from the command.
 pub fn has_actuator(axis: &Axis) -> bool {
     let actuator = axis.actuator();
     axis.is_some() && (actuator.has_lag() || actuator.dead_time > 0.0)
@@ -55,7 +55,7 @@ pub fn has_actuator(axis: &Axis) -> bool {
 /// Returns the setting at a time after the step.
 fn moved(actuator: &Actuator, rest: &Stand, to: f64, time: f64) -> f64 {
     let moving = time - actuator.dead_time;
-    // Without a lag the valve reaches its new position immediately.
+    // Without a lag, the valve reaches its new position immediately.
     let stand = if moving < 0.0 { *rest } else { actuator.advance(rest, to, moving.max(f64::MIN_POSITIVE)) };
     actuator.setting(&stand)
 }
@@ -77,7 +77,7 @@ mod tests {
     fn times_are_those_of_the_numbers() {
         let lag = axis([8e-3, 20e-3, 2e-3, 0.0, 0.0, 0.1]);
         let up = valve_response(&lag, 0.0, 1.6).unwrap().model.unwrap();
-        // Hysteresis reverses within the first tenths of the change. During these the valve is slower than its lag.
+        // Hysteresis reverses within the first tenths of the change. Meanwhile, the valve is slower than its lag.
         assert!(up.t63_s > 0.010 && up.t63_s < 0.0115 && up.overshoot.abs() < 1e-6, "{up:?}");
         let down = valve_response(&axis([8e-3, 20e-3, 0.0, 0.0, 0.0, 0.0]), 1.6, 0.0).unwrap().model.unwrap();
         assert!((down.t63_s - 0.020).abs() < 2e-4 && (down.t90_s - 0.04605).abs() < 3e-4, "{down:?}");

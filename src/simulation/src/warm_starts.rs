@@ -1,13 +1,13 @@
-//! Temperature of the damper when each record begins.
+//! Temperature of the damper at the start of each record.
 //!
-//! A model with its own heat balance starts cold in every simulation. On the rig the tests before have warmed the oil. Records with a
-//! common clock show this: C_h dϑ/dt = F v − h ϑ with measured force and velocity, rests included.
+//! A model with its own heat balance starts cold in every simulation. On the rig, the preceding tests have warmed the oil. Records with a
+//! common clock show this: C_h dϑ/dt = F v − h ϑ with measured force and velocity. Pauses are included.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_records::Record;
 
-/// Slowest cooling, 1/s, that differs from none: it removes a thousandth in a day.
+/// Slowest cooling, 1/s, that differs from no cooling. It removes a thousandth of the rise in a day.
 const NONE: f64 = 1e-8;
 
 /// Heat that the damper absorbed in a campaign.
@@ -21,7 +21,7 @@ impl WarmStarts {
 
     /// Returns the rise of the oil's temperature, K, at the start of record `place`.
     ///
-    /// Returns 0 if the model has no heat balance, or if every record has a clock of its own.
+    /// Returns 0 if the model has no heat balance, or if every record has a separate clock.
     pub fn rise(&self, params: &Params, place: usize) -> f64 {
         let heats = params.is_on(element!("temperature_fade")) && params.number(number!("fade_source")) == 1.0;
         if !heats {
@@ -33,10 +33,10 @@ impl WarmStarts {
     }
 }
 
-/// Sets the rise of the oil's temperature, K, in a state of a model that has this state.
+/// Sets the rise of the oil's temperature, K, in a state, if the model has this internal state.
 pub(crate) fn warm(model: &Model, state: &mut State, rise: f64) {
     let is_heat = |k: &usize| model.state_name(*k).is_some_and(|(name, _)| name == "oil_temperature_rise");
-    // The first two states are those of the internal mass.
+    // The first two states belong to the internal mass.
     if let Some(k) = (2..model.states()).find(is_heat) {
         state.internal[k - 2] = rise;
     }
@@ -79,7 +79,7 @@ mod tests {
             params.set(name, value).unwrap();
         }
         let model = Model::new(&params).unwrap();
-        // The measured force is that of the model in one run, for two records with a rest between them.
+        // The model computes the measured force in one run, for two records with a pause between them.
         let whole = {
             let (a, b) = (record(0.0), record(0.0));
             let rest = 0.5;
@@ -105,7 +105,7 @@ mod tests {
             forces.iter().zip(&second.force).enumerate().map(late).fold(0.0, f64::max) / top
         };
         assert!(off(rise) < 0.01 && off(0.0) > 0.05, "{} {}", off(rise), off(0.0));
-        // Records with separate clocks show nothing about the time before.
+        // Records with separate clocks give no information about the preceding time.
         second.clock_s = 0.0;
         assert_eq!(WarmStarts::new(&[&first, &second]).rise(&params, 1), 0.0);
         params.set(number!("fade_source"), 0.0).unwrap();

@@ -2,8 +2,8 @@
 //!
 //! A fit, a validation and a diagnosis report these figures, so they are comparable.
 //!
-//! The figures of a fit and a diagnosis themselves are smaller than those of a validation. They use mean cycles, which average out the
-//! noise, and a diagnosis refits first. A validation uses every sample of every record, from the steady state.
+//! The internal figures of a fit and a diagnosis are smaller than those of a validation. They use mean cycles, which average out the noise,
+//! and a diagnosis refits first. A validation uses every sample of every record and begins in steady state.
 
 use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
@@ -18,7 +18,7 @@ use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Error of figures over records.
+/// Reason why figures over records are not available.
 #[derive(Debug, thiserror::Error)]
 pub enum WholeRecordsError {
     /// The parameters do not form a valid model.
@@ -29,10 +29,10 @@ pub enum WholeRecordsError {
     Records(#[from] ValidationError),
 }
 
-/// Computes the mean errors of a model over records, like a validation.
+/// Computes the mean errors of a model over records with the definitions of a validation.
 ///
 /// # Errors
-/// Parameters that form no valid model, or records that cannot be compared.
+/// The parameters do not form a valid model, or the records cannot be compared.
 pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let model = prepared(params)?;
     let warm = WarmStarts::new(records);
@@ -47,7 +47,7 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
     Ok(validate(&compared)?.overall.errors.model)
 }
 
-/// Computes the errors of a fit over its own records, corrected by the measurement errors that it found.
+/// Computes the errors of a fit over its own records. The records are corrected for the measurement errors that the fit found.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -62,7 +62,7 @@ pub struct Quality {
     pub model: Deviation,
     /// Error of the plain FV curve fitted to the same tests.
     pub fv_only: Deviation,
-    /// Mean magnitude of the noise, N; 0 if unknown.
+    /// Mean magnitude of the noise, N, or 0 if unknown.
     pub noise_n: f64,
 }
 
@@ -75,14 +75,14 @@ pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsEr
     Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
 }
 
-/// Returns the mean magnitude of the noise of records, N; zero if unknown.
+/// Returns the mean magnitude of the noise of records, N, or zero if unknown.
 fn mean_noise(records: &[&Record]) -> f64 {
     let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
     // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
     known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
 }
 
-/// Computes the quality of a family over its tests of constant settings, each at its own setting.
+/// Computes the quality of a family over its tests with constant settings. Each test has its own setting.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -126,7 +126,7 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
     Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
 }
 
-/// Computes the errors over the records corrected by measurement errors.
+/// Computes the errors over records that are corrected for measurement errors.
 fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let off = to_measurement_error(measured);
     let right: Vec<Record> = records.iter().map(|record| correct_record(record, &off)).collect();
@@ -140,16 +140,16 @@ pub struct OfDiagnosis {
     pub as_it_came: Deviation,
     /// Errors of the model after a refit.
     pub refitted: Deviation,
-    /// Errors of the model with the findings that belong to the damper. The records are corrected by the measurement errors that the
+    /// Errors of the model with the findings that belong to the damper. The records are corrected for the measurement errors that the
     /// diagnosis found.
     ///
-    /// A validation of the improved model's file gives these figures.
+    /// A validation of the improved model's file gives the same figures.
     pub improved: Deviation,
 }
 
 impl OfDiagnosis {
-    /// Computes the errors of the model before the diagnosis, refitted, and improved. For the improved model the records are corrected by
-    /// `measured`.
+    /// Computes the errors of the model before the diagnosis, of the refitted model, and of the improved model. For the improved model, the
+    /// records are corrected for `measured`.
     ///
     /// # Errors
     /// The errors of [`deviation`].

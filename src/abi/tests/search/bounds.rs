@@ -1,20 +1,20 @@
-//! Bounds of the force of a case: the forces of its elements along its motion, and the result of short steps.
+//! Bounds of the force of a case: the forces of its elements along its motion, and the forces in short steps.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
 use dashpot_core::parameter::Number;
 
-/// Reference with which a force is compared.
+/// Bounds with which a force is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Against {
-    /// The elements along the motion, or short steps. A force that exceeds both is an error.
+    /// The elements along the motion, and short steps. A force that exceeds both bounds is an error.
     Possible,
     /// Short steps alone, if the force exceeds the elements' force in one stroke.
     ///
-    /// This rejects a mass that a method synchronizes with the drive while short steps do not.
+    /// This bound detects a mass that a method synchronizes with the drive, although short steps do not.
     ShortSteps,
 }
 
-/// Elements whose force depends only on the motion of the moving end. Their force has no equation to solve.
+/// Elements whose force depends only on the motion of the moving end. Their force needs no solution of an equation.
 const BESIDE: [&str; 12] = [
     "coulomb_friction",
     "stribeck_friction",
@@ -30,20 +30,20 @@ const BESIDE: [&str; 12] = [
     "rebound_stop",
 ];
 
-/// Numbers of substeps of implicit Euler that are tried if its steps of 1/32 do not account for a force.
+/// Tried numbers of substeps of implicit Euler if its steps of 1/32 do not explain a force.
 ///
-/// Implicit Euler dissipates energy of every oscillation, less with shorter steps. Short steps of every other method threw a mass in a gap
-/// to 24 kN. Implicit Euler reached 1 kN in steps of 1/32 and 20 kN in steps of 1/2048.
+/// Implicit Euler dissipates the energy of every oscillation, and less with shorter steps. For a mass in a gap, short steps of all other
+/// methods gave 24 kN. Implicit Euler gave 1 kN in steps of 1/32 and 20 kN in steps of 1/2048.
 const FINEST: [usize; 2] = [512, 2048];
 
-/// Largest allowed ratio of a run's force to the force in short steps, in addition to a fifth of the elements' force.
+/// Largest allowed ratio of a run's force to the force in short steps. A fifth of the elements' force is allowed in addition.
 const SHORT_STEPS: f64 = 1.5;
 
 fn largest(forces: &[f64]) -> f64 {
     forces.iter().fold(0.0, |top, f| f.abs().max(top))
 }
 
-/// Divides each step of the case into `parts` substeps, along the same cubic paths.
+/// Divides each step of the case into `parts` substeps along the same cubic paths.
 fn finer(case: &Case, parts: usize) -> Case {
     let (mut x0, mut v0) = (case.start, 0.0);
     let mut fine = Case { motion: Vec::with_capacity(case.motion.len() * parts), ..case.clone() };
@@ -69,7 +69,7 @@ fn fastest(case: &Case) -> f64 {
 
 /// Elements that multiply the FV curve instantaneously.
 ///
-/// Without them the force of a cold damper, at most twenty times the curve, would count as a force that no element makes.
+/// They multiply the force of a cold damper by up to twenty. Without them, this force would count as a force that no element makes.
 const SCALING: [&str; 2] = ["temperature_fade", "position_dependent_damping"];
 
 /// Returns the largest force of the FV curve at a speed, in both directions, at the positions and temperatures of the run.
@@ -82,14 +82,14 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// Friction elements, and others that react to the velocity instantaneously.
+/// Friction elements, and other elements that respond to the velocity instantaneously.
 const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
 
-/// Largest friction behind the series spring up to a velocity.
+/// Returns the largest friction behind the series spring up to a velocity.
 ///
-/// The friction acts on the internal mass, which passes every velocity between zero and that, whatever the motion of the host. Friction
-/// that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and both are
-/// forces of the element.
+/// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and the given velocity.
+/// Friction that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and
+/// both are forces of the element.
 fn stuck(case: &Case, speed: f64) -> f64 {
     if !case.values.iter().any(|(name, value)| *name == "series_load" && value[0] == 1.0) {
         return 0.0;
@@ -99,7 +99,8 @@ fn stuck(case: &Case, speed: f64) -> f64 {
     // Side force and temperature are constant in an ordinary motion.
     let Some(given) = case.motion.first() else { return 0.0 };
     let mut v = speed;
-    // The lowest break-away velocity of the table is 1e-5 m/s. A ratio of 1.1 between two velocities misses at most a hundredth of a peak.
+    // The lowest break-away velocity of the table is 1e-5 m/s. With a ratio of 1.1 between velocities, the result lacks at most a hundredth
+    // of a peak.
     while v > 1e-7 {
         alone.motion.extend([v, -v].map(|v| Given { x: Some(0.0), v, dt: 1e-3, ..*given }));
         v /= 1.1;
@@ -113,7 +114,7 @@ fn number(case: &Case, name: &str) -> f64 {
     set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
 }
 
-/// Returns the force of the series spring that stops the internal mass from a speed, including the mass that moves with it.
+/// Returns the force of the series spring that stops the internal mass from a speed, including the mass that moves with the internal mass.
 fn caught(case: &Case, speed: f64) -> f64 {
     if !case.on.contains(&"series_compliance") {
         return 0.0;
@@ -138,14 +139,15 @@ fn turned(case: &Case) -> f64 {
 
 /// Returns the force of the series path if it stores all energy that the drive can supply to the mass.
 ///
-/// Relative to the moving end, the mass gains at most the velocity change of that end, whatever the spring. No damping is assumed.
+/// Relative to the moving end, the mass gains at most the velocity change of that end, whatever the spring. The estimate assumes no
+/// damping.
 fn thrown(case: &Case) -> f64 {
     let speed = turned(case);
     let straight = caught(case, speed);
     if straight == 0.0 || !case.on.contains(&"bushing") {
         return straight;
     }
-    // Rubber stores the energy ½ k d² (1 + ½ d²/d_h²) at a deflection d, with the force k d (1 + d²/d_h²).
+    // At a deflection d, rubber has the energy ½ k d² (1 + ½ d²/d_h²) and the force k d (1 + d²/d_h²).
     let stiffness = number(case, "series_stiffness");
     let unit = stiffness * number(case, "bushing_hardening");
     let (times, square) = (straight / unit, (straight / unit) * (straight / unit));
@@ -153,15 +155,15 @@ fn thrown(case: &Case) -> f64 {
     unit * (times + deflection * (1.0 + deflection * deflection))
 }
 
-/// Largest ratio of the force of a lagging valve to the FV curve: a closed valve passes a hundredth of the flow.
+/// Largest ratio of the force of a lagging valve to the FV curve. A closed valve passes a hundredth of the flow.
 const SHUT: f64 = 100.0;
 
 /// Returns the largest force of the elements along the motion, with the worst timing.
 ///
-/// It assumes that no damper absorbs the energy supplied to the mass. It also assumes that a valve with an internal state is closed when
-/// the piston is fastest.
+/// It assumes that no damper absorbs the energy of the mass. It also assumes that a valve with an internal state is closed at the highest
+/// speed of the piston.
 ///
-/// The sum is doubled as in [`check`]: forces of several elements add up, and the mass may move twice as fast as the moving end.
+/// The sum is doubled, as in [`check`]. Forces of several elements add up, and the mass may be twice as fast as the moving end.
 fn most(case: &Case, found: &Run) -> f64 {
     let speed = fastest(case);
     let late = case.on.contains(&"valve_hysteresis") && number(case, "valve_form") > 0.0;
@@ -189,10 +191,10 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
     other
 }
 
-/// Describes the similar damper that makes the most force.
+/// Describes the similar damper with the largest force.
 ///
-/// A method shifts the frequency of a mass that its steps hardly resolve. Suppose a heavier mass or a softer spring makes in short steps
-/// the force that the case makes in long steps. Then the case shows only this shift of a resonance.
+/// A method shifts the frequency of a mass that its steps hardly resolve. A heavier mass or a softer spring may have, in short steps, the
+/// force of the case in long steps. Then the case shows only this shift of a resonance.
 fn nearby(fine: &Case, top: f64) -> String {
     let with = |changes: &[(&'static str, f64)]| {
         let mut other = fine.clone();
@@ -203,8 +205,8 @@ fn nearby(fine: &Case, top: f64) -> String {
         }
         run(&other).map_or(0.0, |run| largest(&run.forces))
     };
-    // Try quarter octaves up to a factor of eight: a step size of a third of the period shifts a frequency by that much. Report the first
-    // damper that would pass, or the one with the closest force.
+    // Try quarter octaves up to a factor of eight, because a step size of a third of the period shifts a frequency by that much. Report the
+    // first damper that would pass, or else the damper with the closest force.
     let mut best = (0.0, String::new());
     for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
         for (what, changes) in [
@@ -229,7 +231,7 @@ fn is_beyond(top: f64, same: f64, euler: f64, elements: f64) -> bool {
 ///
 /// Larger forces are compared with the result of short steps.
 ///
-/// If not `thorough`, it omits the shortest steps and the similar dampers, which cost a thousand times the run.
+/// Unless `thorough` is set, omits the shortest steps and the similar dampers, which take a thousand times as long as the run.
 pub fn check(case: &Case, found: &Run, against: Against, thorough: bool) -> Result<(), Failure> {
     let top = largest(&found.forces);
     let speed = fastest(case);

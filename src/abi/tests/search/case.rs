@@ -1,4 +1,4 @@
-//! Cases: a parameter set and a motion, run through the C interface.
+//! Cases: a parameter set and a motion, which run through the C interface.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{
@@ -39,11 +39,11 @@ pub struct Case {
     pub values: Vec<(&'static str, Vec<f64>)>,
     pub start: f64,
     pub motion: Vec<Given>,
-    /// Whether a damper can make this motion. Only then the force is compared with its bound.
+    /// Whether a damper can make this motion. Otherwise the force is not compared with its bound.
     pub ordinary: bool,
 }
 
-/// Error of a case, and the step in which it occurred.
+/// Failure of a case, and the step in which it occurred.
 #[derive(Clone, Debug)]
 pub struct Failure {
     pub step: usize,
@@ -59,7 +59,7 @@ pub struct Run {
     pub refused: usize,
 }
 
-/// Prepares a model on the heap; `None` if a parameter is rejected.
+/// Prepares a model on the heap. Returns `None` if a parameter is rejected.
 pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
     // SAFETY: the structure contains only numbers and pointers, for which zero bytes are valid.
     let mut params: dashpot_params = unsafe { zeroed() };
@@ -202,7 +202,7 @@ impl Case {
     }
 }
 
-/// Draws a number of the table: anywhere in its range, most often by decade, sometimes at an end.
+/// Draws a number of the table: anywhere in its range, most often with a uniform logarithm, sometimes at an end or at the default.
 fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     match r.one_of(8) {
         0 => low,
@@ -241,7 +241,7 @@ fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     (x.iter().map(|x| (x - x0) / span * width).collect(), f.iter().map(|f| (f - f0) / top * height).collect())
 }
 
-/// Multiplies all parameters that grow with the damper by `size`, including defaults, and clamps them to their bounds.
+/// Multiplies by `size` all parameters that grow with the size of the damper, including defaults. Clamps them to their bounds.
 fn grow(values: &mut Vec<(&'static str, Vec<f64>)>, on: &[&'static str], size: f64) {
     for row in table().filter(|row| row.parameter.grows && on.contains(&GROUPS[row.group].name)) {
         let p = row.parameter;
@@ -254,7 +254,7 @@ fn grow(values: &mut Vec<(&'static str, Vec<f64>)>, on: &[&'static str], size: f
 }
 
 impl Case {
-    /// Draws the parameters of a case with these elements on.
+    /// Draws the parameters of a case in which these elements are on.
     pub fn set(r: &mut Random, on: Vec<&'static str>) -> Case {
         let mut values = Vec::new();
         // In some cases most parameters keep their defaults, because extreme values mask each other.
@@ -290,7 +290,7 @@ impl Case {
             values.push(("spring_displacement", x));
             values.push(("spring_force", f));
         }
-        // A separate generator draws the size, so a seed gives the cases that it gave before sizes existed.
+        // A separate generator draws the size. Thus, a seed gives the same cases as before the introduction of sizes.
         let mut sizes = Random(r.0 ^ 0x73_69_7a_65);
         if sizes.chance(0.3) {
             grow(&mut values, &on, sizes.decade(SIZES.0, SIZES.1));
@@ -298,7 +298,7 @@ impl Case {
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }
 
-    /// Draws a case with the default elements, or some of them, and with `more`.
+    /// Draws a case with all default elements, or with some of them, and with `more`.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
         let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {

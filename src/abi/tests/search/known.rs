@@ -1,4 +1,4 @@
-//! Cases that failed once.
+//! Cases that failed in the past.
 
 use crate::bounds::Against;
 use crate::broken;
@@ -31,7 +31,7 @@ fn holds(case: &Case) {
     }
 }
 
-/// A jump that once gave 9 GN is rejected. The steepest accepted curve gives moderate forces, wherever the jump lies.
+/// A jump that once gave 9 GN is rejected. The steepest accepted curve gives moderate forces, regardless of the position of the jump.
 #[test]
 fn a_curve_that_nearly_jumps_behind_rubber_air_and_a_void() {
     let on = ["bushing", "aeration", "cavitation"];
@@ -76,12 +76,12 @@ fn absurd_motion_poisons_no_state() {
             case.run(&prepare(&case).unwrap(), true).unwrap_or_else(|f| panic!("{on:?} step {}: {}", f.step, f.what));
         assert!(run.refused >= 10, "{} refused", run.refused);
         let last = run.forces[run.forces.len() - 1];
-        // The void after a motion of a kilometer needs time to close.
+        // After a motion of a kilometer, the void needs time to close.
         assert!(last.abs() < 5e3 || on.contains(&"cavitation"), "{on:?}: {last} N after it is over");
     }
 }
 
-/// The state of a void was taken from a stage whose iteration had not converged. Forces of 0.2 and 2 MN occurred in a damper at rest.
+/// The state of a void came from a stage whose iteration had not converged. A damper at rest then had forces of 0.2 and 2 MN.
 #[test]
 fn gas_in_a_void_under_a_lasting_force() {
     let v = [-1.96, -1.33, -0.4, 0.517, 0.587, 0.5908, 1.236, 1.2395, 1.2432, 1.5975, 1.6011, 1.96];
@@ -108,7 +108,7 @@ fn gas_in_a_void_under_a_lasting_force() {
     }
 }
 
-/// A contact of 1e-5 m is driven back and forth by millimeters in each step.
+/// A contact of 1e-5 m moves back and forth by millimeters in each step.
 #[test]
 fn a_short_contact_turned_over_in_every_step() {
     for (elastic, power) in [(0.0, 1.0), (1.0, 1.0), (0.0, 4.0), (1.0, 4.0)] {
@@ -139,10 +139,10 @@ fn a_lag_that_changes_with_speed_stays_between_its_targets() {
     assert!(run.forces.iter().all(|f| f.abs() <= 1.25 * 12e3), "{:?}", run.forces);
 }
 
-/// The fourth-order method combines its last stage from the earlier ones. It once opened a blow-off valve to two and a half times its
+/// The fourth-order method combines its last stage from the earlier stages. It once opened a blow-off valve to two and a half times its
 /// maximum.
 ///
-/// The valve's force then decreased with the flow, and the third step reached 1e22 N.
+/// The valve's force then decreased with the flow, and the third step gave 1e22 N.
 #[test]
 fn a_valve_opens_no_further_than_open() {
     let mut case = millimetre(
@@ -162,9 +162,9 @@ fn a_valve_opens_no_further_than_open() {
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
 
-/// The spring was linearized at the predicted position, although the mass crosses dozens of table segments in a step of 10 ms.
+/// The spring was linearized at the predicted position, although the mass passes dozens of table segments in a step of 10 ms.
 ///
-/// The force was 74 kN, while the elements make 4 kN.
+/// The force was 74 kN, but the elements make only 4 kN.
 #[test]
 fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     for method in [0.0, 1.0, 2.0, 3.0, 4.0] {
@@ -190,14 +190,14 @@ fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     }
 }
 
-/// The tangent of the cheap step, from a steep segment of the curve, was used far beyond that segment.
+/// The fast step used the tangent of a steep segment of the curve far beyond that segment.
 ///
 /// The force was 1.9 kN with a curve of 29 N.
 #[test]
 fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     let mut checked = 0;
     for i in 0..100 {
-        // The jump lies at many positions about the velocity at which the third step linearizes.
+        // The test varies the position of the jump about the velocity at which the third step linearizes.
         let jump = -0.0305 + 3e-5 * f64::from(i);
         let mut case = millimetre(
             &[],
@@ -223,9 +223,9 @@ fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     assert_eq!(checked, 100);
 }
 
-/// With friction that falls with velocity, the equation of a stage has no derivative of its own.
+/// With friction that decreases with velocity, the equation of a stage has no useful derivative.
 ///
-/// The Newton step with a substitute derivative threw the mass to 3 km/s, and the force to 3 MN.
+/// The Newton step with a substitute derivative accelerated the mass to 3 km/s, and the force was 3 MN.
 #[test]
 fn no_straight_step_by_slopes_that_stand_in() {
     let mut case = millimetre(
@@ -306,10 +306,10 @@ fn no_straight_step_by_slopes_that_stand_in() {
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
 
-/// In a cold damper the oil is twenty times as viscous, which the force bound of the elements once ignored.
+/// In a cold damper the oil is twenty times as viscous, which the elements' force bound once ignored.
 ///
-/// The moving end accelerates to 1.5 m/s within one step. `euler` uses the velocity at the end of a substep for all of it. Curve and fade
-/// then make 692 kN, while the stroke, part of which air absorbs, gives 65 kN.
+/// The moving end accelerates to 1.5 m/s within one step. `euler` uses the velocity at the end of a substep for the whole substep. Curve
+/// and fade then make 692 kN. The stroke, part of which air absorbs, gives only 65 kN.
 #[test]
 fn euler_behind_air_in_cold_oil_makes_what_the_elements_do() {
     let mut case = millimetre(
@@ -356,14 +356,14 @@ fn euler_behind_air_in_cold_oil_makes_what_the_elements_do() {
         ..given(Some(0.0018004537947555938), 1.514666012486117, 0.002)
     }];
     holds(&case);
-    // The bound is the curve times e³, the largest factor of the fade.
+    // The bound is the curve times e³, which is the largest factor of the fade.
     let run = case.run(&prepare(&case).unwrap(), false).unwrap();
     assert!(run.forces.iter().all(|f| f.abs() < 1.01 * 34481.62 * 3f64.exp()), "{:?}", run.forces);
 }
 
-/// The fourth-order method combined its stages to an open spool although they had closed it.
+/// The fourth-order method combined its stages to an open spool, although the stages had closed it.
 ///
-/// The end of the step had 272 kN, its latest stage 0.2 kN; the motion makes 163 kN.
+/// The force was 272 kN at the end of the step and 0.2 kN at its last stage. The motion makes 163 kN.
 #[test]
 fn a_spool_that_turns_inside_a_step() {
     let mut case = millimetre(
@@ -387,7 +387,7 @@ fn a_spool_that_turns_inside_a_step() {
     holds(&case);
 }
 
-/// A segment of the FV curve is horizontal at one end, and on average a thousand times steeper than soft oil and mass.
+/// A segment of the FV curve is horizontal at one end. On average it is a thousand times steeper than the response of soft oil and mass.
 ///
 /// All midpoints of the bracket lay at one end, and the stage ended without a root. A force of 37 N accelerated half a kilogram to 0.16 m/s
 /// in 10 µs (seed 503, case 3947).
@@ -447,7 +447,7 @@ fn soft_oil_on_the_level_half_of_a_curve() {
     ];
     let speed = 0.0016794412413345115;
     let motion = (0..99).map(|i| {
-        // The velocity alternates, with one step of the motion omitted.
+        // The velocity alternates, but one step of the motion is omitted.
         let towards = (i % 2 == 0) == (i < 90);
         Given {
             x: Some(-0.013440454233588509),
@@ -466,7 +466,7 @@ fn soft_oil_on_the_level_half_of_a_curve() {
     });
 }
 
-/// Makes a case whose velocity alternates in every step of 0.25 ms, behind a spring of 100 MN/m.
+/// Makes a case in which the velocity alternates in every step of 0.25 ms, behind a spring of 100 MN/m.
 fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[(&'static str, &[f64])]) -> Case {
     let motion = (0..steps).map(|i| if i % 2 == 0 { speed } else { -speed });
     let stiff: (_, &[f64]) = ("series_stiffness", &[1e8]);
@@ -481,8 +481,8 @@ fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[
 
 /// The curve has no damping below 0.3 m/s.
 ///
-/// With the mean derivative over the whole range the mass had one substep. Its numerical frequency then equaled that of the drive, with
-/// three times the force.
+/// With the mean derivative over the whole range, the method used one substep for the mass. The numerical frequency of the mass then
+/// equaled the frequency of the drive, with three times the force.
 #[test]
 fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_damps() {
     let (v, f) = ([-0.545, -0.372, -0.341, -0.304, -0.248, 0.0], [-6473.0, -4014.0, -3858.0, 0.0, 0.0, 0.0]);
@@ -491,7 +491,7 @@ fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_da
     holds(&to_and_fro(5.06e-3, 36, 940.0, &["fv_curve", "viscous_friction"], curve));
 }
 
-/// A chosen method counts the damping of the mass like the automatic choice does.
+/// A method that the user chose evaluates the damping of the mass like the automatic choice.
 #[test]
 fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
     for method in [1.0, 3.0, 4.0, 5.0] {
@@ -499,9 +499,9 @@ fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
     }
 }
 
-/// Substeps chosen by the host do not resolve the oscillation of a mass.
+/// If the host chooses the substeps, they may not resolve the oscillation of a mass.
 ///
-/// The method shifts the frequency of the mass to that of the drive, with three times the force of short steps.
+/// The method then shifts the frequency of the mass to that of the drive, with three times the force of short steps.
 #[test]
 fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     for mass in (0..40).map(|i| 0.06 + 5e-4 * f64::from(i)) {
@@ -514,10 +514,10 @@ fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     }
 }
 
-/// The drive throws a mass on hardening rubber to large deflections.
+/// The drive gives a mass on hardening rubber large deflections.
 ///
-/// There its frequency is too high for the substeps of undeflected rubber, and the force is up to ten times that of short steps. One in a
-/// hundred of these cases failed, with a chosen method or without.
+/// At these deflections its frequency is too high for the substeps of undeflected rubber. The force is up to ten times the force of short
+/// steps. One in a hundred of these cases failed, with a chosen method and without.
 #[test]
 fn substeps_that_do_not_follow_a_mass_in_hard_rubber_take_its_energy() {
     let mut r = Random(7);

@@ -1,14 +1,14 @@
-//! Searches for parameter sets and motions that break the promises of the interface.
+//! Searches for parameter sets and motions that violate the guarantees of the interface.
 //!
-//! Every result of a successful call is finite, an error leaves the state unchanged, and the force is one that the
-//! elements can make along the motion. The seed of this search differs in every nightly run.
-//! The seed of the test suite follows from the sources: any change of the code draws new cases, and unchanged code repeats its cases.
+//! Every result of a successful call must be finite, and an error must leave the state unchanged. The elements must be able to make the
+//! force along the motion. The seed of this search differs in every nightly run. In the test suite, the seed depends on the sources. Any
+//! change of the code draws new cases, and unchanged code repeats its cases.
 //!
-//! A stricter search compares the force with that of short steps, whatever force the elements could make. It still finds failures (listed
-//! in the book, step.md), so its seed is fixed.
+//! A stricter search compares the force with the force of short steps, whatever force the elements could make. The book (step.md) lists the
+//! failures that it still finds, so its seed is fixed.
 //!
-//! Seeds are printed. `DASHPOT_SEARCH_SEED=<n>` runs another seed or repeats one. `DASHPOT_SEARCH_STEPS=<n>` sets the number of steps. A
-//! failing case is minimized and printed as code for `known.rs`.
+//! The search prints its seeds. `DASHPOT_SEARCH_SEED=<n>` runs another seed or repeats one. `DASHPOT_SEARCH_STEPS=<n>` sets the number of
+//! steps. A failing case is minimized and printed as code for `known.rs`.
 
 mod bounds;
 mod case;
@@ -27,7 +27,7 @@ fn number(name: &str) -> Option<u64> {
     std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
 }
 
-/// Returns the failure of a case, if its model is accepted and a check fails.
+/// Returns the failure of a case if its model is accepted and a check fails.
 fn broken(case: &Case, against: Against, thorough: bool) -> Option<Failure> {
     let model = prepare(case)?;
     match case.run(&model, !case.ordinary) {
@@ -54,7 +54,7 @@ fn search(steps: u64, length: usize, seed: u64, against: Against) {
     let (mut done, mut cases, mut accepted) = (0, 0u64, 0u64);
     let mut failures = Vec::new();
     while done < steps {
-        // Each case has a seed of its own.
+        // Each case has a separate seed.
         let mut r = Random(seed.wrapping_add(cases.wrapping_mul(0x2545_f491_4f6c_dd1d)));
         let case = match cases % 2 {
             0 => Case::with(&mut r, &pairs[(cases / 2) as usize % pairs.len()]),
@@ -116,7 +116,7 @@ fn ten_million_steps_have_the_force_of_short_ones() {
     search(10_000_000, 400, of_the_clock(), Against::ShortSteps);
 }
 
-/// Compares derivatives of steps with finite differences over random cases. Returns the numbers of comparisons and of failures.
+/// Compares derivatives of steps with finite differences over random cases. Returns the numbers of comparisons and failures.
 fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     let seed = number("DASHPOT_SEARCH_SEED").unwrap_or(seed);
     let cases = number("DASHPOT_SEARCH_CASES").unwrap_or(cases);
@@ -144,7 +144,8 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
 /// At a knee of the force, a step returns the derivative of one side or a value between both (step.md). The book states the fraction of
 /// exceptions.
 ///
-/// Cases far from all dampers occur in clusters, hence the margin. Seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51 of 41410 failures.
+/// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51 of 41410
+/// failures.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());

@@ -5,7 +5,7 @@ use crate::case::{Case, Failure};
 /// Removes elements, parameters and steps while the case still fails.
 pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Case, Failure) {
     let mut failure = fails(&case).expect("a case that fails");
-    // A smaller case must fail by the original ratio, or by at least 20: a small case of another failure explains nothing.
+    // A smaller case must fail by at least the original ratio or 20, whichever is smaller. Otherwise it may be a case of another failure.
     let enough = failure.by.min(20.0);
     let mut budget = 600;
     loop {
@@ -20,7 +20,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
             (*case, failure) = (tried, new);
             true
         };
-        // Steps after the failing one do not matter. Keep as few of the earlier ones as possible.
+        // Steps after the failing step do not matter. Keep as few of the preceding steps as possible.
         let mut tried = case.clone();
         tried.motion.truncate(until);
         keep(tried, &mut case);
@@ -30,7 +30,7 @@ pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Ca
             while from + part <= case.motion.len() {
                 let mut tried = case.clone();
                 tried.motion.drain(from..from + part);
-                // The motion continues from the end of the cut.
+                // The motion continues from the end of the removed part.
                 if from == 0 {
                     tried.start = case.motion[part - 1].x.unwrap_or(case.start);
                 }

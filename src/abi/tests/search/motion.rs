@@ -31,13 +31,13 @@ impl Case {
         for i in 0..count {
             let before = (x, v);
             match kind {
-                // A sine.
+                // Draw a sine.
                 0 => (x, v) = at((i + 1) as f64 * dt),
-                // A speed that reverses at random; x is its integral.
+                // Draw a speed that reverses at random. The displacement is its integral.
                 1 => v = if r.chance(0.2) { r.between(-speed, speed) } else { v },
-                // A velocity that alternates from step to step.
+                // Draw a velocity that alternates from step to step.
                 2 => v = if i % 2 == 0 { speed } else { -speed },
-                // A random walk.
+                // Draw a random walk.
                 _ => v = (v + 0.3 * r.between(-speed, speed)).clamp(-speed, speed),
             }
             if kind != 0 {

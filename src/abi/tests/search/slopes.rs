@@ -7,16 +7,17 @@ use dashpot_abi::step::dashpot_step;
 use dashpot_test_support::Random;
 use std::mem::zeroed;
 
-/// Widths of the differences: displacement m, velocity m/s.
+/// Step widths of the finite differences, for displacement, m, and velocity, m/s.
 ///
-/// The wide differences include a knee and the narrow ones exclude it. For a void of nanometers the opposite holds.
+/// A wide difference may include a knee that a narrow one excludes. For a void of nanometers the opposite holds.
 const WIDTHS: [[f64; 7]; 2] =
     [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
-/// Allowed deviation of a derivative from a difference, relative to the largest difference. A host's Newton iteration tolerates it.
+/// Largest deviation of a derivative from a difference, relative to the largest difference. A host's Newton iteration tolerates it.
 const NEAR: f64 = 0.02;
 /// Rounding error of a difference, relative to the forces.
 const ROUNDING: f64 = 1e-13;
-/// Shifts that measure the noise of the force, relative to the narrowest width. An iteration may end one earlier or later.
+/// Shifts that measure the noise of the force, relative to the narrowest width. With a shift, an iteration may end one iteration earlier or
+/// later.
 const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
 
 /// One comparison that failed.
@@ -34,7 +35,7 @@ fn one_step(model: &dashpot_model, from: &dashpot_state, given: &Given) -> Optio
     (status >= 0).then_some((to, output))
 }
 
-/// Returns whether a derivative agrees with a difference of one width: a one-sided difference, or a value between both.
+/// Returns whether a derivative agrees with a difference of one width. It may equal a one-sided difference or lie between both.
 ///
 /// Returns `None` if the noise is too large at every width.
 fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -> Option<Result<(), String>> {

@@ -14,15 +14,15 @@ use std::time::Instant;
 
 /// Measure error against cost of the fixed step over the test matrix
 ///
-/// Errors are shares of each test's largest force, the worst test counts, against a converged solution driven by the
-/// exact motion. Instructions are counted by valgrind where it is installed; times depend on the machine.
+/// Errors are relative to each test's largest force, and the largest over all tests is reported. The reference is a converged solution
+/// under the exact motion. Valgrind counts the instructions if it is installed. Times depend on the machine.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot bench --json bench.json")]
 pub struct Args {
     /// Figures as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Run so many steps of one integration and print nothing: what the instruction count is taken from
+    /// Run a number of steps of one integration and print nothing, for the instruction count
     #[arg(long, hide = true, num_args = 3, value_names = ["METHOD", "SUBSTEPS", "STEPS"])]
     spin: Option<Vec<String>>,
 }
@@ -184,7 +184,7 @@ fn spin(model: &Model, steps: usize) -> f64 {
 }
 
 fn time(model: &Model) -> f64 {
-    // Use the fastest of several runs, which other work on the machine disturbed least.
+    // Use the fastest of several runs, because other work on the machine disturbed it least.
     (0..7)
         .map(|_| {
             let start = Instant::now();

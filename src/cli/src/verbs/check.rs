@@ -10,11 +10,12 @@ use dashpot_simulation::chatter::{Figures, Ready};
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// See whether a damper chatters in a host that holds its force over a step
+/// Check whether a damper chatters in a host that keeps its force constant over a step
 ///
-/// Real-time hosts compute the force once a step and hold it: a damper that is too steep for the mass that it moves then swings from step to
-/// step. Told are the gain c·h/m, what a loop like that of the host does (its mass on a tyre), the element that makes it and the longest step that is quiet; --for-step writes a damper that does not. Told is too how fast the
-/// damper's states are for a host that integrates them itself (model exchange).
+/// A real-time host computes the force once a step and keeps it constant. If the damper is too steep for the mass that it moves, the force
+/// then alternates from step to step. Reports the gain c·h/m, and the result of a simulated host loop with its mass on a tire. Also reports
+/// the element that causes chatter, and the longest step without chatter. --for-step writes a damper that does not chatter. Also reports
+/// the fastest rate of the damper's states, for hosts that integrate them (model exchange).
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \
@@ -27,10 +28,10 @@ pub struct Args {
     model: PathBuf,
     #[command(flatten)]
     host: HostArgs,
-    /// Where to write the damper made ready by --for-step
+    /// Where to write the damper that --for-step prepares
     #[arg(short, long, value_name = "MODEL", requires = "for_step")]
     output: Option<PathBuf>,
-    /// End with 1 where the damper chatters, for scripts; with --for-step, where it still does
+    /// Exit with code 1 if the damper chatters, for scripts. With --for-step, only if the new damper still chatters
     #[arg(long)]
     strict: bool,
     /// Figures as JSON; - for standard output
@@ -80,7 +81,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
 }
 
-/// Figures of a damper, with the setting if it has several.
+/// Figures of a damper, with the setting if the damper has several settings.
 #[derive(Serialize)]
 struct AtSetting {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 /// Print the completions of verbs and options for a shell
 ///
-/// Written from the command's own options, so that they are those of this version.
+/// They come from the command's own options, so they match this version.
 #[derive(clap::Args)]
 #[command(
     after_help = "Example, bash:\n  dashpot completions bash -o ~/.local/share/bash-completion/completions/dashpot\nPowerShell, for this window:\n  dashpot completions powershell | Out-String | Invoke-Expression"

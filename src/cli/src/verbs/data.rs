@@ -9,64 +9,64 @@ use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Channel, DateOrder, Note, Options, Positive, RecordError, assignment, load};
 use std::path::{Path, PathBuf};
 
-/// How to read records.
+/// Options for reading records.
 #[derive(Args, Debug, Clone)]
 pub struct DataArgs {
-    /// Record files (text, XLSX, MAT, MDF, TDMS, RPC III) or folders of them; what a campaign.toml beside them says is obeyed
+    /// Record files (text, XLSX, MAT, MDF, TDMS, RPC III) or folders of them. A campaign.toml in their folder applies
     #[arg(required = true, value_name = "DATA")]
     pub data: Vec<PathBuf>,
-    /// Which direction the files count positive; worked out from the data if not given
+    /// Direction that is positive in the files; determined from the data if not given
     #[arg(long, value_name = "rebound|compression")]
     positive: Option<Positive>,
-    /// Turn the sign of one channel: force or motion (displacement and velocity)
+    /// Reverse the sign of one channel: force or motion (displacement and velocity)
     #[arg(long, value_name = "force|motion")]
     flip: Vec<String>,
     #[command(flatten)]
     columns: ColumnArgs,
     #[command(flatten)]
     sensors: SensorArgs,
-    /// Samples per second of files that have no column of time
+    /// Samples per second of files without a time column
     #[arg(long, value_name = "HZ")]
     sample_rate: Option<f64>,
-    /// Which of day and month comes first in dates such as 3/11/2026; worked out from the files if not given
+    /// Order of day and month in dates such as 3/11/2026; determined from the files if not given
     #[arg(long, value_name = "day-first|month-first")]
     dates: Option<DateOrder>,
-    /// Displacement at the first sample, m, where only velocity was recorded
+    /// Displacement at the first sample, m, if only velocity was recorded
     #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     initial_position: f64,
-    /// Files or tests to leave out, by name; * stands for anything
+    /// Files or tests to leave out, by name; * stands for any characters
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     exclude: Vec<String>,
-    /// Read the records in subfolders as tests of the same campaign; the names of their tests begin with the folder
+    /// Read the records in subfolders as tests of the same campaign. The names of their tests begin with the folder
     #[arg(long)]
     subfolders: bool,
-    /// Refuse files that are no records and tests with a fault of their own (too short, no motion, clipped), instead of leaving them out
+    /// Reject files that are not records, and tests with a fault of their own (too short, no motion, clipped), instead of leaving them out
     #[arg(long)]
     strict: bool,
 }
 
-/// What is known of the sensors.
+/// Known errors of the sensors.
 #[derive(Args, Debug, Clone)]
 struct SensorArgs {
-    /// How much later than the motion the force was recorded, s; taken out
+    /// Delay of the force channel relative to the motion, s; corrected
     #[arg(long, value_name = "S", value_parser = seconds, default_value_t = 0.0, allow_negative_numbers = true)]
     delay: f64,
-    /// What the force channel shows without force, N, in the file's direction; taken off
+    /// Zero offset of the force channel, N, in the file's direction; subtracted
     #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     force_zero: f64,
-    /// What the displacement channel shows where displacement is to be zero, m, in the file's direction; taken off
+    /// Reading of the displacement channel at the desired zero, m, in the file's direction; subtracted
     #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     displacement_zero: f64,
-    /// Factor on the force, after its zero was taken off, or on another channel, such as displacement=1.02
+    /// Factor on the force after subtraction of its zero, or on another channel, such as displacement=1.02
     #[arg(long, value_name = "[CHANNEL=]FACTOR")]
     gain: Vec<String>,
-    /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg; the force that it takes is taken off
+    /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg. Its inertia force is subtracted
     #[arg(long, value_name = "KG", default_value_t = 0.0, allow_negative_numbers = true)]
     rig_mass: f64,
 }
 
 impl SensorArgs {
-    /// Sensors without corrections.
+    /// Sensors that need no corrections.
     const NONE: SensorArgs =
         SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: Vec::new(), rig_mass: 0.0 };
 
@@ -90,22 +90,22 @@ impl SensorArgs {
     }
 }
 
-/// Which column is which channel, and in which unit.
+/// Columns of the channels, and their units.
 #[derive(Args, Debug, Clone, Default)]
 pub struct ColumnArgs {
-    /// Unit of a channel whose heading has none, such as force=kN
+    /// Unit of a channel whose heading states none, such as force=kN
     #[arg(long, value_name = "CHANNEL=UNIT")]
     unit: Vec<String>,
-    /// Heading of a channel's column, with or without its unit, or its number from 1: force="Load Cell 1", force=3
+    /// Heading of a channel's column, with or without its unit, or the column's number from 1: force="Load Cell 1", force=3
     #[arg(long, value_name = "CHANNEL=HEADING")]
     column: Vec<String>,
-    /// Channel to leave unread, such as velocity
+    /// Channel to ignore, such as velocity
     #[arg(long, value_name = "CHANNEL")]
     ignore: Vec<String>,
 }
 
 impl ColumnArgs {
-    /// Converts to options of the reader. The files determine everything else.
+    /// Converts to options of the reader. The reader determines all other options from the files.
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options::default();
         for text in &self.unit {
@@ -190,7 +190,7 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Loads the campaign, corrected by the measurement error that the model's own fit found in these records.
+    /// Loads the campaign, and corrects the measurement errors that the model's own fit found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let load = |of: &DataArgs| match model.axis.is_some() {
             true => of.load_over_setting_like(&of.data),
@@ -198,7 +198,7 @@ impl DataArgs {
         };
         let mut campaign = load(self)?;
         let knows = |campaign: &Campaign| campaign.records.iter().any(|record| model.identification.used(record));
-        // Some of the records may leave their positive direction uncertain. The fit used all records and determined it.
+        // The positive direction may be uncertain in some of the records. The fit used all records and determined it.
         let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
         if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
             let positive = campaign.sign.positive.opposite();
@@ -225,7 +225,8 @@ impl DataArgs {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// Reads the records of the reference. Its files often have the names of the others, so errors state that they belong to the reference.
+    /// Reads the records of the reference. Its file names often equal those of the other records, so errors state that they belong to the
+    /// reference.
     pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_like(paths).map_err(|error| of_reference(error, paths))
     }
@@ -240,7 +241,7 @@ impl DataArgs {
         self.read_noting(paths, options, &|_| true)
     }
 
-    /// Reads records and prints the requested notes on the selection of records.
+    /// Reads records, and prints those notes on the selection of records that are requested.
     fn read_noting(
         &self,
         paths: &[PathBuf],
@@ -250,7 +251,7 @@ impl DataArgs {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
-        // Notes that affect the selection of records are printed before the work, by every verb.
+        // Every verb prints the notes that affect the selection of records before its work.
         for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));

@@ -18,7 +18,7 @@ use dashpot_report::words::TERMINAL;
 use dashpot_report::{reading, write_workbook};
 use std::path::{Path, PathBuf};
 
-/// Returns the left-out tests: the named ones, or some of every amplitude and speed.
+/// Returns the left-out tests: the tests that match `patterns`, or some tests of every amplitude and speed.
 pub fn left_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {

@@ -72,7 +72,7 @@ pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
             )
         })?),
     };
-    // The reference also affects the certainty of the sign.
+    // The records of the reference also affect the certainty of the sign.
     let campaign = args.data.load_over_setting_like(&args.data.data)?;
     let name = name_of(&args.model);
     run(args, &args.data, Subject { model, name, campaign, given, files: vec![args.model.clone()] })
@@ -186,7 +186,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Splits the records by their setting, with the damper at each, lowest first.
+/// Splits the records by setting. Each part has the damper at its setting, and the lowest setting comes first.
 fn split(
     args: &Args,
     model: &ModelFile,
@@ -249,7 +249,7 @@ fn split(
     Ok(parts.into_iter().map(part).collect())
 }
 
-/// Formats the results: the summary, one table over the settings, and the diagnosis at each.
+/// Formats the results: the summary, one table over the settings, and the diagnosis at each setting.
 fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]) -> Vec<String> {
     const WIDTH: usize = 16;
     const ALL: &str = "at all settings";
@@ -296,7 +296,7 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
     lines
 }
 
-/// Returns each note once, with its settings unless it applies to all.
+/// Returns each note once. A note has its settings unless it applies to all settings.
 fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for (part, one) in found {
@@ -325,13 +325,13 @@ pub enum First {
     Data,
 }
 
-/// Determines the kind of the first argument. With `--setting`, a folder or a file that is not a model file contains records.
+/// Determines the kind of the first argument. With `--setting`, a folder contains records, and so does any file that is not a model file.
 pub fn first_argument(args: &Args) -> anyhow::Result<First> {
     let is_model = args.model.is_file() && args.model.extension().is_some_and(|ending| ending == "toml");
     if !is_model && args.setting.is_some() {
         return Ok(First::Data);
     }
     let is_family = read_family(&args.model)?.axis.is_some();
-    // Notes on the file are printed once, by the caller.
+    // The caller prints notes on the file, so that they appear once.
     Ok(if is_family { First::Family(Box::new(model::read_family(&args.model)?)) } else { First::Ordinary })
 }

@@ -22,9 +22,9 @@ pub struct Diagnosed {
     pub found: Diagnosis,
     /// Records that no refit used.
     pub left_out: Vec<bool>,
-    /// Errors of the models, as `dashpot validate` reports them.
+    /// Errors of the models. `dashpot validate` reports the same errors.
     pub over_whole_records: OfDiagnosis,
-    /// Measurement errors that the model's fit found in its own records, and whether these records were corrected by them.
+    /// Measurement errors that the model's fit found in its own records. States whether these records were corrected.
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
@@ -109,7 +109,7 @@ impl Diagnosed {
     }
 }
 
-/// Largest numbers of regions, rivals and tests on a terminal. The report has all.
+/// Largest numbers of regions, rivals and tests on a terminal. The report contains all of them.
 const REGIONS: usize = 5;
 const RIVALS: usize = 2;
 const NEXT: usize = 3;

@@ -3,7 +3,7 @@
 use dashpot_estimation::prior_set::PriorSet;
 use std::path::Path;
 
-/// Returns the priors from a file of dimensions; none without a file.
+/// Returns the priors from a file of dimensions, or no priors without a file.
 pub fn priors(path: Option<&Path>) -> anyhow::Result<PriorSet> {
     let Some(path) = path else { return Ok(PriorSet::default()) };
     let priors = dashpot_dimensions::forward::priors(&dashpot_dimensions::read(path)?);

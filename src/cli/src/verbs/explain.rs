@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 
 /// Explain a model by the dimensions of its damper: gas pressure, air, moduli, passages of the valves
 ///
-/// Each quantity has a 95 % interval, from those of the model file, the dimensions, oil data of handbooks and the error of the model's form.
-/// What cannot be told is listed with the entry or the parameter that is missing. A number of the model that the dimensions contradict is
-/// reported with the ratio of the two.
+/// Each quantity has a 95 % interval. It includes the intervals of the model file and the dimensions, handbook data of oil, and the form
+/// error of the model. Quantities that cannot be determined are listed with the missing entry or parameter. If the dimensions contradict a
+/// number of the model, the ratio of the two is reported.
 #[derive(clap::Args)]
 #[command(
     after_help = "Example:\n  dashpot explain damper.toml --dimensions dimensions.toml --json explained.json\n\nEvery entry of the dimensions is optional:\n  design = \"monotube\"          # or \"twin_tube\"\n  bore_mm = 36\n  rod_mm = 11\n  rebound_chamber_mm = 130     # at displacement zero\n  gas_pressure_bar = [14, 16]  # gauge; a range of 95 %"
@@ -42,7 +42,7 @@ struct Json<'a> {
     explanation: &'a Explanation,
 }
 
-/// Returns the damper to explain. For a damper over a setting it is the damper at the given setting.
+/// Returns the damper to explain. A damper over a setting is evaluated at the given setting.
 fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     let file = model::read_family(&args.model)?;
     let path = args.model.display();

@@ -54,7 +54,7 @@ pub fn run(
     }
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
-    // A good fit at the settings may still be worse between them.
+    // Even if the errors at the settings are small, they may be larger between the settings.
     let is_worse_between = found.worst_left_out().is_some_and(|of| of.ratio > WorstLeftOut::AS_GOOD);
     say(&if is_worse_between { format!("At the settings of the records: {}", lower_first(&good)) } else { good })?;
     if let Some(text) = format_interpolation(&found) {
@@ -83,7 +83,7 @@ fn write_report(
         let changing = record.setting_signal.as_ref().map(|of| &of.name);
         constant.or(changing) == Some(&found.setting.name)
     };
-    // Only a held-out test may lack its setting. The fit requires it of all others.
+    // Only a held-out test may lack its setting. The fit requires a setting for all other tests.
     let without: Vec<String> =
         campaign.records.iter().filter(|record| !has_setting(record)).map(|record| record.name.clone()).collect();
     if !without.is_empty() {
@@ -109,7 +109,7 @@ fn write_report(
         model_file: name_of(output),
         ..ReportInput::from_validation(model, &campaign, &compared, &validation, page.words())?
     };
-    // The curve at one setting represents no other.
+    // The report has no curve, because the curve at one setting does not represent the other settings.
     input.curve.clear();
     dashpot_report::write_atomic(&input, path)?;
     say(&format!("report: {}", path.display()))
@@ -185,13 +185,13 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
     }
 }
 
-/// Starts a sentence in lower case, after a colon.
+/// Converts the first letter of a sentence to lower case, for use after a colon.
 fn lower_first(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// Formats the worst error of the left-out settings; `None` if no setting was left out.
+/// Formats the worst error of the left-out settings. Returns `None` if no setting was left out.
 fn format_interpolation(found: &FamilyFit) -> Option<String> {
     let WorstLeftOut { setting, error, ratio } = found.worst_left_out()?;
     let at = setting_in_words(setting, &found.setting.unit);

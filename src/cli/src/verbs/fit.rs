@@ -31,9 +31,9 @@ use std::path::{Path, PathBuf};
 
 /// Identify a damper from rig records
 ///
-/// FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the
-/// effects that the damper has are chosen by their evidence in the records. A late force channel and a gain or zero
-/// that drifts through the campaign are looked for too; they are told, and not put into the model.
+/// The FV curve comes from the peak velocities, friction and gas force from the slow tests. Then all parameters are refined together. The
+/// evidence in the records determines the effects of the model. A delay of the force channel and drifts of gain and zero are also
+/// estimated. The fit reports them; the model does not contain them.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot fit campaign/ -o damper.toml --hold-out 'a40*' --json fit.json --excel fit.xlsx\n  dashpot fit semi_active/ --setting current -o family.toml --subfolders --report family.html"
@@ -47,27 +47,28 @@ pub struct Args {
     /// Inventory, estimates and notes as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    /// Every table as a sheet of one Excel workbook, with numeric cells
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
-    /// Report of a damper over a setting (--setting): curves, errors and loops by setting. Of an ordinary damper dashpot validate writes it
+    /// Report of a damper over a setting (--setting): curves, errors and loops by setting. For an ordinary damper, dashpot validate writes
+    /// the report
     #[arg(long, value_name = "F.html", requires = "setting")]
     report: Option<PathBuf>,
-    /// Kind of model: the thesis's, or one of the literature to compare it with. The kinds fv, piecewise and lag become model files that
-    /// every verb and host runs; the others become files that only dashpot validate --against reads
+    /// Kind of model: the thesis's, or a model of the literature for comparison. The kinds fv, piecewise and lag give model files for every
+    /// verb and host. The other kinds give files that only dashpot validate --against reads
     #[arg(long, value_name = "MODEL", value_parser = kinds(), default_value = "thesis")]
     model: Kind,
-    /// Elements that the fit may use, separated by commas; all of the model's if not given
+    /// Elements that the fit may use, separated by commas; all elements of the model if not given
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     elements: Option<Vec<String>>,
-    /// Fit one damper over what the tests were set to: current, clicks, voltage, pressure, or the name in campaign.toml. What
-    /// depends on it is part of the fit; each value of it is also predicted by the others
+    /// Fit one damper over a setting of the tests: current, clicks, voltage, pressure, or the name in campaign.toml. The fit determines
+    /// which parameters depend on the setting. Each setting is also predicted from the other settings
     #[arg(long, value_name = "NAME")]
     setting: Option<String>,
-    /// Tests to leave out, by name; * stands for anything
+    /// Tests to leave out, by name; * stands for any characters
     #[arg(long, value_name = "GLOB", value_delimiter = ',')]
     hold_out: Vec<String>,
-    /// Dimensions of the damper, a TOML file with the unit in every key: they make priors of what follows from them
+    /// Dimensions of the damper, a TOML file with the unit in every key. The fit derives priors of parameters from them
     #[arg(long, value_name = "D.toml")]
     dimensions: Option<PathBuf>,
     #[command(flatten)]
@@ -96,11 +97,11 @@ struct Json<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
     inventory: &'a [InventoryItem],
-    /// Measurement errors of the records, corrected before the errors below.
+    /// Measurement errors of the records. They are corrected before the computation of the errors below.
     measured: &'a [Measured],
     notes: &'a [Sentence],
     misfit: f64,
-    /// Errors over every sample of the fitted tests, as in `dashpot validate`.
+    /// Errors over every sample of the fitted tests, with the definition of `dashpot validate`.
     over_whole_records: Deviation,
     sign: &'a SignFinding,
     /// Files and tests that could not be used.
@@ -262,7 +263,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Formats the FV curve as lines of velocity and force; `None` if the damper has slopes and knees, or no curve.
+/// Formats the FV curve as lines of velocity and force. Returns `None` if the damper has slopes and knees, or no curve.
 fn curve_lines(params: &Params) -> Option<String> {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     if !params.counts(velocity.row()) {

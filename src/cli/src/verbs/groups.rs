@@ -1,4 +1,4 @@
-//! Text output of `dashpot diagnose --group`: many dampers, or one at many settings, each against its reference.
+//! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with its reference.
 
 use crate::plural::count_tests;
 use dashpot_diagnosis::Change;
@@ -11,10 +11,10 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
-/// Largest number of changes of a group that are listed.
+/// Largest number of listed changes of a group.
 const TOLD: usize = 3;
 
-/// Returns the changes with the largest force, which come first. The report and --json have all.
+/// Returns the changes with the largest force, which are the first ones. The report and --json contain all changes.
 fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }

@@ -5,16 +5,16 @@ use dashpot_core::Params;
 use dashpot_core::family::Definition;
 use dashpot_simulation::chatter::{Host, HostError, Ready};
 
-/// What is said of the host.
+/// Properties of the host that affect chatter.
 #[derive(clap::Args, Debug, Clone)]
 pub struct HostArgs {
-    /// Step of the host, s, at which chatter is judged
+    /// Step of the host, s, for the assessment of chatter
     #[arg(long, value_name = "S", value_parser = seconds, default_value_t = Host::TYPICAL.step)]
     host_step: f64,
-    /// The lightest mass that the damper moves, kg
+    /// Lightest mass that the damper moves, kg
     #[arg(long, value_name = "KG", default_value_t = Host::TYPICAL.mass)]
     wheel_mass: f64,
-    /// Replace friction that chatters in a host of this step, s, by presliding friction; what that changes is said
+    /// Replace friction that chatters in a host of this step, s, by presliding friction. The resulting change of force is reported
     #[arg(long, value_name = "S", value_parser = seconds)]
     for_step: Option<f64>,
 }
@@ -24,7 +24,7 @@ impl HostArgs {
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
         Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)
     }
-    /// Prepares the damper for the host at each value of its setting; an ordinary damper once.
+    /// Prepares the damper for the host at each value of its setting, or once if it is an ordinary damper.
     pub fn ready_at_settings(&self, damper: &Definition) -> Result<Vec<(Option<f64>, Ready)>, HostError> {
         Ready::prepare_at_settings(damper, self.host_step, self.wheel_mass, self.for_step)
     }

@@ -1,4 +1,4 @@
-//! `dashpot import-profile`: writes knowledge about records to a file next to them.
+//! `dashpot import-profile`: writes the options for reading records to a file in their folder.
 
 use super::data::DataArgs;
 use crate::plural::count_tests;
@@ -9,10 +9,10 @@ use dashpot_report::reading;
 use dashpot_report::words::TERMINAL;
 use std::path::PathBuf;
 
-/// Write what is said about records once, beside them, so that every verb obeys it
+/// Store the options for reading records in their folder, so that every verb uses them
 ///
-/// Takes the options of the other verbs, reads the records with them, and writes them to campaign.toml in the folder of the
-/// records. What a campaign.toml there says already is kept where no option says otherwise.
+/// Uses the options of the other verbs, and reads the records with these options. Writes the options to campaign.toml in the folder of the
+/// records. Existing entries of campaign.toml stay unless an option replaces them.
 #[derive(clap::Args)]
 #[command(
     after_help = "Example:\n  dashpot import-profile records/ --column time=Zeit --column force=\"Kanal 3\" --unit force=kN --positive compression --exclude 'warmup*'"
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 pub struct Args {
     #[command(flatten)]
     data: DataArgs,
-    /// Where to write instead
+    /// Another file to write instead
     #[arg(short, long, value_name = "F.toml")]
     output: Option<PathBuf>,
 }

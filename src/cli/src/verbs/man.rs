@@ -6,11 +6,11 @@ use std::path::PathBuf;
 
 /// Write the manual pages, one for the command and one for each verb, into a folder
 ///
-/// They hold what --help says, in the form that man reads.
+/// They contain the text of --help in the format of man.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot man man1 && man -l man1/dashpot-fit.1")]
 pub struct Args {
-    /// The folder; made where there is none
+    /// Folder to write to; created if it does not exist
     #[arg(value_name = "DIR")]
     output: PathBuf,
 }
@@ -31,7 +31,7 @@ pub fn run(args: &Args, command: clap::Command) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{} pages in {}", pages.len(), folder.display()))
 }
 
-/// Collects the page of a command and those of its subcommands: file name and text.
+/// Collects the pages of a command and its subcommands: file name and text.
 fn collect(command: &clap::Command, version: &str, pages: &mut Vec<(String, Vec<u8>)>) -> anyhow::Result<()> {
     let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
     let page = Man::new(command.clone()).title(&name).source(format!("dashpot {version}"));

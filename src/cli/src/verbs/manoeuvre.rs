@@ -16,15 +16,15 @@ use std::path::{Path, PathBuf};
 
 /// Drive a vehicle over a manoeuvre with the model and with the FV curve
 ///
-/// A passenger car of heave, pitch, roll, lateral and yaw motion on four wheels, stepped as a real-time simulator steps.
-/// Shows the force and motion of every damper, the chassis, and the region of displacement and velocity that the dampers
-/// saw against the one that rig tests covered. Manoeuvres: bump, step-steer, sine-steer, track.
+/// The vehicle is a passenger car with heave, pitch, roll, lateral and yaw motion on four wheels. Its steps are those of a real-time
+/// simulator. Shows the force and motion of every damper, and the chassis. Also compares the region of displacement and velocity in the
+/// manoeuvre with that of the rig tests. Manoeuvres: bump, step-steer, sine-steer, track.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot manoeuvre bump damper.toml --report bump.html --excel bump.xlsx\n  dashpot manoeuvre track front.toml --rear rear.toml --tests campaign/\n  dashpot manoeuvre track front.toml --vehicle car.toml --report track.html"
 )]
 pub struct Args {
-    /// bump, step-steer, sine-steer or track
+    /// Manoeuvre: bump, step-steer, sine-steer or track
     #[arg(value_name = "NAME", value_parser = Manoeuvre::ALL.map(|(name, _)| name))]
     name: String,
     /// Model file of all dampers, or of the front ones
@@ -36,19 +36,19 @@ pub struct Args {
     /// Step of the vehicle, s
     #[arg(long, value_name = "S", value_parser = seconds, default_value_t = 1e-3, allow_negative_numbers = true)]
     step: f64,
-    /// Rig records, to compare the region that they covered
+    /// Rig records, for a comparison of the region that they cover
     #[arg(long, value_name = "DATA")]
     tests: Option<PathBuf>,
     /// Figures as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Report with tables and plots, one file that opens without a network
+    /// Report with tables and plots, one file that needs no network
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
-    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    /// Every table as a sheet of one Excel workbook, with numeric cells
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
-    /// A vehicle of your own: name = number lines in SI; the report names them all
+    /// Your own vehicle: a file with lines name = number in SI units. The report lists all names
     #[arg(long, value_name = "car.toml")]
     vehicle: Option<PathBuf>,
     #[command(flatten)]
@@ -130,7 +130,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Returns the model of a file, and its FV curve alone.
+/// Returns the model of a file, and the model of its FV curve alone.
 fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     let file = model::read(path)?;
     let named = || path.display().to_string();
@@ -138,7 +138,7 @@ fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     Ok((model, prepared(&fv_only(&file)?).with_context(named)?))
 }
 
-/// Returns the fit's own FV curve; if the file has none, the model's curve and gas force.
+/// Returns the FV curve that the fit stored. If the file has none, returns the model's curve and gas force.
 fn fv_only(file: &ModelFile) -> anyhow::Result<Params> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");

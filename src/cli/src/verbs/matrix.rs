@@ -3,9 +3,9 @@
 use dashpot_rig::{Matrix, MatrixOptions};
 use std::path::PathBuf;
 
-/// Print the rig's test matrix as CSV; by default the thesis's
+/// Print the rig's test matrix as CSV; the thesis's matrix by default
 ///
-/// Every amplitude is driven at every peak velocity up to the frequency limit, then come slow cycles for friction.
+/// The matrix has each amplitude at each peak velocity up to the frequency limit, then slow cycles for friction.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot matrix --amplitudes 50,25,10,2 --frequency-limit 20 -o matrix.csv")]
 pub struct Args {

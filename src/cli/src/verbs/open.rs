@@ -6,7 +6,7 @@ use std::process::Command;
 
 /// Open the window: look at records, tune a model by hand, fit, diagnose and export with the mouse
 ///
-/// The window is a program of its own beside this command, dashpot-window.
+/// The window is a separate program, dashpot-window, in the folder of this command.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml"
@@ -48,14 +48,14 @@ fn window() -> anyhow::Result<PathBuf> {
     Ok(window)
 }
 
-/// Starts the empty user interface without waiting. The console of a double-click then closes with this command.
+/// Starts the empty user interface without waiting. If the command was double-clicked, its console then closes with it.
 pub fn start() -> anyhow::Result<()> {
     let window = window()?;
     Command::new(&window).spawn().with_context(|| format!("cannot start {}", window.display()))?;
     Ok(())
 }
 
-/// Returns whether the command was started from the desktop. Windows then created a console for it alone.
+/// Returns whether the command was started from the desktop. In that case Windows created a console for this process alone.
 #[cfg(windows)]
 pub fn was_double_clicked() -> bool {
     let mut processes = [0u32; 2];

@@ -6,7 +6,7 @@ use dashpot_report::words::TERMINAL;
 
 /// Largest number of listed notes of a kind.
 const LISTED: usize = 10;
-/// Kinds of notes on the conversion of columns to channels. Most are equal in all files.
+/// Kinds of notes on the conversion of columns to channels. Most of these notes are equal in all files.
 const CHANNELS: [&str; 3] = ["ignored", "resampled", "crank"];
 
 /// Describes the conversion of columns to channels. Each text appears once, with its tests.
@@ -30,7 +30,7 @@ fn channels(campaign: &Campaign) -> Vec<String> {
     limit(lines, "more such notes; the report of dashpot validate has them")
 }
 
-/// Returns the first lines, and the number of omitted ones.
+/// Returns the first lines and the number of omitted lines.
 fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > LISTED {
         let more = lines.len() - LISTED;
@@ -40,7 +40,7 @@ fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     lines
 }
 
-/// Lists the repairs by the cleaning, for each test.
+/// Lists the repairs of the cleaning for each test.
 fn repairs(campaign: &Campaign) -> Vec<String> {
     let lines = campaign
         .records

@@ -8,11 +8,11 @@ use dashpot_rig::{Campaign, EFFECTS, InjectedCase, Matrix, NOTHING, Options, PLA
 use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use std::path::PathBuf;
 
-/// Measure a campaign on the virtual rig: a physical damper that shares nothing with the model
+/// Measure a campaign on the virtual rig: a physical damper that shares no code with the model
 ///
-/// Two compressible oil chambers, bleed and blow-off valves, a gas chamber behind a floating piston, bristle friction. With
-/// `--hide`, a neutral damper instead, of the model's own topology, in which physical effects are hidden; what they are is
-/// written beside the records, in `sealed/truth.toml`.
+/// The damper has two compressible oil chambers, bleed and blow-off valves, a gas chamber behind a floating piston, and bristle friction.
+/// With `--hide`, the rig measures a neutral damper with injected effects instead. Its topology is that of the model. `sealed/truth.toml`
+/// in the folder of the records lists the effects.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot rig -o campaign --seed 7 --noise 0.5 --matrix matrix.csv\n  dashpot rig -o riddle --seed 3 --noise 2 --hide cavitation,free_play=0.5 --plan diagnosis\n  dashpot rig -o neutral --seed 3 --hide nothing"
@@ -21,13 +21,13 @@ pub struct Args {
     /// Folder for the records, one CSV per test
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Which damper, and which noise; 0 is the default damper
+    /// Seed of damper and noise; 0 is the default damper
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// Noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal
     #[arg(long, value_name = "PERCENT", default_value_t = 1.0, allow_negative_numbers = true)]
     noise: f64,
-    /// Test matrix (see `dashpot matrix`); the thesis's if not given
+    /// Test matrix (see `dashpot matrix`); the thesis's matrix if not given
     #[arg(long, value_name = "F.csv")]
     matrix: Option<PathBuf>,
     /// Samples per second; chosen by frequency if not given
@@ -36,7 +36,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME[=SEVERITY]", value_delimiter = ',', long_help = hide_help(),
         help = "Hide an effect in a neutral damper; several with commas or by repeating; 'nothing' for none")]
     hide: Vec<String>,
-    /// Take the numbers of --hide as physical strengths, 1 being a typical strong case
+    /// Use the numbers of --hide as physical strengths; 1 is a typical strong case
     #[arg(long, requires = "hide")]
     strength: bool,
     #[arg(long, value_name = "NAME", conflicts_with = "matrix", help = plan_help())]
@@ -47,19 +47,19 @@ pub struct Args {
     /// Amplitude of mains hum on the force, N
     #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     hum: f64,
-    /// Bits of the force channel's converter; not rounded if not given
+    /// Bits of the force channel's converter; no rounding if not given
     #[arg(long, value_name = "N")]
     bits: Option<u32>,
-    /// Leave the side force out of the records
+    /// Omit the side force from the records
     #[arg(long)]
     no_side_force: bool,
-    /// Leave the temperature of the damper's body out of the records
+    /// Omit the temperature of the damper's body from the records
     #[arg(long)]
     no_temperature: bool,
-    /// Temperature of the damper before the first test, °C; that of the laboratory, 22 °C, if not given
+    /// Temperature of the damper before the first test, °C; if not given, the temperature of the laboratory, 22 °C
     #[arg(long, value_name = "C", allow_negative_numbers = true, requires = "hide")]
     start_temperature: Option<f64>,
-    /// Another order of the plan's tests, hence another thermal history
+    /// Seed of the order of the plan's tests, which determines the thermal history; --seed if not given
     #[arg(long, value_name = "N", requires = "hide")]
     order: Option<u64>,
 }
@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.records.len()
     } else {
         let numbers = if args.strength { Numbers::Strengths } else { Numbers::Severities };
-        // A matrix of the user is no plan.
+        // A matrix of the user replaces the plan.
         let searched = matrix.is_none().then(|| plan.unwrap_or_default());
         let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));

@@ -1,4 +1,4 @@
-//! `dashpot setting`: evaluation of a damper that depends on a setting at one setting.
+//! `dashpot setting`: evaluation of an adjustable damper at one setting.
 
 use super::model;
 use crate::quantity::SettingText;
@@ -7,10 +7,10 @@ use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::with_tables;
 use std::path::PathBuf;
 
-/// Write the ordinary damper that a model of many settings is at one of them
+/// Evaluate an adjustable damper at one setting, and write the result as an ordinary damper
 ///
-/// Verbs that have no place for a setting take the damper at one. Between the settings of the model file its numbers and forces are monotone cubics; at
-/// those of the file they are the file's own. The actuator is no part of an ordinary damper.
+/// Verbs without a setting option need such a file. Between the settings of the model file, its numbers and forces are interpolated by
+/// monotone cubics. At the settings of the file, the stored values apply unchanged. The result does not contain the actuator.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot setting semi_active.toml 0.8 -o at_0.8.toml\n  dashpot setting adjuster.toml 12 -o - | head"
@@ -19,7 +19,7 @@ pub struct Args {
     /// Model file with a setting
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// The setting in the unit of the file, such as 0.6 or 0.6A
+    /// Setting in the unit of the file, such as 0.6, or with a unit, such as 0.6A
     #[arg(value_name = "SETTING", allow_negative_numbers = true)]
     setting: SettingText,
     /// Where to write; - for standard output

@@ -1,4 +1,4 @@
-//! `dashpot simulate`: force for any motion.
+//! `dashpot simulate`: computation of the force for any motion.
 
 use super::data::ColumnArgs;
 use super::model;
@@ -17,13 +17,14 @@ use std::path::PathBuf;
 
 /// Compute the force of a model for any motion
 ///
-/// The motion is used as it stands, extension (rebound) positive, without smoothing. With displacement and velocity both
-/// drive the model; displacement alone is differentiated by a cubic spline; velocity alone is integrated. Noise of a
-/// measured displacement comes back multiplied by the series stiffness: `dashpot validate` smooths, this does not. The
-/// damper starts at rest in its first position, or moving steadily where the first velocity is not zero. Writes the columns
-/// time_s, displacement_m, velocity_m_s and force_N, and of a damper over a setting that setting, such as current_A; tension is positive. A damper over a setting follows the motion's own
-/// setting, through its actuator: a column such as current [A], one that --column setting=HEADING names, or the name of the
-/// file. Between two samples the command is the mean of both. Without any it is at --setting, else at the start setting.
+/// The motion is used unchanged, without smoothing; extension (rebound) is positive. If the file has displacement and velocity, both drive
+/// the model. Displacement alone is differentiated by a cubic spline. Velocity alone is integrated. Noise of a measured displacement
+/// appears in the force, multiplied by the series stiffness. `dashpot validate` smooths the motion; `simulate` does not. The damper starts
+/// at rest at the first displacement, or in steady motion if the first velocity is not zero. The output has the columns time_s,
+/// displacement_m, velocity_m_s and force_N; tension is positive. For a damper over a setting it also has the setting, such as current_A. A
+/// damper over a setting uses the setting of the motion file, through its actuator. That is a column such as current [A], the column of
+/// --column setting=HEADING, or a setting in the file name. Between two samples the command is the mean of both. If the motion has no
+/// setting, --setting applies, or else the start setting of the model file.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv\n  dashpot simulate adjuster.toml road.csv --column setting=\"p pilot [bar]\" -o force.csv"
@@ -32,7 +33,7 @@ pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// File with time, displacement or velocity or both, and the setting where it has one (CSV, XLSX, MAT v5)
+    /// File with time, displacement or velocity or both, and a setting if it has one (CSV, XLSX, MAT v5)
     #[arg(value_name = "MOTION")]
     motion: PathBuf,
     /// Where to write; - for standard output
@@ -41,12 +42,13 @@ pub struct Args {
     /// Fixed step, s; the file's own times if not given
     #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     step: Option<f64>,
-    /// Setting of a damper that depends on one, for a motion without a column of it. A number, or a number from each of several times (s) on, such as 0:0.4,1.5:1.2; before the first time the start setting of the model holds
+    /// Setting of a damper that depends on one, for a motion without a setting column. A number, or pairs of start time (s) and number,
+    /// such as 0:0.4,1.5:1.2. Before the first time, the start setting of the model applies
     #[arg(long, value_name = "SETTING", value_parser = Schedule::parse, allow_negative_numbers = true)]
     setting: Option<Schedule>,
     #[command(flatten)]
     columns: ColumnArgs,
-    /// Displacement at the first sample, m, where the motion gives velocity alone; 0 if not given
+    /// Displacement at the first sample, m, for a motion with velocity alone; 0 if not given
     #[arg(long, value_name = "M", value_parser = metres, allow_negative_numbers = true)]
     initial_position: Option<f64>,
 }
@@ -61,7 +63,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut record = read_motion(&args.motion, &args.columns.options()?)?;
     if let Some(of) = &mut record.setting {
-        // A setting in another unit is rejected where it is needed.
+        // An incompatible unit of a setting is rejected where the setting is used.
         restate(&file.axis, &of.name, &mut of.unit, &mut of.values);
     }
     let own = record.setting.as_ref();
@@ -98,7 +100,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (heading(&file.axis), settings)
     });
     dashpot_output::write(&args.output, csv(&answers, settings))?;
-    // Remarks go to the stream that does not carry the rows.
+    // Rows may go to standard output, so remarks go to the other stream.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
     let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached);
     for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
@@ -107,7 +109,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
 }
 
-/// Formats the rows, with the setting of each where there is one. Numbers parse back to bitwise equal values.
+/// Formats the rows, with their settings if there are any. Parsing the numbers gives bitwise equal values.
 fn csv(answers: &[SimulatedSample], settings: Option<(String, Vec<f64>)>) -> String {
     let (heading, settings) = settings.map_or((None, Vec::new()), |(heading, settings)| (Some(heading), settings));
     let mut out = String::from("time_s,displacement_m,velocity_m_s,force_N");

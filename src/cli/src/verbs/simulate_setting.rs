@@ -1,4 +1,4 @@
-//! Setting of the damper along a motion, from the motion's file or from `dashpot simulate --setting`.
+//! Setting of the damper along a motion, from the file of the motion or from `dashpot simulate --setting`.
 
 use super::data::name_of;
 use crate::quantity::{SettingText, seconds};
@@ -9,7 +9,7 @@ use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, re
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
-/// Settings over time from the option: start time, s, and setting of each.
+/// Settings over time from the option: start time, s, and setting of each entry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schedule(Vec<(f64, SettingText)>);
 
@@ -17,7 +17,7 @@ impl Schedule {
     /// Parses a number, or times and numbers.
     ///
     /// # Errors
-    /// A message if the text is neither, or if the times do not increase.
+    /// The text is not of this form, or the times do not increase.
     pub fn parse(text: &str) -> Result<Schedule, String> {
         let setting = |text: &str| {
             text.parse::<SettingText>().map_err(|why| format!("{why}, or times and settings such as 0:0.4,1.5:1.2"))
@@ -42,7 +42,7 @@ impl Schedule {
     }
 }
 
-/// Returns the setting at a time of a schedule; `start` before its first time.
+/// Returns the setting of a schedule at a time. Before the first time of the schedule this is `start`.
 fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
     schedule.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
 }
@@ -76,18 +76,18 @@ impl Commands {
     /// Chooses between the option and the motion's own setting.
     ///
     /// # Errors
-    /// A setting both in the option and in a column of the motion, or a column with another unit than the model.
+    /// Both the option and a column of the motion have a setting, or the column has another unit than the model.
     pub fn choose(
         (model, axis): (&Path, &Axis),
         (motion, own): (&Path, Option<&MotionSetting>),
         given: Option<&Schedule>,
     ) -> anyhow::Result<Commands> {
-        // A column that the user named is the setting, regardless of its heading.
+        // A column that the user named contains the setting, regardless of its heading.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
-        // A part of a file name such as 1A may number the motions. It counts as a current if the model depends on one whose grid includes
-        // it.
+        // A part of a file name such as 1A may number the motions. It counts as a current if the model depends on current and its grid
+        // includes the value.
         let (low, high) = axis.range();
         let can_be = |of: &&MotionSetting| {
             of.source != SettingSource::Name { is_sure: false }
@@ -181,7 +181,7 @@ impl Commands {
     }
 }
 
-/// Heading of the column of a setting, such as `current_A`, by which records are read again.
+/// Returns the heading of the column of a setting, such as `current_A`. The reader of records recognizes it.
 pub fn heading(axis: &Axis) -> String {
     let text = match axis.unit() {
         "" => axis.name().to_owned(),
@@ -225,7 +225,7 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
 /// Returns a note if samples lie outside the grid.
 fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let (low, high) = axis.range();
-    // The noise of a logged current at the end of the grid is not another setting.
+    // At the end of the grid, the noise of a logged current does not count as another setting.
     let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
     let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {

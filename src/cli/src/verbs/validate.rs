@@ -24,9 +24,9 @@ use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
 use std::path::PathBuf;
 
-/// Compare a model with records, beside the plain FV curve fitted to the same data
+/// Compare a model with records, and with the plain FV curve that is fitted to the same data
 ///
-/// Errors by amplitude and by peak velocity, on tests the fit used and on tests it did not; hysteresis; plots.
+/// Reports errors by amplitude and by peak velocity, hysteresis, and plots. Tests that the fit used are separate from other tests.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot validate damper.toml campaign/ --report report.html --json errors.json --excel tables.xlsx\n  dashpot validate damper.toml \
@@ -42,29 +42,28 @@ pub struct Args {
     /// Figures as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Report with tables and plots, one file that opens without a network
+    /// Report with tables and plots, one file that needs no network
     #[arg(long, value_name = "F.html")]
     report: Option<PathBuf>,
-    /// Every table as a sheet of one Excel workbook, numbers as numbers
+    /// Every table as a sheet of one Excel workbook, with numeric cells
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
-    /// Models of the literature to identify from the tests that MODEL was fitted to, and to compare with.
-    /// One or more of fv, piecewise, lag,
+    /// Models of the literature for comparison, identified from the tests to which MODEL was fitted. One or more of fv, piecewise, lag,
     /// surface, dahl, bouc-wen, spencer, kwok, network, separated by commas; all; or a file that dashpot fit --model wrote
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     against: Vec<String>,
     /// Folder for every figure of the report as an SVG file
     #[arg(long, value_name = "DIR")]
     svg: Option<PathBuf>,
-    /// Setting of tests that say none, for a model that depends on one
+    /// Setting of tests that state none, for a model that depends on a setting
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true)]
     setting: Option<SettingText>,
-    /// Windows that the damper must keep: a table with the columns quantity, velocity_m_s, low, high; passes or fails the damper.
-    /// Quantities are force, gas_force, friction, hysteresis; response_time_up, response_time_down, rise_time_up and rise_time_down of a
-    /// damper over a setting. A column setting is for a damper that depends on one
+    /// Limits for the damper: a table with the columns quantity, velocity_m_s, low and high. The command reports whether the damper passes.
+    /// Quantities are force, gas_force, friction and hysteresis. A damper over a setting also has response_time_up, response_time_down,
+    /// rise_time_up and rise_time_down. A damper that depends on a setting has a column setting
     #[arg(long, value_name = "F.csv")]
     limits: Option<PathBuf>,
-    /// The verdict on --limits as a page by itself
+    /// Write the verdict on the limits of --limits as a separate page
     #[arg(long, value_name = "F.html", requires = "limits")]
     certificate: Option<PathBuf>,
     #[command(flatten)]
@@ -180,7 +179,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             ..ReportInput::from_validation(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
         if is_family {
-            // The curve at one setting represents no other.
+            // The report has no curve, because the curve at one setting does not represent the other settings.
             input.curve.clear();
             input.family = Some(FamilyReport { model: &model, fit: None });
         }
@@ -218,7 +217,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     })
 }
 
-/// Formats the errors of the model and of those of the literature.
+/// Formats the errors of the model and of the models of the literature.
 fn against_table(against: &[Against]) -> String {
     let mut out = format!(
         "{:<14}{:>8}{:>10}{:>9}{:>10}{:>10}{:>10}{:>9}{:>10}\n",
@@ -237,19 +236,19 @@ fn against_table(against: &[Against]) -> String {
     out.trim_end().to_owned()
 }
 
-/// Returns whether a test is faster than the range of the FV curve by more than the scatter of measured peaks.
+/// Returns whether the peak velocity of a test exceeds the range of the FV curve by more than the scatter of measured peaks.
 fn outruns(model: &Model, record: &Record) -> bool {
     let peak = record.peak_velocity / 1.05;
     !model.covers(peak) || !model.covers(-peak)
 }
 
-/// Simulates every record with the model and with the FV curve alone, and shows the progress.
+/// Simulates every record with the model and with the FV curve alone. Shows the progress.
 pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
     let progress = Progress::new("simulating");
     Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
 }
 
-/// Compares a damper over a setting with records, each test at its own setting.
+/// Compares a damper over a setting with records. Each test has its own setting.
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -259,7 +258,7 @@ pub fn compare_family<'a>(
     Ok(comparison::compare_family(file, campaign, given, &|done, total| progress.count(done, total))?)
 }
 
-/// Formats the errors at each setting, and marks settings outside those of the model.
+/// Formats the errors at each setting. Marks settings outside the range of the model.
 pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
     let name = super::model::setting_name(axis);
@@ -300,9 +299,9 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Smallest ratio of half a sample to a response time that is reported.
+/// Smallest reported ratio of half a sample to a response time.
 const COARSE: f64 = 0.1;
-/// Smallest fraction that a response must complete during sufficiently long levels.
+/// Fraction of a response that the levels must complete. Below it, the text recommends longer levels.
 const SETTLED: f64 = 0.97;
 
 /// Formats the response times to a step.
@@ -346,7 +345,7 @@ pub fn table(v: &Validation) -> String {
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
         "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
     );
-    // Use hundredths of a newton. For a small damper use enough decimals for two digits of its mean error.
+    // Use hundredths of a newton. For a small damper, use enough decimals for two digits of its mean error.
     let places = (2..6).find(|&p| v.overall.errors.model.mean_error_n * 10f64.powi(p) >= 10.0).unwrap_or(2) as usize;
     let mut row = |label: &str, tests: usize, e: &dashpot_identification::validation::Errors| {
         out += &format!(

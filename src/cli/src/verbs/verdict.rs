@@ -3,8 +3,8 @@
 /// Verdict of a verb on a damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// The damper meets the requirements, or there were none.
+    /// The damper meets all requirements, or there are no requirements.
     Passed,
-    /// The damper violates a requirement, or not all could be tested.
+    /// The damper violates a requirement, or a requirement could not be tested.
     Failed,
 }

@@ -1,4 +1,4 @@
-//! Open records as read, with prepared data of each test for the views.
+//! Records as read from their files, with prepared data of each test for the views.
 
 use crate::session::progress::Report;
 use dashpot_records::smoothing::{Motion, smooth};
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 pub struct Loaded {
     /// Files and folders that were given.
     pub paths: Vec<PathBuf>,
-    /// The common folder of the records, determined when they were read, because it may disappear later.
+    /// The common folder of the records. It is determined during reading, because it may disappear later.
     pub folder: Option<PathBuf>,
     /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,
@@ -22,7 +22,7 @@ pub struct Loaded {
     pub tests: Vec<Seen>,
     /// Initial warming of the damper in each test.
     pub warm: WarmStarts,
-    /// The campaign as read, if measurement corrections were applied since.
+    /// The campaign before the measurement corrections, if corrections were applied.
     original: Option<Box<Campaign>>,
 }
 
@@ -51,9 +51,8 @@ impl Seen {
         let motion = smooth(record);
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
-        // One sample beyond the cycle lets the model reach steady state in a cycle before the shown one, as on whole
-        // records. A motion without cycles, such as a road, is not thinned, because its direction may change at any
-        // sample.
+        // One sample beyond the cycle lets the model reach steady state in a cycle before the shown one, as on whole records. A motion
+        // without cycles, such as a road, is not thinned, because its direction may change at any sample.
         let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
         let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
         let cycle_samples = taken.len();
@@ -72,10 +71,10 @@ impl Seen {
     }
 }
 
-/// Largest number of samples of a thinned cycle: the loop looks unchanged, and slow tests have thousands of samples.
+/// Largest number of samples of a thinned cycle. The loop looks the same with more samples, and slow tests have thousands.
 const QUICK: usize = 300;
 
-/// Cuts a record to given samples, which contain one cycle from their first sample on.
+/// Cuts a record to the given samples. They contain one cycle, which begins at their first sample.
 fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Record, Motion) {
     let cut = |values: &[f64]| taken.iter().map(|i| values[*i]).collect();
     #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
@@ -105,11 +104,10 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
     (short, motion)
 }
 
-/// Fraction of the peak velocity above which samples count as fastest; for a sine, a twentieth of the cycle at each
-/// end.
+/// Fraction of the peak velocity above which samples count as fastest. For a sine, these are 3 % of the cycle at each velocity peak.
 const FASTEST: f64 = 0.995;
 
-/// Averages velocity and force of the fastest samples on either side.
+/// Averages velocity and force of the fastest samples in rebound and in compression.
 fn peaks(record: &Record, motion: &Motion) -> [[f64; 2]; 2] {
     let whole = match (record.cycles.first(), record.cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,
@@ -130,7 +128,7 @@ impl Loaded {
     /// Reads files and folders.
     ///
     /// # Errors
-    /// As [`load`].
+    /// Returns the errors of [`load`].
     pub fn read(paths: Vec<PathBuf>, options: Options, progress: Report<'_>) -> Result<Loaded, RecordError> {
         let campaign = load(&paths, &options, &|p| progress(p.done as f64 / p.total.max(1) as f64, None))?;
         let tests = campaign.records.par_iter().map(Seen::new).collect();
@@ -163,10 +161,9 @@ impl Loaded {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
     }
 
-    /// Finds the test with equal amplitude, frequency and mean position as a test of another campaign.
+    /// Finds the test whose amplitude, frequency and mean position equal those of a test of another campaign.
     pub fn like(&self, wanted: &Record) -> Option<usize> {
-        /// Relative difference up to which two motions are one test; the diagnosis against a reference uses the same
-        /// value.
+        /// Largest relative difference between two motions of one test. The diagnosis against a reference uses the same value.
         const SAME: f64 = 0.05;
         let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= SAME * scale.max(1e-9);
         self.campaign.records.iter().position(|r| {

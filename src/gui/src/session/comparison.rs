@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Snapshot of the model and tests on screen.
 pub struct Comparison {
-    /// The model as its file would contain it.
+    /// The model with the contents of its file.
     pub file: ModelFile,
     /// The adjustable damper and the setting on screen, if each test has its own setting.
     family: Option<(ModelFile, f64)>,
@@ -64,7 +64,7 @@ impl Comparison {
     /// Simulates the tests.
     ///
     /// # Errors
-    /// If a model cannot run, or no FV curve can be fitted.
+    /// A model cannot run, or no FV curve can be fitted.
     pub fn run(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
         match &self.family {
             Some((whole, at)) => self.run_family(whole, *at, report),
@@ -72,7 +72,7 @@ impl Comparison {
         }
     }
 
-    /// Simulates each test at its own setting. Tuned values apply only to tests at their setting.
+    /// Simulates each test at its own setting. Tuned values apply only to tests at the setting of these values.
     fn run_family(
         &self,
         whole: &ModelFile,
@@ -98,7 +98,7 @@ impl Comparison {
         let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
         let (loaded, file) = (&self.loaded, &self.file);
         let records: Vec<&Record> = self.ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
-        // A model file without an FV curve alone gets one fitted to these tests, as in the command.
+        // If a model file has no FV curve of its own, a curve is fitted to these tests, as in the command.
         let fv_only = match &file.identification.fv_only {
             Some(curve) => curve.params().map_err(Sentence::as_it_is)?,
             None => {
@@ -122,10 +122,10 @@ impl Comparison {
         Ok(self.ticked.par_iter().map(of_test).collect())
     }
 
-    /// Computes the errors of the simulated tests, also at each setting if each test has its own.
+    /// Computes the errors of the simulated tests. If each test has its own setting, also computes the errors at each setting.
     ///
     /// # Errors
-    /// If no test is comparable.
+    /// No test is comparable.
     pub fn validate(&self, compared: &[Compared<'_>]) -> Result<Validation, Sentence> {
         let mut found = validate(compared).map_err(Sentence::as_it_is)?;
         if let Some((whole, at)) = &self.family {
@@ -136,7 +136,7 @@ impl Comparison {
         Ok(found)
     }
 
-    /// Returns the records as opened.
+    /// Returns the opened records.
     pub fn loaded(&self) -> &Arc<Loaded> {
         &self.loaded
     }

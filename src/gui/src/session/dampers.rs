@@ -9,7 +9,7 @@ use dashpot_records::{Record, is_same_setting};
 use dashpot_simulation::own_setting::OwnSetting;
 use dashpot_simulation::prediction::{predict, predict_family};
 
-/// The adjustable damper of the values on screen.
+/// The adjustable damper to which the values on screen belong.
 #[derive(Debug, Clone, PartialEq)]
 struct Over {
     damper: Box<Definition>,
@@ -47,7 +47,7 @@ impl Dampers {
 
     /// Uses each test's own setting.
     ///
-    /// The values on screen apply to tests without a setting, and, if tuned, to tests at their setting.
+    /// The values on screen apply to tests without a setting. Tuned values also apply to tests at the setting of these values.
     pub fn over_setting(params: Params, damper: Definition, at: f64) -> Dampers {
         let is_tuned = damper.params_at(at) != params;
         Dampers { params, over: Some(Over { damper: Box::new(damper), at, is_tuned }) }
@@ -70,7 +70,7 @@ impl Dampers {
         }
     }
 
-    /// Returns whether the values on screen apply to a test: it is at their setting, or has no setting.
+    /// Returns whether the values on screen apply to a test: it has their setting, or no setting.
     pub fn is_at_shown(&self, record: &Record) -> bool {
         let Some(over) = &self.over else { return true };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -80,7 +80,7 @@ impl Dampers {
         }
     }
 
-    /// Returns the values of a test's damper; `None` if its setting changes.
+    /// Returns the values of a test's damper, or `None` if the setting of the test changes.
     pub fn params_of(&self, record: &Record) -> Option<Params> {
         match (self.of_test(record), &self.over) {
             (TestDamper::AtSetting(value), Some(over)) => Some(over.damper.params_at(value)),
@@ -182,10 +182,10 @@ mod tests {
         }
         assert!((gas(at_zero.params_of(&record(Some(0.5)))).unwrap() - 90.0).abs() < 1e-9);
         assert_eq!(at_zero.settings(&[record(Some(1.0)), record(None), record(Some(1.0))]).len(), 1);
-        // The setting of another quantity does not apply.
+        // A setting of another quantity does not apply.
         let clicks = Setting { name: "clicks".into(), unit: String::new(), value: 1.0 };
         assert_eq!(gas(at_zero.params_of(&Record { setting: Some(clicks), ..Record::default() })), Some(80.0));
-        // Tuned values apply at their setting only.
+        // Tuned values apply only at their setting.
         let mut tuned = damper.params_at(1.0);
         tuned.set(number!("gas_force"), 150.0).unwrap();
         let tuned = Dampers::over_setting(tuned, damper, 1.0);

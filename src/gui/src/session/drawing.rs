@@ -1,4 +1,4 @@
-//! The dimensions of the damper, and the physical quantities of gas, oil and valves that they give to the model.
+//! The dimensions of the damper, and the physical quantities of gas, oil and valves that follow from dimensions and model.
 
 use crate::session::Session;
 use dashpot_core::Params;
@@ -34,7 +34,7 @@ impl Session {
         }
     }
 
-    /// Explains the current model by the dimensions; `None` if either is missing.
+    /// Explains the current model by the dimensions. Returns `None` if either is missing.
     pub fn explain(&mut self) -> Option<&Explanation> {
         let (drawing, model) = (self.drawing.as_mut()?, self.model.as_ref()?);
         let params = model.params();
@@ -52,7 +52,7 @@ impl Session {
     }
 }
 
-/// Tests whether a file contains dimensions: by its name, or by an entry of dimensions in a file that is not a model.
+/// Tests whether a file contains dimensions. It does if its name says so, or if it has an entry of dimensions and is not a model.
 pub fn is_drawing(path: &Path) -> bool {
     if path.file_name().is_some_and(|name| name == "dimensions.toml") {
         return true;

@@ -1,4 +1,4 @@
-//! Exports of the damper to other programs, as by `dashpot export`.
+//! Exports of the damper to other programs, with the functions of `dashpot export`.
 
 use crate::session::guarded::write;
 use anyhow::{Context as _, bail};
@@ -48,7 +48,7 @@ pub struct Export {
     pub params: Params,
     /// Text of the model file.
     pub text: String,
-    /// Name of the model file; empty if it was not saved.
+    /// Name of the model file, or empty if the model was not saved.
     pub name: String,
 }
 
@@ -56,7 +56,7 @@ impl Export {
     /// Writes the export. Returns the notes that the command would print.
     ///
     /// # Errors
-    /// If the model has nothing to export, or the path is occupied by another kind of file or not writable.
+    /// The model has nothing to export, another kind of file occupies the path, or the path is not writable.
     pub fn write(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let model = Model::new(&self.params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         match self.host {
@@ -94,7 +94,7 @@ impl Export {
         Ok(remarks)
     }
 
-    /// Returns the model file, with the results of the fit if the text contains them.
+    /// Returns the model file. It includes the results of the fit if the text contains them.
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
         let (identification, given) = read.map(|file| (file.identification, file.specified)).unwrap_or_default();
@@ -138,6 +138,5 @@ impl Export {
     }
 }
 
-/// Distance of the damper's markers at zero displacement, mm: the command's default, to be adapted in the exported
-/// files.
+/// Distance of the damper's markers at zero displacement, mm. Users adapt this default in the exported files.
 const LENGTH: f64 = 400.0;

@@ -4,7 +4,7 @@ use anyhow::Context as _;
 use dashpot_output::Kind;
 use std::path::Path;
 
-/// Rejects a path where a file of another kind would be lost.
+/// Rejects a path if writing would replace a file of another kind.
 pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(Some(path), kind)])
 }

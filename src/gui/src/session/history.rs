@@ -1,6 +1,6 @@
 //! Undo and redo of a value.
 
-/// Largest number of undo steps; a model has a few kilobytes, so all steps have a few megabytes.
+/// Largest number of undo steps. A model has a few kilobytes, so all steps need a few megabytes.
 const DEPTH: usize = 500;
 
 /// A value with its undo and redo steps. `C` identifies the subject of a change.
@@ -8,7 +8,7 @@ pub struct History<T, C> {
     past: Vec<T>,
     now: T,
     future: Vec<T>,
-    /// Subject of the current change; a further change of this subject replaces it.
+    /// Subject of the current change. A further change of this subject replaces the current value.
     open: Option<C>,
 }
 
@@ -23,7 +23,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         &self.now
     }
 
-    /// Sets the value. Returns whether it differs from the current one.
+    /// Sets the value. Returns whether the new value differs from the previous value.
     pub fn change(&mut self, change: C, value: T) -> bool {
         if value == self.now {
             return false;
@@ -62,7 +62,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Discards the redo steps, because another change replaces them.
+    /// Discards the redo steps after another change.
     pub fn forget_future(&mut self) {
         self.open = None;
         self.future.clear();

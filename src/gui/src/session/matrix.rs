@@ -22,14 +22,13 @@ pub struct Grid {
     pub columns: Vec<f64>,
     /// Tests in each cell, row by row.
     pub cells: Vec<Vec<usize>>,
-    /// Slow tests for friction and gas force. They stand apart, as in the report, because their many velocities would
-    /// fill the columns.
+    /// Slow tests for friction and gas force. The report lists them separately too, because their many velocities would fill the columns.
     pub slow: Vec<usize>,
     /// Tests outside the matrix, without whole cycles.
     pub elsewhere: Vec<usize>,
 }
 
-/// Largest relative difference of values in one row or column; rigs meet their targets within a few percent.
+/// Largest relative difference of values in one row or column. Rigs reach their targets within a few percent.
 const SAME: f64 = 0.06;
 
 /// Returns the center of each cluster of values.

@@ -3,9 +3,9 @@
 //! | file | contents |
 //! |---|---|
 //! | [`campaign`] | the open records |
-//! | [`dampers`], [`comparison`] | the damper of each test, and the ticked tests compared with its forces |
+//! | [`dampers`], [`comparison`] | the damper of each test, and the comparison of its forces with the ticked tests |
 //! | [`model`], [`history`] | the tuned model, with undo |
-//! | [`simulation`] | its forces for every test, computed in the background |
+//! | [`simulation`] | forces of the model for every test, computed in the background |
 //! | [`tasks`] | long tasks with progress and cancel |
 //! | [`verbs`] | fit, validate, diagnose |
 //! | [`outputs`], [`exports`] | all written files |
@@ -61,7 +61,7 @@ use std::time::Instant;
 use study::Study;
 use tasks::{Kind, Outcome, Standing, Task};
 
-/// Callback from any thread when a new result is available.
+/// Callback for new results. Any thread may call it.
 pub type Waker = Arc<dyn Fn() + Send + Sync>;
 
 /// The last message.
@@ -105,13 +105,13 @@ pub struct Session {
     pub message: Option<Message>,
     /// Recently opened campaigns.
     pub recent: Recent,
-    /// Options of reading, as set by hand.
+    /// Options of reading that the user set.
     pub reading: Options,
     /// Counter that increases with every change of the plotted data.
     pub generation: u64,
     /// The running task.
     pub task: Option<Task>,
-    /// A model that replaces the one on screen once the user agrees.
+    /// A model that replaces the model on screen once the user agrees.
     pub pending: Option<replacing::Replacement>,
     /// Task whose result arrived since the last frame.
     pub arrived: Option<Kind>,
@@ -120,11 +120,11 @@ pub struct Session {
     read: u64,
     simulator: Simulator,
     waker: Waker,
-    /// Time of a slider's last movement, while a full computation is pending.
+    /// Time of a slider's last movement, while a computation of all cycles is pending.
     moving: Option<Instant>,
 }
 
-/// Pause of a slider after which all cycles of all tests are computed.
+/// Pause of a slider after which the session computes all cycles of all tests.
 const REST: std::time::Duration = std::time::Duration::from_millis(250);
 
 impl Session {
@@ -206,7 +206,7 @@ impl Session {
         });
     }
 
-    /// Rereads the records with the options set by hand.
+    /// Rereads the records with the options that the user set.
     pub fn read_again(&mut self) {
         let Some(campaign) = &self.campaign else { return };
         self.open_records(campaign.paths.clone(), self.reading.clone());
@@ -235,9 +235,8 @@ impl Session {
         self.order_responses();
     }
 
-    /// Applies the measurement corrections of the model's fit to the open records, as the verbs of the command do.
-    ///
-    /// Without such corrections the records stay as read.
+    /// Applies the measurement corrections of the model's fit to the open records, like the verbs of the command. Without such corrections
+    /// the records stay unchanged.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();
@@ -260,7 +259,7 @@ impl Session {
         self.generation += 1;
     }
 
-    /// Returns the working folder of the user: that of the records, or that of the model.
+    /// Returns the working folder of the user: the folder of the records, or else the folder of the model.
     pub fn folder(&self) -> Option<PathBuf> {
         let records = self.campaign.as_ref().and_then(|loaded| {
             let beside = || loaded.paths.first().and_then(|path| path.parent()).map(Path::to_owned);
@@ -318,7 +317,7 @@ impl Session {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
 
-    /// Changes the model. The loops follow immediately, all cycles of all tests after a pause.
+    /// Changes the model. The loops follow immediately. All cycles of all tests follow after a pause.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
         if self.step(change) {
             self.forget_future();
@@ -333,7 +332,7 @@ impl Session {
         }
     }
 
-    /// Selects whether each test has its own setting, or all have the one on screen.
+    /// Selects whether each test has its own setting, or all tests have the setting on screen.
     pub fn use_own_settings(&mut self, own: bool) {
         if self.own_settings != own {
             self.own_settings = own;
@@ -343,7 +342,7 @@ impl Session {
         }
     }
 
-    /// Returns the damper of each test; `None` without a model.
+    /// Returns the damper of each test, or `None` without a model.
     pub fn dampers(&self) -> Option<Dampers> {
         let model = self.model.as_ref()?;
         Some(model.dampers(model.params(), self.own_settings))
@@ -374,7 +373,7 @@ impl Session {
         self.simulator.order(Wanted { dampers, loaded: loaded.clone(), quick });
     }
 
-    /// Collects finished results. Returns whether a task runs that needs another poll soon.
+    /// Collects finished results. Returns whether a running task needs another poll soon.
     pub fn poll(&mut self) -> bool {
         if let Some(simulated) = self.simulator.take() {
             let current = self.campaign.as_ref().is_some_and(|c| Arc::ptr_eq(c, &simulated.loaded));
@@ -386,7 +385,7 @@ impl Session {
                 if is_identified && !simulated.quick {
                     self.identified = Some(simulated.clone());
                 }
-                // Forces of the identified model do not represent the tuned one.
+                // Forces of the identified model do not represent the tuned model.
                 if self.model.as_ref().is_some_and(|m| !m.is_tuned() || !is_identified) {
                     self.simulated = Some(simulated);
                 }
@@ -416,7 +415,7 @@ impl Session {
         responding || self.task.is_some() || self.moving.is_some() || self.simulator.is_busy()
     }
 
-    /// Requests the identified model's forces if the model was tuned before they were available.
+    /// Requests the identified model's forces if the model was tuned before these forces were available.
     fn compare_with_identified(&mut self) {
         if self.identified.is_some() || self.moving.is_some() || self.simulator.is_busy() {
             return;
@@ -453,7 +452,7 @@ impl Session {
                 self.results.diagnosis = Some(Finding::of_diagnosis(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
-            // A separate task delivers these: see `poll_responses`.
+            // `poll_responses` collects the results of this separate task.
             Outcome::Responded(_) => {}
             Outcome::Studied(study) => {
                 self.study = Some(study);
@@ -466,7 +465,7 @@ impl Session {
         }
     }
 
-    /// Reports the first unusable record; the list of tests shows all of them.
+    /// Reports the first unusable record. The list of tests shows all unusable records.
     fn tell_unusable(&mut self, loaded: &Loaded) {
         if let Some(text) = Unusable::first_of(&loaded.campaign.unusable) {
             self.message = Some(Message { text, wrong: false });
@@ -529,7 +528,7 @@ impl Session {
         }
     }
 
-    /// Returns the values of a test's damper with an additional effect; `None` if its setting changes.
+    /// Returns the values of a test's damper with an additional effect, or `None` if the setting of the test changes.
     pub fn with_effect(&self, record: &Record, element: Element, strength: f64) -> Option<Params> {
         Some(model::with_prior(&self.dampers()?.params_of(record)?, element, strength))
     }
@@ -540,7 +539,7 @@ impl Session {
     }
 }
 
-/// Replaces the path of a profile by its folder of records.
+/// If the path is a profile, returns its folder of records instead.
 fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     if path.file_name().is_some_and(|n| n == dashpot_records::profile::FILE) && path.is_file() {
         return dashpot_records::profile::folder_of(path);
@@ -548,7 +547,7 @@ fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     path.to_owned()
 }
 
-/// Selects the tests that are shown first: all velocities of the amplitude with most tests, as in a run on a dyno.
+/// Selects the tests for the first display: all velocities of the amplitude with most tests, like a run on a dyno.
 fn first_look(records: &[Record]) -> BTreeSet<usize> {
     let grid = matrix::Grid::new(records, matrix::Across::Velocity);
     let row = |k: usize| -> Vec<usize> { (0..grid.columns.len()).flat_map(|c| grid.cell(k, c).to_vec()).collect() };

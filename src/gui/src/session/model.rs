@@ -18,30 +18,30 @@ const START: usize = 0;
 
 /// An open model file.
 pub struct Tuned {
-    /// Path that was read or last saved.
+    /// Path of the file that was read or last saved.
     pub path: Option<PathBuf>,
-    /// Values as read or fitted: the comparison for tuning, and the target of a reset.
+    /// Values as read or fitted. Tuned values are compared with them, and a reset restores them.
     pub identified: Params,
     /// Results of the fit.
     pub identification: Identification,
-    /// Indices of the parameters in the file.
+    /// Indices of the parameters that the file contains.
     given: Vec<usize>,
     /// The adjustable damper and the setting of the values; `None` for an ordinary damper.
     over: Option<(Definition, f64)>,
-    /// The text of the file from a fit or a diagnosis, valid until a value is tuned.
+    /// The text of the file from a fit or a diagnosis. It is valid until the user tunes a value.
     text: Option<String>,
     /// Current and earlier values.
     history: History<Params, Change>,
     /// Values as last saved.
     saved: Option<Params>,
-    /// Reason for which the last change was rejected.
+    /// Reason why the last change was rejected.
     pub rejected: Option<String>,
 }
 
 /// Subject of a change. Successive changes of one subject are undone together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// A parameter, by its index in the table, and the entry of its list.
+    /// An entry of a parameter. The numbers are the index in the table and the index of the entry.
     Value(usize, usize),
     /// An element switched on or off.
     Element(Element),
@@ -62,10 +62,10 @@ impl Tuned {
     }
 
     fn new(file: ModelFile) -> Tuned {
-        // The window shows an adjustable damper at one setting, initially the start setting.
+        // The window shows an adjustable damper at one setting, at first the start setting.
         let over = file.axis.is_some().then(|| {
             let (mut damper, start) = (file.definition(), file.axis.start());
-            // A missing start setting is NaN, which is unequal to itself, and dampers are compared. The axis's start is
+            // A missing start setting is NaN, which is unequal to itself and would disturb comparisons of dampers. The start of the axis is
             // always valid.
             let _ = damper.axis.set_number(START, start);
             (damper, start)
@@ -88,24 +88,24 @@ impl Tuned {
     /// Makes a newly identified model from the text of its file.
     ///
     /// # Errors
-    /// If the text is not a model file; a fit always writes a valid one.
+    /// The text is not a model file. A fit always writes a valid one.
     pub fn identified(text: String) -> Result<Tuned, String> {
         let file = model_file::family_of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
     }
 
-    /// Reports entries of the file without effect, one sentence for each element that is off.
+    /// Reports entries of the file without effect, with one sentence for each disabled element.
     pub fn idle(&self) -> Vec<Sentence> {
         dashpot_identification::remarks::idle(&self.given, self.params())
     }
 
-    /// Returns the name of its file; empty if it was never saved.
+    /// Returns the name of the model's file, or an empty text if the model was never saved.
     pub fn name(&self) -> String {
         let file = self.path.as_ref().and_then(|p| p.file_name());
         file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// Returns the axis of an adjustable damper and the setting of the values; `None` for an ordinary damper.
+    /// Returns the axis of an adjustable damper and the setting of the values, or `None` for an ordinary damper.
     pub fn over_setting(&self) -> Option<(&Axis, f64)> {
         self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
     }
@@ -115,13 +115,13 @@ impl Tuned {
         self.over.as_ref().map(|(damper, _)| damper)
     }
 
-    /// Returns the file of the adjustable damper over all settings; `None` for an ordinary damper.
+    /// Returns the file of the adjustable damper over all settings, or `None` for an ordinary damper.
     pub fn whole_file(&self) -> Option<ModelFile> {
         let Definition { params, axis } = *self.definition()?;
         Some(ModelFile::new(params, axis, self.identification.clone(), self.given.clone()))
     }
 
-    /// Returns the damper of each test for the values on screen; if `own`, each test is at its own setting.
+    /// Returns the damper of each test for the values on screen. If `own` is set, each test has its own setting.
     pub fn dampers(&self, params: &Params, own: bool) -> Dampers {
         match &self.over {
             Some((damper, at)) if own => Dampers::over_setting(*params, *damper, *at),
@@ -129,7 +129,7 @@ impl Tuned {
         }
     }
 
-    /// Moves to the damper at another setting. A tuned model stays, because its values belong to their setting.
+    /// Moves to the damper at another setting. A tuned model keeps its setting, because its values belong to that setting.
     pub fn move_to(&mut self, setting: f64) -> bool {
         if self.is_tuned() {
             return false;
@@ -140,7 +140,7 @@ impl Tuned {
         }
         *at = setting;
         let params = damper.params_at(setting);
-        // The new values are another damper of the file: there is no undo step and nothing to save.
+        // The new values come from the same file, so there is no undo step and nothing to save.
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
         self.history = History::new(params);
@@ -183,7 +183,7 @@ impl Tuned {
         self.identified != *self.params()
     }
 
-    /// Sets values if they make a valid model, else keeps the reason in `rejected`.
+    /// Sets values that make a valid model. Otherwise stores the reason in `rejected`.
     pub fn change(&mut self, change: Change, params: Params) -> bool {
         match Model::new(&params) {
             Ok(_) => {
@@ -215,7 +215,7 @@ impl Tuned {
         done.is_ok() && self.change(Change::Value(row.index, entry), params)
     }
 
-    /// Switches an element.
+    /// Enables or disables an element.
     pub fn switch(&mut self, element: Element, on: bool) -> bool {
         let mut params = *self.params();
         params.enable(element, on);
@@ -270,7 +270,7 @@ impl Tuned {
     }
 
     fn tuned_text(&self) -> String {
-        // Parameters of disabled elements stay in the file, because a reader may enable the elements.
+        // Parameters of disabled elements stay in the file, because a reader of the file may enable these elements.
         let flat = model_file::flat_keeping(self.params(), &self.given, |row| {
             let p = row.parameter;
             let unit = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
@@ -283,8 +283,8 @@ impl Tuned {
             };
             format!("{unit}{}{changed}", p.meaning)
         });
-        // Results of the fit stay: its tests, its FV curve alone, and the intervals of the identified values. Those of
-        // an adjustable damper apply to all settings, so they are omitted.
+        // The results of the fit stay: its tests, its FV curve, and the intervals of the identified values. For an adjustable damper, these
+        // results apply to all settings, so they are omitted.
         let text = self.text.as_ref().filter(|_| self.over.is_none());
         let tables = text.and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
         let (announced, tables) = match tables {
@@ -313,7 +313,7 @@ impl Tuned {
         self.identification.not_identified.contains(&identifier)
     }
 
-    /// Returns the identified value of a parameter, or for a file without a fit the value in the file.
+    /// Returns the identified value of a parameter. Without a fit, this is the value in the file.
     pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
         let p = row.parameter;
         let place = matches!(p.shape, Shape::List(_)).then_some(entry);
@@ -339,15 +339,15 @@ pub struct Reach {
     pub low: f64,
     /// Right end.
     pub high: f64,
-    /// Whether equal distances are equal factors.
+    /// Whether equal distances mean equal factors.
     pub factors: bool,
 }
 
-/// Range of a slider to either side, in standard deviations of the prior, which includes typical dampers.
+/// Range of a slider to either side, in standard deviations of the prior. It covers typical dampers.
 const SPREADS: f64 = 3.0;
 
 impl Reach {
-    /// Computes the range of a slider, which contains prior, interval, identified and current value.
+    /// Computes the range of a slider. The range contains the prior, the interval, the identified value and the current value.
     ///
     /// The range lies within the bounds of the table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
@@ -399,7 +399,7 @@ pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     })
 }
 
-/// Enables an effect with the prior medians of its parameters where these differ from the defaults.
+/// Enables an effect. Its parameters take their prior medians where these differ from the defaults.
 pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
@@ -444,7 +444,7 @@ mod tests {
         assert!(!model.is_tuned() && !model.is_unsaved() && model.text() == text);
         assert!(model.set(number!("gas_force").row(), 0, 95.0) && model.is_tuned());
         assert!(!model.move_to(1.0) && model.over_setting().unwrap().1 == 0.5);
-        // A tuned model is an ordinary damper at this setting.
+        // The text of a tuned model describes an ordinary damper at this setting.
         let tuned = model.text();
         assert!(tuned.contains("at current = 0.5 A") && !tuned.contains("setting = ["), "{tuned}");
         model.reset();
@@ -509,7 +509,7 @@ mod tests {
         let mut tuned = Tuned::read(&path).unwrap();
         let told: Vec<String> = tuned.idle().iter().map(ToString::to_string).collect();
         assert!(tuned.set(&find("fv_compression_c1").unwrap(), 0, 3000.0));
-        // An element that is switched off while the file is open also keeps its parameters.
+        // An element that the user disables while the file is open also keeps its parameters.
         assert!(tuned.switch(find("coulomb_force").unwrap().element().unwrap(), false));
         let saved = folder.path().join("saved.toml");
         std::fs::write(&saved, tuned.text()).unwrap();
@@ -523,8 +523,8 @@ mod tests {
         ] {
             assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
         }
-        // The saved file has no parameters that the original lacked, and its notes are those of the original and of the
-        // disabled element.
+        // The saved file has no parameters that were missing in the original. Its notes are those of the original and those of the disabled
+        // element.
         assert!(
             !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),
             "{}",

@@ -1,5 +1,5 @@
-//! Writes files other than reports ([`super::papers`]): model files, options of reading, plots, exports. All pass the
-//! checks of the command's outputs: a file of another kind is never replaced, and no file is ever incomplete.
+//! Writes files other than reports ([`super::papers`]): model files, options of reading, plots, exports. All files pass the output checks
+//! of the command. A file of another kind is never replaced, and no file is ever incomplete.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -56,7 +56,7 @@ impl Session {
         }
     }
 
-    /// Excludes a test from all further readings of these records, in the window and by every verb.
+    /// Excludes a test from all later readings of these records, in the window and by every verb.
     pub fn exclude(&mut self, test: usize) {
         let Some(name) = self.record(test).map(|r| r.name.clone()) else { return };
         if !self.reading.exclude.contains(&name) {
@@ -90,7 +90,7 @@ pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
     out
 }
 
-/// Registers the campaign's records as inputs, which outputs never replace.
+/// Registers the campaign's records as inputs. Outputs never replace inputs.
 pub fn register_inputs(loaded: &Loaded) {
     dashpot_output::register_inputs(loaded.paths.iter().cloned());
 }

@@ -52,12 +52,12 @@ impl Paper {
     }
 }
 
-/// Returns the path of the model's file if it contains the current values.
+/// Returns the path of the model's file if that file contains the current values.
 fn file_of(model: &Tuned) -> Option<PathBuf> {
     model.path.clone().filter(|_| !model.is_unsaved())
 }
 
-/// Describes the origin of a report. It rereads every file, so it runs in the background.
+/// Describes the origin of a report. This rereads every file, so it runs in the background.
 fn made<'a>(model: Option<&PathBuf>, campaigns: impl IntoIterator<Item = &'a Arc<Loaded>>) -> Made {
     let files: Vec<&PathBuf> = model.into_iter().chain(campaigns.into_iter().flat_map(|c| &c.campaign.files)).collect();
     Made::from_files(files.into_iter().map(PathBuf::as_path))
@@ -115,7 +115,7 @@ impl Session {
                     .map_err(|e| error_sentence(&e))?
             };
             if let Some(model) = family {
-                // The curve at one setting would not represent the others.
+                // The report has no curve, because the curve at one setting does not represent the other settings.
                 input.curve.clear();
                 input.family = Some(FamilyReport { model, fit: family_fit.as_deref() });
             }

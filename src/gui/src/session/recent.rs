@@ -8,12 +8,12 @@ const KEPT: usize = 8;
 /// The list and its file.
 pub struct Recent {
     file: Option<PathBuf>,
-    /// Newest first.
+    /// Paths of the campaigns. The newest comes first.
     pub paths: Vec<PathBuf>,
 }
 
 impl Recent {
-    /// Reads the list; it is empty if there is no file.
+    /// Reads the list. The list is empty if there is no file.
     pub fn read(file: Option<PathBuf>) -> Recent {
         let text = file.as_ref().and_then(|f| std::fs::read_to_string(f).ok()).unwrap_or_default();
         Recent { file, paths: text.lines().filter(|l| !l.is_empty()).map(PathBuf::from).take(KEPT).collect() }

@@ -1,6 +1,6 @@
 //! Replaces the model on screen.
 //!
-//! The user confirms a loss of manually tuned values, and the replacement can be undone.
+//! The user must confirm a loss of manually tuned values. The replacement can be undone.
 
 use crate::session::Session;
 use crate::session::model::Tuned;
@@ -17,11 +17,11 @@ pub enum Replacement {
     File(PathBuf),
     /// The result of a future fit.
     Fit,
-    /// The adjustable damper of a future fit, by the name of the setting.
+    /// The adjustable damper of a future fit, with the name of its setting.
     FitOver(String),
-    /// The result of a fit during which the model was tuned.
+    /// The result of a fit. The user tuned the model during that fit.
     Fitted(Fitted),
-    /// The adjustable damper from a fit during which the model was tuned.
+    /// The adjustable damper from a fit. The user tuned the model during that fit.
     FittedFamily(Box<FamilyFit>),
     /// The improved model of the diagnosis.
     Improved,
@@ -30,7 +30,7 @@ pub enum Replacement {
 /// Number of models that undo can restore; each has its own undo steps.
 const DEPTH: usize = 20;
 
-/// Models before and after the one on screen, for undo and redo.
+/// Models that were on screen before and after the present one, for undo and redo.
 #[derive(Default)]
 pub struct Others {
     past: Vec<Tuned>,
@@ -40,7 +40,7 @@ pub struct Others {
 }
 
 impl Session {
-    /// Returns whether manually tuned values are not saved.
+    /// Returns whether there are manually tuned values that are not saved.
     pub fn has_unsaved_tuning(&self) -> bool {
         self.model.as_ref().is_some_and(|m| m.is_tuned() && m.is_unsaved())
     }
@@ -107,7 +107,7 @@ impl Session {
         self.results.family_fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
     }
 
-    /// Replaces the model on screen; undo restores the previous model.
+    /// Replaces the model on screen. Undo restores the previous model.
     pub(super) fn take_model(&mut self, model: Tuned) {
         if let Some(mut before) = self.model.take() {
             before.forget_future();
@@ -125,7 +125,7 @@ impl Session {
         self.others.future.clear();
     }
 
-    /// Undoes the last change, or without a change restores the previous model.
+    /// Undoes the last change. If there is none, restores the previous model.
     pub fn undo(&mut self) {
         if self.model.as_ref().is_some_and(|m| m.can().0) {
             self.step(Tuned::undo);

@@ -18,11 +18,11 @@ use std::sync::Arc;
 pub struct Basis {
     /// The values on screen, if the result depends on them.
     params: Option<Params>,
-    /// The adjustable damper of these values.
+    /// The adjustable damper to which these values belong.
     damper: Option<Definition>,
-    /// Whether each test is at its own setting, if the result depends on it.
+    /// Whether each test has its own setting, if the result depends on that.
     own_settings: bool,
-    /// Number of times that records had been read.
+    /// Number of readings of records before the result.
     read: u64,
     unticked: BTreeSet<usize>,
 }
@@ -52,7 +52,7 @@ impl<T> Finding<T> {
         Finding { found, basis, now: Session::basis_of_diagnosis }
     }
 
-    /// Returns whether model, records or ticked tests have changed since.
+    /// Returns whether model, records or ticked tests have changed since the result.
     pub fn is_old(&self, session: &Session) -> bool {
         (self.now)(session).as_ref() != Some(&self.basis)
     }
@@ -62,7 +62,7 @@ impl<T> Finding<T> {
 pub struct Fitted {
     /// The fit.
     pub fit: Box<Fit>,
-    /// Error compared with the noise and with the FV curve alone; `None` if the records are not comparable.
+    /// Error compared with the noise and with the FV curve alone, or `None` if the records are not comparable.
     pub quality: Option<Quality>,
 }
 
@@ -72,9 +72,9 @@ pub struct Diagnosed {
     pub found: Box<Diagnosis>,
     /// Tests that no refit used.
     pub left_out: Vec<bool>,
-    /// Errors of its models over every sample of the tests.
+    /// Errors of the models over every sample of the tests.
     pub over_whole_records: OfDiagnosis,
-    /// The reference campaign, if any; another may be open when the report is written.
+    /// The reference campaign of the diagnosis, if any. Another may be open when the report is written.
     pub reference: Option<Arc<Loaded>>,
 }
 
@@ -92,9 +92,8 @@ pub struct Results {
 }
 
 impl Session {
-    /// Returns the basis of a validation at present; `None` without a model.
-    ///
-    /// If every ticked test has its own setting, the one on screen is irrelevant.
+    /// Returns the basis of a validation at present, or `None` without a model. The setting on screen does not matter if every ticked test
+    /// has its own setting.
     pub fn basis(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;
@@ -116,7 +115,7 @@ impl Session {
         })
     }
 
-    /// Returns the basis of a fit at present: fitted model, records and tests; the setting on screen is irrelevant.
+    /// Returns the basis of a fit at present: fitted model, records and tests. The setting on screen does not matter.
     pub fn basis_of_fit(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;

@@ -1,4 +1,4 @@
-//! Computes the forces of the model for every test in the background; the newest request has priority.
+//! Computes the forces of the model for every test in the background. The newest request has priority.
 
 use crate::session::Waker;
 use crate::session::campaign::{Loaded, Seen};
@@ -50,7 +50,7 @@ pub struct OfTest {
 }
 
 impl OfTest {
-    /// Compares forces with a record; `shown` is the range of the shown cycle in it.
+    /// Compares forces with a record. `shown` is the range of the shown cycle in the record.
     fn new(forces: &[f64], record: &Record, shown: std::ops::Range<usize>, stride: usize, max_force: f64) -> OfTest {
         let n = record.force.len().min(forces.len()).max(1) as f64;
         let errors = || forces.iter().zip(&record.force).map(|(f, m)| f - m);
@@ -64,7 +64,7 @@ impl OfTest {
         }
     }
 
-    /// Simulates a whole test, or only its shown cycle if `quick`; `predict` computes the forces along a record.
+    /// Simulates a whole test, or only its shown cycle if `quick` is set. `predict` computes the forces along a record.
     pub fn simulate(
         predict: impl Fn(&Record, &Motion) -> Vec<f64>,
         record: &Record,
@@ -120,14 +120,14 @@ impl Simulator {
         Simulator { shared }
     }
 
-    /// Requests a simulation. It replaces a waiting request and aborts a running full simulation.
+    /// Requests a simulation. The request replaces a waiting one and aborts a running full simulation.
     pub fn order(&self, wanted: Wanted) {
         let number = 1 + self.shared.newest.fetch_add(1, Ordering::Relaxed);
         self.shared.desk().wanted = Some((number, wanted));
         self.shared.news.notify_one();
     }
 
-    /// Returns the newest result once.
+    /// Returns the newest result, only once.
     pub fn take(&self) -> Option<Simulated> {
         self.shared.desk().done.take()
     }
@@ -161,8 +161,7 @@ fn work(shared: &Shared, waker: &Waker) {
                 desk = shared.news.wait(desk).unwrap_or_else(std::sync::PoisonError::into_inner);
             }
         };
-        // A quick simulation always completes, so that the plots follow the mouse. A full one is aborted for newer
-        // values.
+        // A quick simulation always completes, so that the plots follow the mouse. A full simulation is aborted if newer values arrive.
         let outdated = || !wanted.quick && shared.newest.load(Ordering::Relaxed) != number;
         let result = simulate(&wanted, &outdated);
         {

@@ -1,4 +1,4 @@
-//! Varies one parameter: computes the family of loops with the gap and the area of each.
+//! Varies one parameter. Computes a family of loops, with the gap and the area of each loop.
 
 use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
@@ -16,7 +16,7 @@ pub struct Question {
     pub number: Number,
     /// First and last value, SI.
     pub range: [f64; 2],
-    /// Whether the values have equal ratios.
+    /// Whether the ratio of successive values is constant.
     pub factors: bool,
     /// Number of values.
     pub count: usize,
@@ -33,7 +33,7 @@ pub struct Member {
     pub force: Vec<f64>,
     /// Area of the loop of force over displacement, J: the work of one cycle.
     pub area: f64,
-    /// Vertical gap between the branches of rising and falling velocity near zero velocity, N.
+    /// Vertical distance near zero velocity, N, between the branches of rising and falling velocity.
     pub gap: f64,
 }
 
@@ -42,13 +42,13 @@ pub struct Member {
 pub struct Study {
     /// Input of the study.
     pub question: Question,
-    /// Results for the valid values, in order.
+    /// Results for the valid values, in the order of the values.
     pub members: Vec<Member>,
     /// Area, J, and gap, N, of the measured cycle.
     pub measured: [f64; 2],
 }
 
-/// Simulates each value; omits values that are not a valid model.
+/// Simulates each value. Omits values that do not make a valid model.
 pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<Study> {
     let (record, seen) = (loaded.campaign.records.get(question.test)?, loaded.tests.get(question.test)?);
     let [low, high] = question.range;
@@ -82,11 +82,10 @@ pub fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     (0..n).map(|i| 0.5 * (force[i] + force[(i + 1) % n]) * (x[(i + 1) % n] - x[i])).sum()
 }
 
-/// Fraction of the peak velocity within which the gap is evaluated: friction and compressibility open the loop most
-/// there.
+/// Fraction of the peak velocity that limits the evaluation of the gap. Friction and compressibility open the loop most at low velocity.
 const SLOW: f64 = 0.2;
 
-/// Computes the gap: mean force while the velocity falls minus mean force while it rises, at low velocities.
+/// Computes the gap at low velocities: mean force while the velocity falls minus mean force while it rises.
 pub fn gap(velocity: &[f64], force: &[f64]) -> f64 {
     let peak = velocity.iter().fold(0.0f64, |m, v| v.abs().max(m));
     let n = velocity.len().min(force.len());
@@ -119,8 +118,7 @@ mod tests {
         assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);
         let viscous: Vec<f64> = v.iter().map(|v| 1000.0 * v).collect();
         assert!(gap(&v, &viscous).abs() < 0.5);
-        // While the velocity falls, the spring is extended: x > 0. The gap is thus about twice its force at the
-        // amplitude.
+        // While the velocity falls, the spring is extended: x > 0. The gap is thus about twice the spring force at the amplitude.
         let found = gap(&v, &force);
         assert!((found / (2.0 * 5000.0 * 0.01) - 1.0).abs() < 0.05, "{found}");
     }

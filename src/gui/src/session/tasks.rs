@@ -1,5 +1,5 @@
-//! Long tasks in the background: reading, fitting, validating, diagnosing, studying, writing. One task runs at a time;
-//! it reports its progress and can be cancelled.
+//! Long tasks in the background: reading, fitting, validating, diagnosing, studying, writing. One task runs at a time. It reports its
+//! progress, and the user can cancel it.
 
 use crate::session::Waker;
 use crate::session::campaign::Loaded;
@@ -31,7 +31,7 @@ pub enum Kind {
     Diagnose,
     /// Varies a parameter.
     Study,
-    /// Compares the force of tests after steps of the setting.
+    /// Compares the forces of model and tests after steps of the setting.
     Respond,
     /// Writes files for a host, or a report.
     Write,
@@ -71,7 +71,7 @@ pub struct Task {
 }
 
 /// Status of a task.
-// There is one value at a time, consumed immediately: a box would save nothing.
+// There is only one value at a time, and it is consumed immediately. A box would not save memory.
 #[allow(clippy::large_enum_variant)]
 pub enum Standing {
     /// Running.
@@ -104,7 +104,7 @@ impl Task {
             let _ = send.send(done);
             own_waker();
         });
-        // If the thread cannot start, its channel is closed, which the session treats as cancelled.
+        // If the thread cannot start, its channel is closed. The session treats the task as cancelled.
         drop(began);
         Task { kind, began: Instant::now(), cancel, progress, result }
     }
@@ -114,7 +114,7 @@ impl Task {
         self.cancel.ask();
     }
 
-    /// Returns whether the task was requested to stop.
+    /// Returns whether a stop of the task was requested.
     pub fn is_cancelled(&self) -> bool {
         self.cancel.asked()
     }

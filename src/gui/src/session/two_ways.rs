@@ -1,5 +1,5 @@
-//! Common part and difference of the force at each position of a cycle, which the cycle passes in both directions. In a
-//! slow test the common part comes from gas and springs, the difference from seal drag and friction.
+//! Mean and difference of the forces at each position of a cycle. The cycle passes each position in both directions. In a slow test, the
+//! mean comes from gas and springs, the difference from seal drag and friction.
 
 /// Forces at one position of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,14 +12,12 @@ pub struct Place {
     pub difference: f64,
 }
 
-/// Number of positions along a cycle.
-///
-/// Even where a cycle of 300 samples is fastest, each position contains two samples of each direction.
+/// Number of positions along a cycle. With 300 samples per cycle, each position contains at least two samples of each direction.
 const PLACES: usize = 24;
-/// Fraction of the travel that is excluded at either end, because friction reverses there.
+/// Excluded fraction of the travel at either end, because friction reverses there.
 const ENDS: f64 = 0.08;
 
-/// Groups a cycle by position and sign of velocity; omits positions without samples of both directions.
+/// Groups a cycle by position and sign of velocity. Omits positions without samples of both directions.
 pub fn two_ways(at: &[f64], velocity: &[f64], force: &[f64]) -> Vec<Place> {
     let n = at.len().min(velocity.len()).min(force.len());
     let (low, high) = at[..n].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));

@@ -1,5 +1,5 @@
-//! Response of an adjustable damper's valve to a step of its command: measured if open tests contain steps, else from
-//! its parameters.
+//! Response of an adjustable damper's valve to a step of its command. It is measured if open tests contain steps. Otherwise it follows from
+//! the parameters of the valve.
 
 use crate::session::Session;
 use crate::session::tasks::{Kind, Outcome, Standing, Task};
@@ -13,7 +13,7 @@ use dashpot_simulation::valve_response::{has_actuator, valve_response};
 /// Responses of the force to the steps in the open tests.
 #[derive(Default)]
 pub struct Responses {
-    /// Responses computed from the tests; those without a measured response are omitted.
+    /// Responses computed from the tests. Steps without a measured response are omitted.
     pub of_force: Vec<StepResponse>,
     task: Option<Task>,
 }
@@ -37,8 +37,7 @@ impl Session {
         model.definition().map_or_else(Vec::new, |damper| actuator_numbers(&damper.axis, &model.identification))
     }
 
-    /// Returns the response to a step up or down: the largest step of the open tests, else the valve's step over all
-    /// settings.
+    /// Returns the response to a step up or down. This is the largest step of the open tests, or else the valve's step over all settings.
     pub fn step_response(&self, is_up: bool) -> Option<StepResponse> {
         let size = |of: &&StepResponse| (of.to - of.from).abs();
         let own = self.responses.of_force.iter().filter(|of| of.is_up() == is_up);

@@ -26,7 +26,7 @@ pub struct AtVelocity {
     pub forces: [Option<Pair>; 2],
 }
 
-/// Fraction of the peak velocity above which samples count as fastest, as in the plot of peak forces.
+/// Fraction of the peak velocity above which samples count as fastest. The plot of peak forces uses the same value.
 const FASTEST: f64 = 0.995;
 /// Number of velocities of a cycle in each direction.
 const ROWS: usize = 8;
@@ -88,8 +88,8 @@ pub fn within_cycle(session: &Session, test: usize, factor: f64) -> Vec<AtVeloci
     rows
 }
 
-/// Returns round velocities below the fastest: multiples of 1, 2 or 5 times a power of ten, limited to the rows of a
-/// table.
+/// Returns round velocities below the fastest velocity: multiples of 1, 2 or 5 times a power of ten. Their number is limited to the rows of
+/// a table.
 fn round(fastest: f64) -> Vec<f64> {
     if !(fastest.is_finite() && fastest > 0.0) {
         return Vec::new();
@@ -101,11 +101,11 @@ fn round(fastest: f64) -> Vec<f64> {
     (1..).map(|k| f64::from(k) * step).take_while(|v| *v < fastest).collect()
 }
 
-/// The shown cycle, closed.
+/// The shown cycle, with its first sample appended.
 struct Cycle {
     velocity: Vec<f64>,
     measured: Vec<f64>,
-    /// Forces at every n-th sample, and n.
+    /// Forces at every n-th sample, and the value of n.
     model: Option<(Vec<f64>, usize)>,
 }
 
@@ -118,7 +118,7 @@ impl Cycle {
         }
     }
 
-    /// Interpolates the forces where the rising or falling speed passes a value.
+    /// Interpolates the forces at a given speed while the speed rises or falls.
     fn at(&self, sign: f64, speed: f64, rising: bool) -> Option<Pair> {
         let n = self.velocity.len();
         let crossings: Vec<(usize, f64)> = (0..n)
@@ -170,7 +170,7 @@ mod tests {
         let n = 400;
         let phase = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
         let velocity: Vec<f64> = (0..n).map(|i| libm::cos(phase(i))).collect();
-        // 1000 N s/m with a loop: 50 N more while the speed of rebound rises.
+        // The force is 1000 N s/m times velocity, with a loop: 50 N more while the speed of rebound rises.
         let measured: Vec<f64> = (0..n).map(|i| 1000.0 * libm::cos(phase(i)) - 50.0 * libm::sin(phase(i))).collect();
         let thinned: Vec<f64> = measured.iter().step_by(4).copied().collect();
         let cycle = Cycle { velocity, measured, model: Some((thinned, 4)) };

@@ -1,4 +1,4 @@
-//! Fit, validation and diagnosis in the background, as by the command.
+//! Fit, validation and diagnosis in the background, with the functions of the command.
 
 use crate::session::Session;
 use crate::session::results::{Diagnosed, Fitted};
@@ -19,7 +19,7 @@ impl Session {
         let ticked = self.ticked();
         self.begin(Kind::Fit, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.original().records[*k]).collect();
-            // The fit reports its progress from its own thread only.
+            // The fit reports its progress only from its own thread.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
             let fit = Box::new(found.map_err(|e| e.sentence())?);
             let quality = whole_records::quality(&fit, &records).ok();
@@ -60,7 +60,7 @@ impl Session {
         });
     }
 
-    /// Searches for the effect missing in the model, compared with the reference campaign if one is open.
+    /// Searches for the effect that the model lacks. If a reference campaign is open, compares with it.
     pub fn diagnose(&mut self) {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let (params, ticked, reference) = (*model.params(), self.diagnosed(), self.reference.clone());

@@ -35,10 +35,10 @@ fn a_drawing_is_dropped_beside_the_model_and_explains_it() {
     harness.step();
     assert!(says(&harness, "gas pressure") && holds(&harness, "bar gauge"));
     assert!(says(&harness, "effective modulus of the oil") && holds(&harness, "GPa"));
-    // A quantity that cannot be determined lists the missing inputs.
+    // The window lists the missing inputs of a quantity that cannot be determined.
     assert!(holds(&harness, "the model has no gas spring") && holds(&harness, "the drawing lacks tube_wall_mm"));
     assert!(!says(&harness, "Contradictions"));
-    // The explanation follows a tuned parameter.
+    // The explanation changes with a tuned parameter.
     let pressure = |app: &mut App| app.session.explain().unwrap().find("gas_pressure").unwrap().value.unwrap();
     let before = pressure(harness.state_mut());
     assert!((before - 25.0).abs() < 0.1, "{before}");
@@ -53,7 +53,7 @@ fn a_drawing_is_dropped_beside_the_model_and_explains_it() {
     }
     harness.state_mut().view.language = Language::English;
     harness.step();
-    // A contradiction between dimensions and model is shown with its quantity and its magnitude.
+    // The window shows a contradiction between dimensions and model, with its quantity and its magnitude.
     std::fs::write(&drawing, "rod_mm = 12\ngas_pressure_bar = 12\n").unwrap();
     press(&mut harness, "File");
     press(&mut harness, "Open dimensions…");

@@ -13,14 +13,14 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Makes the "measured" damper, which differs from the default in its series spring.
+/// Makes the "measured" damper. Only its series spring differs from the default.
 pub fn truth() -> Params {
     let mut params = Params::new();
     params.set(number!("series_stiffness"), 1.6e6).unwrap();
     params
 }
 
-/// Samples of a cycle: enough for every reader, few enough for hundreds of tests.
+/// Number of samples of a cycle: enough for every reader, and few enough for hundreds of tests.
 const SAMPLES: usize = 200;
 
 /// Writes `count` sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing velocity.
@@ -60,7 +60,7 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
 
 /// Writes tests of a damper that depends on a current.
 ///
-/// Two have constant currents. In the third the current steps between these values, up and down, at constant velocity.
+/// Two tests have constant currents. In the third the current steps between these values, up and down, at constant velocity.
 pub fn campaign_of_family(text: &str, folder: &Path) {
     let file = dashpot_identification::model_file::family_of_text(text, Path::new("family.toml")).unwrap();
     let family = dashpot_identification::model_file::prepared_family(&file.definition()).unwrap();
@@ -102,7 +102,7 @@ pub fn model(folder: &Path) -> PathBuf {
     path
 }
 
-/// Makes a window of 1280 by 800 points without a screen; dialogs are answered with these paths, in order.
+/// Makes a window of 1280 by 800 points without a screen. Its dialogs return these paths, in order.
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
         let mut app = App::with_recent(&creation.egui_ctx, Box::new(Message::naming(answers)), Recent::read(None));

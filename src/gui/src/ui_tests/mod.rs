@@ -1,7 +1,7 @@
-//! Tests of the window from its user's view, without a screen: they find widgets by their accessible names.
+//! Tests of the window from its user's view, without a screen. They find widgets by their accessible names.
 //!
-//! The tests are part of the crate. For integration tests cargo would also build the program, and with it eframe a
-//! second time. The program aborts on a panic, but a test has to unwind.
+//! The tests are part of the crate. For integration tests, cargo would also build the program, and eframe a second time. The program aborts
+//! on a panic, but a test has to unwind.
 
 mod drawings;
 mod made_up;
@@ -50,7 +50,7 @@ fn message(harness: &Harness<'_, App>) -> (String, bool) {
     harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.to_string(), m.wrong))
 }
 
-/// Finds the widget of a kind with this name; a label with equal text does not match.
+/// Finds the widget of a kind with this name. Ignores a label with equal text.
 #[track_caller]
 fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
     let found = harness.query_all(by().role(role).label(label)).next();
@@ -144,7 +144,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
-    // Scroll, because the row may lie outside the visible part of the panel.
+    // Scroll first, because the row may lie outside the visible part of the panel.
     widget(&harness, Role::Slider, "series stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
@@ -239,8 +239,8 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
-    // Cancel before the next frame, because the fit may complete earlier. (The test of a cancelled diagnosis presses
-    // the button.) Even a complete result is then discarded.
+    // Cancel before the next frame, because the fit may complete earlier. The window discards even a complete result. The test of a
+    // cancelled diagnosis presses the button.
     harness.state_mut().session.fit();
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
     harness.state().session.cancel();
@@ -353,7 +353,7 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     press(&mut harness, "Keep as campaign.toml");
     let profile = dashpot_records::Profile::read(folder.path()).unwrap().unwrap();
     assert_eq!((profile.gain, profile.subfolders, profile.dates.as_deref()), (2.0, true, Some("day-first")));
-    // An excluded test is missing when the folder is reread.
+    // If the folder is reread, the excluded test is missing.
     harness.state_mut().session.exclude(0);
     until(&mut harness, "the records again", |app| app.session.task.is_none());
     assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 5, "{:?}", message(&harness));
@@ -482,7 +482,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let folder = tempfile::tempdir().unwrap();
     let out = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 3, vec![]);
-    // This friction is so steep that it chatters in a host with zero-order hold of the force.
+    // This friction is steep enough to chatter in a host with zero-order hold of the force.
     harness.state_mut().session.tune(|m| {
         // A series spring would reduce the chatter.
         m.switch(element!("series_compliance"), false);
@@ -502,7 +502,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let readme = std::fs::read_to_string(out.path().join("run/README.txt")).unwrap();
     assert!(readme.contains("coulomb_friction") && readme.contains("A damper for Adams"), "{readme}");
     assert!(out.path().join("run/damper.toml").is_file());
-    // A property file contains only the curve, which does not chatter, and lists the omitted effects.
+    // A property file lists the omitted effects and contains only the curve. The curve does not chatter.
     let said = write(Host::Property, "d.dpr");
     assert!(
         said.contains("Left out") && said.contains("coulomb_friction") && !said.contains("At a host step"),
@@ -510,7 +510,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     );
     let text = std::fs::read_to_string(out.path().join("d.dpr")).unwrap();
     assert!(text.contains("Left out") && text.contains("check sum"), "{text}");
-    // FMUs are complete only if this program contains the compiled runtimes; otherwise the test reports the skip.
+    // FMUs are complete only if this program contains the compiled runtimes. Otherwise the test reports that it skips them.
     if dashpot_hosts::runtimes::compiled("linux64", "dashpot_damper.so").is_none() {
         skipped(format!("FMUs, for there are no compiled runtimes; {}", dashpot_hosts::runtimes::HOW));
         return;
@@ -570,7 +570,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let out = tempfile::tempdir().unwrap();
     let report = out.path().join("diagnosis.html");
     let mut harness = opened(folder.path(), 18, vec![vec![report.clone()]]);
-    // The measured damper has a series spring; disable the model's.
+    // The measured damper has a series spring. Disable the series spring of the model.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
@@ -585,7 +585,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     assert!(told > 0.0, "it said how far it is");
     let crate::session::results::Diagnosed { found, .. } =
         &harness.state().session.results.diagnosis.as_ref().unwrap_or_else(|| panic!("{:?}", message(&harness))).found;
-    // A series spring and compressible oil are hardly distinguishable on a rig; both names are correct.
+    // Tests on a rig hardly distinguish a series spring from compressible oil. Both names are correct.
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
     let named = *names.first().unwrap_or_else(|| panic!("{}", found.summary));
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
@@ -603,7 +603,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let page = std::fs::read_to_string(&report).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
     assert!(page.contains(named) && page.contains("<svg"));
     press(&mut harness, "Take the improved model");
-    // The element was switched off by hand and not saved.
+    // The user disabled the element and did not save the model.
     press(&mut harness, "Replace");
     let model = harness.state().session.model.as_ref().unwrap();
     assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
@@ -619,7 +619,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
 fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 72, vec![]);
-    // A diagnosis of this many tests takes seconds; one of fewer tests might end before the cancel.
+    // A diagnosis of this many tests takes seconds. With fewer tests it might end before the cancel.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
@@ -645,8 +645,8 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
 
 /// Measures the latency of the window, on the user's own campaign and model.
 ///
-/// The first time is from reading the records to the first loops. The second is from a slider's move to the loops and
-/// errors of all tests. The third is of one frame meanwhile, without the graphics card.
+/// The first time is from reading the records to the first loops. The second is from a slider's move to the loops and errors of all tests.
+/// The third is the time of one frame during that computation, without the graphics card.
 ///
 /// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
 #[test]

@@ -17,7 +17,7 @@ fn undo_goes_back_over_a_fit_and_forth_again() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 12, vec![]);
     let opened = params(&harness);
-    // Saved values would not be lost, so the window does not ask.
+    // The window does not ask, because saved values would not be lost.
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     let out = tempfile::tempdir().unwrap();
     assert!(harness.state_mut().session.save(&out.path().join("m.toml")));
@@ -69,7 +69,7 @@ fn a_model_tuned_by_hand_is_not_replaced_without_a_question() {
     assert_ne!(params(&harness), tuned);
     press(&mut harness, "Undo");
     assert_eq!(params(&harness), tuned, "it can be gone back to");
-    // If the model is tuned during a fit, the window asks when the fit ends.
+    // If the user tunes the model during a fit, the window asks at the end of the fit.
     harness.state_mut().session.fit();
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.6e6));
     let tuned = params(&harness);
@@ -160,7 +160,7 @@ fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
         "{:?}",
         message(&harness)
     );
-    // A click enters the folder of the model.
+    // A click on the folder of the model enters it.
     press(&mut harness, "File");
     press(&mut harness, "Open model…");
     harness.step();
@@ -250,7 +250,7 @@ fn a_point_that_stops_says_why() {
         stops.push(drag(m, zero, [0.0, 50.0], false).1);
         stops.push(drag(m, 3, [0.0, 1e5], false).1);
         stops.push(drag(m, 3, [1e3, 0.0], true).1);
-        // This change is small, with room on both sides: the drawn point follows the pointer.
+        // This change is small, and the neighbors leave space on both sides. The drawn point follows the pointer.
         let at = m.params().list(list!("fv_force"))[2];
         let (moved, stop) = drag(m, 2, [0.0, at - 5.0], false);
         stops.push(stop);
@@ -337,7 +337,7 @@ fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
     });
     harness.step();
     assert!(most(&harness) > 1.5 * soft, "{} at {} A, {soft} at 0 A", most(&harness), at(&harness));
-    // The movement of the slider does not count as tuning, and a tuned model stays at its setting.
+    // Moving the slider does not count as tuning. A tuned model keeps its setting.
     assert!(!harness.state().session.model.as_ref().unwrap().is_tuned());
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
     let before = at(&harness);

@@ -1,4 +1,4 @@
-//! Tests the comparison with another campaign: a change is diagnosed, shown and reported.
+//! Tests the comparison with another campaign: the window diagnoses, shows and reports a change.
 
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
@@ -17,7 +17,7 @@ const TESTS: usize = 18;
 fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     let [good, worn, models, out] = [(); 4].map(|()| tempfile::tempdir().unwrap());
     campaign(good.path(), TESTS);
-    // The worn damper has lost gas; all else is equal.
+    // The worn damper has lost gas. All other properties are equal.
     let mut damper = truth();
     let gas = damper.number(number!("gas_force"));
     damper.set(number!("gas_force"), 0.5 * gas).unwrap();
@@ -46,11 +46,11 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(change.low <= change.value && change.value <= change.high && change.high < change.reference, "{change:?}");
     let headline = headline(found, &EN);
     let before = EN.number(&dashpot_report::numbers::with_unit(change.reference, change.unit));
-    // The window shows the change ...
+    // The window shows the change.
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
-    // ... and so does the report, with the files of both dampers.
+    // The report shows the change too, with the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();
     harness.step();
     press(&mut harness, words.write_report);

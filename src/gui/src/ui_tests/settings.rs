@@ -1,4 +1,4 @@
-//! Tests with their own settings, and a fit of one adjustable damper.
+//! Tests of records with their own settings, and of a fit of one adjustable damper.
 
 use super::made_up::{campaign_of, campaign_of_family, until, window};
 use super::narrow::cut_off;

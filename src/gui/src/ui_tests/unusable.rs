@@ -1,4 +1,4 @@
-//! Tests with unusable records: the window opens the other records, and reports the omitted ones with the reason.
+//! Tests with unusable records. The window opens the other records, and reports the omitted ones with the reason.
 
 use super::made_up::{campaign, until, window};
 use super::{Harness, message, says};

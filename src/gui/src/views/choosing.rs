@@ -5,11 +5,11 @@ use crate::views::View;
 use eframe::egui::{self, Id, Modal, RichText, Ui};
 use std::path::PathBuf;
 
-/// State of the choice.
+/// State of the dialog for a file or folder.
 pub struct Choosing {
     ask: Ask,
     folder: PathBuf,
-    /// Text of the field: a name in the folder, or a whole path.
+    /// Text of the input field: a name in the folder, or a whole path.
     name: String,
     /// Names in the folder, and whether each is a folder.
     entries: Vec<(String, bool)>,
@@ -19,7 +19,7 @@ pub struct Choosing {
 const LISTED: usize = 2000;
 
 impl Choosing {
-    /// Begins the choice in a folder.
+    /// Opens the dialog in a folder.
     pub fn new(ask: Ask, from: Option<PathBuf>) -> Choosing {
         let from = from.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
         let name = ask.proposed().0.to_owned();
@@ -28,7 +28,7 @@ impl Choosing {
         choosing
     }
 
-    /// Lists a folder: folders first, then the files with an accepted extension.
+    /// Lists a folder: first the folders, then the files with an accepted extension.
     fn enter(&mut self, folder: PathBuf) {
         let (_, endings) = self.ask.proposed();
         let fits = |name: &str| {
@@ -46,7 +46,7 @@ impl Choosing {
         self.folder = folder;
     }
 
-    /// Returns the currently entered path.
+    /// Returns the path in the input field.
     fn path(&self) -> PathBuf {
         let name = self.name.trim();
         if name.is_empty() { self.folder.clone() } else { self.folder.join(name) }
@@ -67,7 +67,7 @@ impl Choosing {
     }
 }
 
-/// Draws an active choice.
+/// Draws the dialog if it is open.
 pub fn show(ui: &Ui, view: &mut View) {
     let w = view.words();
     let Some(choosing) = &mut view.choosing else { return };

@@ -55,7 +55,7 @@ fn wrapped(ui: &mut Ui, text: RichText) -> egui::Response {
     ui.add(egui::Label::new(text).wrap())
 }
 
-/// Draws a quantity with its interval; a tooltip shows its derivation.
+/// Draws a quantity with its interval. A tooltip shows the derivation of the quantity.
 fn quantity(ui: &mut Ui, of: &Quantity, w: &Words) {
     let said = w.of.words();
     let unit = said.word(of.unit);

@@ -6,13 +6,13 @@ use crate::views::setting_name;
 use crate::words::Words;
 use eframe::egui::{self, Ui};
 
-/// Fits an adjustable damper if the tests have several values of a setting, else an ordinary damper.
+/// Fits an adjustable damper if the tests have several values of a setting. Otherwise fits an ordinary damper.
 pub fn begin(session: &mut Session) {
     let over = session.settings().into_iter().next();
     session.replace(over.map_or(Replacement::Fit, Replacement::FitOver));
 }
 
-/// Draws the button; for a campaign with a setting, a menu of both fits.
+/// Draws the button. For a campaign with a setting, draws a menu of both fits.
 pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
     let settings = session.settings();
     if settings.is_empty() {

@@ -1,31 +1,28 @@
 //! Positions of the grid lines and numbers of a plot's axes.
 //!
-//! They lie at 1, 2 or 5 times a power of ten, so that a plot of any width has readable numbers. Powers of ten alone
-//! would leave a narrow plot of ±25 mm with a single number, its zero.
+//! The lines lie at 1, 2 or 5 times a power of ten, so that a plot of any width has readable numbers. With powers of ten alone, a narrow
+//! plot of ±25 mm would have a single number, its zero.
 
 use crate::words::Words;
 use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in
-/// egui_plot).
-///
-/// It has room for five letters; longer numbers get more.
+/// Distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in egui_plot). The distance
+/// suffices for five characters. Longer numbers get more.
 const ACROSS: f64 = 5.5;
-/// Distances, px, over which the numbers of the lower axis fade in.
-///
-/// With the 60 to 80 of `egui_plot`, a window of 1280 px shows only zeros.
+/// Distances, px, over which the numbers of the lower axis fade in. With the 60 to 80 px of `egui_plot`, a window of 1280 px shows only
+/// zeros.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
-/// Distance of two numbers along the vertical axis, in units of 8 px. Closer than 30 px they would fade.
+/// Distance of two numbers along the vertical axis, in units of 8 px. At less than 30 px, the numbers would fade.
 const UPWARDS: f64 = 4.0;
 
 /// Width of a digit in the font of the axes, px, slightly above the width of the widest digit.
 const DIGIT: f64 = 7.5;
-/// Largest number of decimals of a label, the precision of a double of magnitude one.
+/// Largest number of decimals of a label. It is the precision of a double of magnitude one.
 const MOST_DECIMALS: usize = 15;
 
-/// Gives a plot its two axes: labels, and grid lines whose numbers all have the decimals that their step requires.
+/// Gives a plot its two axes, with labels and grid lines. Every number has the decimals that the step of its axis requires.
 pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Words) -> Plot<'a> {
     let steps = [Rc::new(Cell::new(0.0)), Rc::new(Cell::new(0.0))];
     let [x, y] = steps.clone();
@@ -49,7 +46,7 @@ pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Wo
 
 /// Formats the number of a grid line. Lines between the numbered ones have no number, whatever their distance.
 fn label(mark: &GridMark, step: f64, w: &Words) -> String {
-    // The factor allows for rounding errors of the step.
+    // The factor compensates rounding errors of the step.
     if mark.step_size < 0.99 * step { String::new() } else { number(mark.value, decimals_of(step), w) }
 }
 
@@ -63,17 +60,16 @@ fn decimals_of(step: f64) -> usize {
     if !(step.is_finite() && step > 0.0) {
         return 0;
     }
-    // Round upward, since 0.05 has two decimals; the offset allows for rounding errors at exact powers of ten.
+    // Round upward, since 0.05 has two decimals. The offset compensates rounding errors at exact powers of ten.
     ((-libm::log10(step) - 1e-9).ceil().max(0.0) as usize).min(MOST_DECIMALS)
 }
 
-/// Returns the distance of two numbers, in units of the smallest distance of two grid lines, with room for the longest
-/// number.
+/// Returns the distance of two numbers, in units of the smallest distance of two grid lines. The longest number fits into it.
 fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     let largest = input.bounds.0.abs().max(input.bounds.1.abs()).max(1.0);
     let digits = 2.0 + libm::log10(largest).floor().max(0.0);
     let mut apart = least;
-    // A larger distance never needs more decimals, so the iteration ends once the number fits.
+    // A larger distance never needs more decimals, so the iteration ends when the number fits.
     for _ in 0..4 {
         let decimals = decimals_of(step_of(input, apart)) as f64;
         let letters = digits + if decimals > 0.0 { decimals + 0.5 } else { 0.0 };
@@ -87,7 +83,7 @@ fn step_of(input: &GridInput, apart: f64) -> f64 {
     steps(input.base_step_size * apart)[1]
 }
 
-/// Returns the grid lines of an axis whose numbers are at least `apart` smallest distances from each other.
+/// Returns the grid lines of an axis. The distance of two numbers is at least `apart` times the smallest distance of grid lines.
 fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
     let base = input.base_step_size;
     if !(base.is_normal() && input.bounds.0.is_finite() && input.bounds.1.is_finite()) {
@@ -99,7 +95,7 @@ fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
 /// Returns the steps of the fine lines, of the numbered lines, and of every tenth numbered line.
 fn steps(least: f64) -> [f64; 3] {
     let decade = libm::pow(10f64, libm::log10(least.abs()).floor());
-    // The tolerance allows for rounding errors in the logarithm of an exact power of ten.
+    // The tolerance compensates rounding errors in the logarithm of an exact power of ten.
     let (step, parts) = [(1.0, 5.0), (2.0, 4.0), (5.0, 5.0), (10.0, 5.0)]
         .map(|(of, parts)| (of * decade, parts))
         .into_iter()
@@ -113,7 +109,7 @@ mod tests {
     use super::*;
     use crate::words::{Language, texts};
 
-    /// Returns the visible numbers of an axis, whose step is wide enough on the screen.
+    /// Returns the visible numbers of an axis: those whose distance on the screen is large enough.
     fn numbers(bounds: (f64, f64), pixels: f64, apart: f64, fades: f64) -> Vec<f64> {
         let per_pixel = (bounds.1 - bounds.0) / pixels;
         let all = marks(GridInput { bounds, base_step_size: 8.0 * per_pixel }, apart);

@@ -1,4 +1,4 @@
-//! The lines of the loop plots: thinned for the screen, and recomputed only after a change.
+//! The lines of the loop plots. They are thinned for the screen, and recomputed only after a change.
 
 use crate::session::Session;
 use crate::session::dampers::TestDamper;
@@ -23,7 +23,7 @@ pub enum Whose {
     Measured,
     /// The corresponding test of the reference campaign.
     Reference,
-    /// The identified model, if it was tuned since.
+    /// The identified model, if the user has tuned the model since.
     Identified,
     /// The model.
     Model,
@@ -37,7 +37,7 @@ pub struct Line {
     pub whose: Whose,
     /// Index among the selected tests.
     pub place: usize,
-    /// Name under the cursor.
+    /// Name that the cursor shows.
     pub name: String,
     /// Force over velocity. All fields are in the selected units.
     pub velocity: Vec<PlotPoint>,
@@ -71,11 +71,11 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Number of points of all lines together that a frame draws quickly; a single line needs a few hundred points.
+/// Largest number of points of all lines that a frame draws quickly. A single line needs a few hundred points.
 const POINTS: usize = 24_000;
 const MOST: usize = 600;
 const LEAST: usize = 60;
-/// Largest number of tests whose loops with an additional effect are computed within a frame: a millisecond each.
+/// Largest number of tests whose loops with an additional effect are computed within a frame. Each test takes a millisecond.
 const EFFECTS: usize = 6;
 
 impl Cache {
@@ -151,14 +151,14 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
             lines.push(over(Whose::Effect, &of.shown, of.stride));
         }
     }
-    // Models are drawn over measurements.
+    // Sort the lines so that models are drawn over measurements.
     lines.sort_by_key(|l| l.whose as usize);
     lines
 }
 
-/// Formats the test's own setting at which the model is simulated, as a suffix of its name; empty without one.
+/// Formats the test's own setting in the simulation, as a suffix of its name. Returns an empty text without a setting.
 ///
-/// The suffix distinguishes a test with a changing setting from a test at one setting.
+/// The suffix distinguishes a test with a changing setting from a test with a constant setting.
 fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     let Some(dampers) = session.dampers() else { return String::new() };
     let axis = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0));
@@ -201,7 +201,7 @@ fn line(
 ) -> Line {
     let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
     let from = seen.shown.start;
-    // Forces are indexed by their own samples, the motion by the samples of the record.
+    // The index of a force counts its decimated samples. The index of the motion counts all samples of the record.
     let n = seen.shown.len().div_ceil(stride).min(force.len());
     let at = |i: usize| from + i * stride;
     let step = n.div_ceil(most).max(1);

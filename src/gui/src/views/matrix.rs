@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
     };
     let columns = grid.columns.len().max(1) as f32;
-    // The column of the amplitudes has the width of the other columns.
+    // The column of the amplitudes is as wide as the other columns.
     let width = (ui.available_width() / (columns + 1.0) - 2.0).clamp(30.0, 64.0);
     let mut chosen: Option<Vec<usize>> = None;
     egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {

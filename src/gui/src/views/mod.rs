@@ -85,9 +85,9 @@ pub enum Corner {
 pub struct View {
     /// Language of all texts.
     pub language: Language,
-    /// Text that the names of the listed tests contain.
+    /// Filter of the list of tests: names must contain this text.
     pub filter: String,
-    /// The test that was clicked last, where a range begins.
+    /// The test that was clicked last. A range of tests begins there.
     pub anchor: Option<usize>,
     /// Panel on the right-hand side.
     pub side: Side,
@@ -95,11 +95,11 @@ pub struct View {
     pub corner: Corner,
     /// Quantity of the error matrix's columns.
     pub across: Across,
-    /// Lines of the plots, cached until a change.
+    /// Lines of the plots, stored until a change.
     pub lines: lines::Cache,
-    /// Point of the FV curve under the pointer while dragged.
+    /// Point of the FV curve that the pointer drags.
     pub grabbed: Option<usize>,
-    /// Reason for which the dragged point does not follow the pointer.
+    /// Reason why the dragged point does not follow the pointer.
     pub stopped: Option<plots::Stop>,
     /// Units of plots, sliders and tables.
     pub units: Units,
@@ -109,9 +109,9 @@ pub struct View {
     pub effect: Option<(Element, f64)>,
     /// Pending requests to the user.
     pub asks: Vec<Ask>,
-    /// An active choice of a file or folder inside the window.
+    /// An open dialog for a file or folder inside the window.
     pub choosing: Option<choosing::Choosing>,
-    /// Completed choices inside the window.
+    /// Completed choices of the dialogs inside the window.
     pub chosen: Vec<(Ask, Vec<std::path::PathBuf>)>,
     /// Whether the confirmation to close is open.
     pub closing: bool,
@@ -126,7 +126,7 @@ impl View {
     }
 }
 
-/// Returns the display name of an element or a parameter, as in the reports. The identifier appears in a tooltip.
+/// Returns the display name of an element or a parameter. The reports use the same name. A tooltip shows the identifier.
 pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
     words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
@@ -149,7 +149,7 @@ pub fn colour(hex: &str) -> Color32 {
 
 /// Hues of the measured tests, on dark and on light backgrounds.
 ///
-/// After Okabe & Ito, *Color Universal Design*, 2008: color-blind readers can distinguish them.
+/// Color-blind readers can distinguish them. Source: Okabe & Ito, *Color Universal Design*, 2008.
 const HUES: [Color32; 8] = [
     Color32::from_rgb(0, 114, 178),
     Color32::from_rgb(230, 159, 0),

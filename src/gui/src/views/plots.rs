@@ -16,7 +16,7 @@ use dashpot_simulation::prediction::{at_velocities, between_velocities};
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo};
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
 
-/// Largest distance for grabbing a point of the curve, px: a fingertip on a touch pad.
+/// Largest distance for grabbing a point of the curve, px: the width of a fingertip on a touch pad.
 const GRAB: f32 = 12.0;
 /// Size of the letters of legends and remarks on plots, px.
 const LETTERS: f32 = 11.5;
@@ -39,7 +39,7 @@ fn plain(symbol: &str) -> Shown {
     Shown { factor: 1.0, symbol: symbol.to_owned() }
 }
 
-/// Makes a plot with cursor read-out, zoom and pan, linked to the other plots with force on the vertical axis.
+/// Makes a plot with cursor read-out, zoom and pan. `linked` links it to the other plots with force on the vertical axis.
 fn plot<'a>(id: &'static str, axes: &Axes, linked: bool, w: &'static Words) -> Plot<'a> {
     let (lower, left) = (Axes::label(&axes.x), Axes::label(&axes.y));
     let axes = axes.clone();
@@ -86,7 +86,7 @@ fn heading(
                     ui.close();
                 }
                 if ui.button("PNG").clicked() {
-                    // The rectangle is stored when the plot, which lies below, is drawn.
+                    // Drawing the plot, which lies below the title, stores the rectangle.
                     let rect = ui.ctx().memory(|m| m.data.get_temp::<Rect>(Id::unique(("plot", title.to_owned()))));
                     let rect = rect.unwrap_or(Rect::EVERYTHING);
                     view.asks.push(Ask::Picture([rect.min.x, rect.min.y, rect.max.x, rect.max.y]));
@@ -100,7 +100,7 @@ fn heading(
     });
 }
 
-/// Draws the figure as in the report.
+/// Draws the figure in the format of the report.
 fn svg(title: &str, axes: &Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>, w: &Words) -> String {
     let all = || lines.iter().flat_map(|(_, _, points)| points.iter().copied());
     let (x, y) = (all().map(|p| p[0]).collect::<Vec<_>>(), all().map(|p| p[1]).collect::<Vec<_>>());
@@ -135,7 +135,7 @@ fn role(whose: Whose) -> Role {
     }
 }
 
-/// Returns color and width of a line: measured tests in their own hue, models in the text color.
+/// Returns color and width of a line. Measured tests have their own hue, models have the text color.
 fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     let ink = ui.visuals().strong_text_color();
     match line.whose {
@@ -147,10 +147,10 @@ fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     }
 }
 
-/// Largest number of legend entries; a tooltip lists further ones.
+/// Largest number of legend entries. A tooltip lists further entries.
 const ENTRIES: usize = 6;
 
-/// Draws a legend above a plot: every entry with a piece of its line.
+/// Draws a legend above a plot. Every entry has a piece of its line.
 fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
@@ -250,9 +250,8 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
     response.response.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, format!("{title}: {shown}")));
 }
 
-/// Draws the mean force of both directions of a cycle over displacement, and half of their difference.
-///
-/// In a slow test these are gas and springs, and drag and friction.
+/// Draws the mean force of both directions of a cycle over displacement, and half of their difference. In a slow test, the mean shows gas
+/// and springs, the difference drag and friction.
 pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
@@ -302,8 +301,8 @@ fn summary(session: &Session, words: &Words) -> String {
     format!("{} {model}", names.join(", "))
 }
 
-/// Draws peak force over peak velocity: the tests, the model at constant velocity as in the report, and the draggable
-/// points of its curve.
+/// Draws peak force over peak velocity for tests and model, and the draggable points of the curve. The model is at constant velocity, as in
+/// the report.
 pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
@@ -398,7 +397,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let stopped = view.stopped.map_or("", |why| why.text(words));
     let label = format!("{}: {} {stopped}", words.peaks, summary(session, words));
     mouse.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
-    // A press near a point grabs the point before the plot starts panning.
+    // A press near a point grabs the point before the plot starts to pan.
     let (pressed, down) = ui.input(|i| (i.pointer.primary_pressed(), i.pointer.primary_down()));
     if pressed && mouse.contains_pointer() {
         view.grabbed = near;
@@ -416,7 +415,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
             changed
         });
     }
-    // While a point is dragged, its label shows the reason for a stop.
+    // While the user drags a point, its label shows the reason for a stop.
     if let Some(why) = view.stopped {
         let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
         let font = egui::FontId::proportional(LETTERS + 1.0);
@@ -450,12 +449,12 @@ fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2]
     ends.map(|v| 1.02 * v)
 }
 
-/// Returns the force at constant velocity, m/s and N, with friction and gas, as in the report.
+/// Returns the force at constant velocity, m/s and N. It includes friction and gas, as in the report.
 fn steady(params: &Params, [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
     Model::new(params).map_or_else(|_| Vec::new(), |model| between_velocities(&model, low, high))
 }
 
-/// Returns the points of the curve's table on this line; empty if the curve has another form.
+/// Returns the points of the curve's table on this line, or no points if the curve has another form.
 fn handles(params: &Params) -> Vec<(f64, f64)> {
     if !params.is_on(element!("fv_curve")) || params.number(number!("fv_form")) != 0.0 {
         return Vec::new();
@@ -470,14 +469,14 @@ fn handles(params: &Params) -> Vec<(f64, f64)> {
     }
 }
 
-/// Reason for which a point does not follow the pointer.
+/// Reason why a point does not follow the pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
     /// The force at zero velocity is fixed to zero.
     AtRest,
-    /// The force may not pass that of the neighboring point.
+    /// The force would pass the force of the neighboring point.
     Force,
-    /// The velocity may not pass that of the neighboring point.
+    /// The velocity would pass the velocity of the neighboring point.
     Velocity,
     /// The parameter has reached its bound.
     Bound,
@@ -497,7 +496,7 @@ impl Stop {
 
 /// Moves a point of the curve to a velocity, m/s, and a force of the damper, N.
 ///
-/// The point stops at its neighbors. Returns whether it moved, and the reason for a stop.
+/// The point stops at its neighbors. Returns whether the point moved, and the reason for a stop.
 pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> (bool, Option<Stop>) {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());
@@ -522,7 +521,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     }
     let mut moved = false;
     if with_velocity {
-        // Neighbors closer than 1 mm/s would make a step of the curve.
+        // Neighbors at a distance below 1 mm/s would make a step of the curve.
         let allowed = between(&velocities, to[0], 1e-3);
         if allowed != to[0] {
             stopped = stopped.or(Some(Stop::Velocity));
@@ -554,7 +553,7 @@ mod tests {
         let model = Model::new(&params).unwrap();
         let drawn = steady(&params, [-0.8, 0.9]);
         assert_eq!(drawn, between_velocities(&model, -0.8, 0.9));
-        // The line includes friction and gas, so the force at a low velocity differs from that of the valves.
+        // The line includes friction and gas, so the force at a low velocity differs from the force of the valves.
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
         let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");

@@ -1,4 +1,4 @@
-//! Options of reading, corrected by hand and stored with the records.
+//! Options of reading, which the user corrects and stores with the records.
 
 use crate::session::Session;
 use crate::units::read;
@@ -116,7 +116,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     });
 }
 
-/// Draws a row of the form: a list of several values by their names.
+/// Draws a row of the form: a drop-down list with the names of several values.
 fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, all: &[T], name: impl Fn(T) -> &'static str) {
     ui.add(egui::Label::new(label).wrap());
     let width = ui.available_width().clamp(60.0, 150.0);

@@ -1,16 +1,16 @@
-//! Asks for confirmation before another model replaces one tuned by hand.
+//! Asks for confirmation before another model replaces a manually tuned model.
 
 use crate::session::Session;
 use crate::views::View;
 use crate::views::bar::save;
 use eframe::egui::{Id, Modal, Ui};
 
-/// Asks if a model waits to replace values that are not saved.
+/// Asks for confirmation if a model waits to replace values that are not saved.
 pub fn show(ui: &Ui, session: &mut Session, view: &mut View) {
     if session.pending.is_none() {
         return;
     }
-    // The values were saved or restored meanwhile, so no value would be lost.
+    // The user has saved or restored the values in the meantime, so no value would be lost.
     if !session.has_unsaved_tuning() {
         session.replace_pending();
         return;

@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             let (found, old) = (&answer.found.found, answer.is_old(session));
             heading(ui, w.diagnosis_result, old, w);
             wrapped(ui, RichText::new(headline(found, view.language.words())).strong());
-            // The buttons stand above the details, which exceed the height of the window.
+            // The buttons stand above the details, because the details exceed the height of the window.
             ui.horizontal_wrapped(|ui| {
                 let added = found.findings.iter().any(|f| !f.of_the_rig);
                 take = ui.add_enabled(free && added && !old, egui::Button::new(w.take_improved)).clicked();
@@ -57,7 +57,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         if let Some(answer) = &session.results.fit {
             let old = answer.is_old(session);
             heading(ui, w.fit_result, old, w);
-            // The sentence and the buttons stand above the numbers, which exceed the height of the window.
+            // The sentence and the buttons stand above the numbers, because the numbers exceed the height of the window.
             let said = view.language.words();
             if let Some(quality) = &answer.found.quality {
                 wrapped(ui, RichText::new(quality::sentence(quality, said)).strong());
@@ -75,7 +75,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     });
 }
 
-/// Draws the title of a result, with a mark if model, records or tests have changed since.
+/// Draws the title of a result. Marks the result if model, records or tests have changed since.
 fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     ui.heading(title);
     if old {
@@ -166,14 +166,14 @@ fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
     }
 }
 
-/// Draws each effect with its force and probability; for a given model also its status.
+/// Draws each effect with its force and probability. For a given model, also draws its status.
 fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Language) {
     if items.is_empty() {
         return;
     }
     let said = language.words();
     ui.strong(said.inventory_section);
-    // Each effect has one line: a table of four columns would be wider than the panel in most languages.
+    // Each effect has one line, because a table of four columns would be wider than the panel in most languages.
     let headings = [said.col_force_rms, said.col_probability, said.col_status];
     let headings = headings[..if status { 3 } else { 2 }].join(said.semicolon);
     wrapped(ui, RichText::new(format!("{}{}{headings}", said.col_effect, said.colon)).small().weak());

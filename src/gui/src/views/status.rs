@@ -24,8 +24,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.label(if cancelled { w.stopping } else { doing });
             let bar = egui::ProgressBar::new(progress.done as f32).desired_width(220.0).show_percentage();
             ui.add(bar);
-            // The button stands before the text: behind the text, whose width changes, it would move away from the
-            // pointer.
+            // The button stands before the text. The width of the text changes, so behind it the button would move away from the pointer.
             if ui.add_enabled(!cancelled, egui::Button::new(w.cancel)).clicked() {
                 session.cancel();
             }

@@ -1,4 +1,4 @@
-//! Variation of one parameter, as in chapter 3 of the source; and preview of an effect over the measured loops.
+//! Variation of one parameter, as in chapter 3 of the thesis, and preview of an effect over the measured loops.
 
 use crate::session::Session;
 use crate::session::model::Reach;
@@ -22,7 +22,7 @@ pub struct Form {
 
 impl Default for Form {
     fn default() -> Self {
-        // Seven loops are distinguishable and have a middle.
+        // Seven loops are distinguishable, and the fourth is the middle one.
         Form { number: None, range: None, count: 7 }
     }
 }

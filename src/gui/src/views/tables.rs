@@ -1,4 +1,4 @@
-//! Forces at the peak velocities of all tests (PVP) and at given velocities within a cycle (CVP), as a dyno prints them.
+//! Forces at the peak velocities of all tests (PVP) and at given velocities within a cycle (CVP). Dynos print both tables.
 
 use crate::dialogs::Ask;
 use crate::session::Session;

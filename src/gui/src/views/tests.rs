@@ -6,8 +6,8 @@ use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Returns whether a note is of damage. In the list of tests this includes frozen channels and gaps, which the command
-/// reports for the whole campaign.
+/// Returns whether a note reports damage. In the list of tests this includes frozen channels and gaps. The command reports these for the
+/// whole campaign.
 fn is_of_damage(note: &Note) -> bool {
     note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
 }
@@ -117,7 +117,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
     });
 }
 
-/// Selects a test as in common lists: alone, additionally with Ctrl, a range with Shift.
+/// Selects a test in the way of common lists: a click selects one test, Ctrl adds a test, Shift selects a range.
 pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modifiers, listed: &[usize]) {
     let place = |k: usize| listed.iter().position(|l| *l == k);
     match (keys.shift, view.anchor.and_then(place), place(k)) {

@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     if let Some(refused) = session.model.as_ref().and_then(|m| m.rejected.clone()) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
-    // Report the file's parameters of disabled elements, which take effect once the element is enabled.
+    // Report the file's parameters of disabled elements. They take effect once the element is enabled.
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
         ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
     }
@@ -88,7 +88,7 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     }
 }
 
-/// Shows the current error in comparison with that of the identified model.
+/// Shows the current error and the error of the identified model.
 fn errors(ui: &mut Ui, session: &Session, w: &Words) {
     let mean = |s: &crate::session::simulation::Simulated| {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
@@ -151,7 +151,7 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
     }
 }
 
-/// Width of a slider, px: one percent per pixel is fine enough.
+/// Width of a slider, px. A resolution of one percent per pixel suffices.
 const WIDTH: f32 = 140.0;
 
 /// Draws one parameter: its name, a slider with marks, and a field.
@@ -282,14 +282,14 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     }
 }
 
-/// Draws a curve: its forces as sliders, its positions as numbers; the plot allows dragging its points.
+/// Draws a curve: its forces as sliders, its positions as numbers. The user can also drag its points in the plot.
 fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) {
     let p = row.parameter;
     let count = session.model.as_ref().map_or(0, |m| m.params().get(row).len());
     if count == 0 {
         return;
     }
-    // The positions of a curve's points are dragged with its forces, or typed.
+    // The user drags the positions of a curve's points in the plot, or types them.
     let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
     egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", translate_name(p.name, w.of.words()))).small())
         .id_salt(p.name)
@@ -306,7 +306,7 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) 
         });
 }
 
-/// Returns whether a point of a curve may move: the point at zero velocity has no force and stays.
+/// Returns whether a point of a curve may move. The point at zero velocity has no force and is fixed.
 fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
     let Some(model) = model else { return false };
     let velocity = list!("fv_velocity");

@@ -8,7 +8,7 @@ use dashpot_report::numbers::with_interval;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// Height of a response, px: two responses and their times fit into a window of 800 px.
+/// Height of a response, px. Two responses and their times fit into a window of 800 px.
 const HEIGHT: f32 = 162.0;
 /// Color of the model's response.
 const MODEL: Color32 = Color32::from_rgb(213, 94, 0);
@@ -85,9 +85,9 @@ fn times(ui: &mut Ui, is_up: bool, of: &StepResponse, view: &View) {
     });
 }
 
-/// Formats a time or a percentage with one decimal; a dash without a value.
+/// Formats a time or a percentage with one decimal, or a dash without a value.
 fn known(value: Option<f64>, w: &Words) -> String {
-    // A value slightly below zero would get a sign.
+    // A value slightly below zero would get a minus sign.
     value.map_or_else(|| "–".to_owned(), |value| w.fixed(if value.abs() < 0.05 { 0.0 } else { value }, 1))
 }
 

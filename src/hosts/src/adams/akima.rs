@@ -1,22 +1,21 @@
-//! Akima's curve through points, which Adams uses for a property file (AKISPL), and points whose Akima curve follows another curve.
+//! Akima's curve through points, which Adams uses for a property file (AKISPL). Also finds points whose Akima curve follows another curve.
 //!
 //! H. Akima, J. ACM 17, 1970. The curve is a cubic between two points. Its slope at a point is the weighted mean of the chords on both
-//! sides. The weight of each is the change of the chords on the other side. At the ends two chords are extrapolated with the change of the
-//! last ones.
+//! sides. The weight of each chord is the change of the chords on the other side. Beyond each end, two chord slopes are extrapolated
+//! linearly from the last two chords.
 
 use super::property::Curve;
 use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
 
-/// Allowed difference of two curves, relative to the largest force of a side. Rigs repeat a force within one or two percent, which masks
-/// half a percent.
+/// Allowed difference of two curves, relative to the largest force of a side. The repeatability of rigs is one to two percent, so half a
+/// percent is not visible.
 const SHARE: f64 = 0.005;
 /// Smallest allowed difference, N. It applies to a side with almost no force, and is below the resolution of a load cell.
 const LEAST: f64 = 1.0;
-/// Fraction of the allowed difference down to which points are added.
-///
-/// A file that is read and written again then stays within the allowed difference, and keeps its points.
+/// Fraction of the allowed difference at which the algorithm stops adding points. If a file is read and written again, the difference then
+/// stays within the allowed one, and the file keeps its points.
 const ADDED: f64 = 0.5;
-/// Number of intervals between two points at which curves are compared.
+/// Number of intervals between two points. Curves are compared at the ends of these intervals.
 const PLACES: usize = 24;
 
 /// Interpolation of a table.
@@ -29,7 +28,7 @@ pub enum Reading {
 }
 
 impl Reading {
-    /// Returns the slopes before and after the points; `None` for straight lines.
+    /// Returns the slopes before and after the points, or `None` for straight lines.
     fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
@@ -54,13 +53,13 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // Without a change of slope on both sides Akima uses the mean. Rounding errors must not decide.
+        // If the slope does not change on either side, Akima uses the mean. Rounding errors must not affect this decision.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
 }
 
-/// Returns the index of the last point at or below a velocity, at most the last but one.
+/// Returns the index of the last point at or below a velocity, but at most the index of the last but one point.
 fn piece(v: &[f64], at: f64) -> usize {
     v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
@@ -89,7 +88,8 @@ impl<'a> Read<'a> {
     }
 }
 
-/// Returns the force of a table at rest, as Adams interpolates it; linearly if `straight`. Returns 0 if rest lies outside the table.
+/// Returns the force of a table at zero velocity with Adams's interpolation, or with linear interpolation if `straight` is set. Returns 0
+/// if the table excludes zero velocity.
 pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
     let holds =
         curve.velocities.first().is_some_and(|v| *v <= 0.0) && curve.velocities.last().is_some_and(|v| *v >= 0.0);
@@ -102,10 +102,10 @@ pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
 pub struct Difference {
     /// Difference, N.
     pub force: f64,
-    /// Velocity at which it occurs, m/s.
+    /// Velocity of this difference, m/s.
     pub velocity: f64,
-    /// Largest ratio to the allowed difference of its side, and the velocity of this ratio. Compression and rebound have different allowed
-    /// forces.
+    /// Largest ratio of a difference to the allowed difference of its side, and the velocity of this ratio. Compression and rebound have
+    /// different allowed differences.
     share: f64,
     asks: f64,
 }
@@ -130,7 +130,8 @@ fn tolerance(curve: &Curve) -> [f64; 2] {
     })
 }
 
-/// Computes the largest difference, and the largest ratio to the tolerance, between the points of a table, for all interpolations.
+/// Computes the largest difference from the target between the points of a table, for all interpolations. Also computes the largest ratio
+/// to the tolerance.
 fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
     let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
     let mut most = Difference::default();
@@ -153,7 +154,7 @@ fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn
     most
 }
 
-/// Adds points to the table until all its interpolations follow the target, up to the capacity of a model.
+/// Adds points to the table until all its interpolations follow the target, or until a model can contain no more points.
 fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Curve {
     while curve.velocities.len() < MAX_POINTS {
         let at = worst(&curve, readings, allowed, target);
@@ -166,7 +167,7 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
             break;
         }
         let velocity = at.asks.max(low).min(high);
-        // A model's curve never decreases, and rounding must not change that.
+        // A model's curve never decreases, and rounding must not cause a decrease.
         let force = target(velocity).min(curve.forces[i]).max(curve.forces[i - 1]);
         curve.velocities.insert(i, velocity);
         curve.forces.insert(i, force);
@@ -174,7 +175,7 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
     curve
 }
 
-/// Adds points to a model's curve until its Akima curve follows it. Returns the curve and the remaining difference.
+/// Adds points to a model's curve until the Akima curve through them follows it. Returns the points and the remaining difference.
 pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) -> f64) -> (Curve, Difference) {
     let allowed = tolerance(&points);
     let akima = |curve: &Curve| worst(curve, &[Reading::Akima], allowed, model);
@@ -182,15 +183,15 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
     if as_it_is.is_small() {
         return (points, as_it_is);
     }
-    // The points also suit the model's interpolation, so the file, read back, gives this curve.
+    // The points also suit the model's interpolation, so reading the file gives this curve again.
     let curve = refined(points, &[Reading::Akima, Reading::Model(interpolation)], allowed, model);
     let left = akima(&curve);
     (curve, left)
 }
 
-/// Adds points to a file's curve until a model's curve follows its Akima curve.
+/// Adds points to a file's curve until a model's curve follows the Akima curve of the file.
 ///
-/// Returns the curve, the model's interpolation and the remaining difference.
+/// Returns the points, the model's interpolation and the remaining difference.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -220,8 +221,8 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
 
 /// Converts the points of a file with linear interpolation.
 ///
-/// If a model cannot hold them all, the function selects points until the model's curve follows the file's. It returns the curve and the
-/// remaining difference.
+/// If a model cannot contain all points, the function selects points until the model's curve follows the file's curve. Returns the points
+/// and the remaining difference.
 pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
@@ -233,7 +234,7 @@ pub fn read_linear(points: Curve) -> (Curve, Difference) {
     (curve, left)
 }
 
-/// Returns the ends of a table and the point nearest to standstill, to which points are added.
+/// Returns the ends of a table and the point nearest to zero velocity. Other points are added to these.
 fn few(points: &Curve) -> Curve {
     let (v, last) = (&points.velocities, points.velocities.len() - 1);
     let slowest = (0..=last).min_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
@@ -299,7 +300,8 @@ mod tests {
 
     #[test]
     fn a_file_becomes_the_curve_that_adams_makes_of_it() {
-        // Akima's curve decreases between points of the steep one, which a model's curve cannot do. The test allows for that.
+        // Akima's curve decreases between points of the steep table, but a model's curve cannot decrease. The test allows for this
+        // difference.
         let car = table(&[
             [-1.27, -1495.5],
             [-0.508, -1000.0],
@@ -325,7 +327,7 @@ mod tests {
 
     #[test]
     fn a_table_longer_than_a_models_keeps_its_curve() {
-        // A degressive damper with a sharp knee and a blow-off, in steps of 5 mm/s.
+        // The damper is degressive with a sharp knee and a blow-off, in steps of 5 mm/s.
         let force = |v: f64| if v < 0.0 { 0.55 } else { 1.0 } * 900.0 * libm::tanh(v / 0.08) + 700.0 * v;
         let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
         let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };

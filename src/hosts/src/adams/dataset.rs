@@ -1,11 +1,11 @@
 //! Statements of an Adams dataset (`.adm`) with their positions in the bytes of a file.
 //!
-//! A statement begins with `NAME/id`. Lines that begin with a comma continue it. Comments begin with `!`, on separate lines or after a
+//! A statement begins with `NAME/id`. Lines that begin with a comma continue it. A comment begins with `!`, on a separate line or after a
 //! statement. Comments and names may contain any bytes.
 
 use anyhow::{Context as _, bail};
 
-/// Character in [`Statement::text`] at the end of a line that is continued.
+/// Character in [`Statement::text`] at the end of a line before its continuation.
 const JOINT: char = '\n';
 
 /// A statement of a file.
@@ -22,7 +22,7 @@ pub struct Function {
     pub text: String,
     /// First byte in the file, the F of `FUNCTION`.
     pub begin: usize,
-    /// One past the last byte, which includes the final backslash.
+    /// Position after the last byte, which includes the final backslash.
     pub end: usize,
     /// Text of the statement after the function.
     pub after: String,
@@ -82,7 +82,7 @@ pub fn is_end(line: &[u8]) -> bool {
     text == "END" || text.starts_with("END ") || text.starts_with("END/")
 }
 
-/// Returns the name that a comment line gives to the element below it.
+/// Returns the name that a comment line gives to the following element.
 pub fn view_name(line: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(line.strip_prefix(b"!")?).trim().to_string();
     let (key, value) = text.split_once('=')?;
@@ -102,7 +102,7 @@ impl Statement {
                     statement.places.push(place);
                     statement.push((place, line), comma + 1);
                 }
-                // Comments and empty lines may be part of the statement. The next continuation shows whether they are.
+                // Comments and empty lines may belong to the statement. They do if a continuation follows.
                 None => {}
                 Some(_) => break,
             }
@@ -110,7 +110,7 @@ impl Statement {
         statement
     }
 
-    /// Returns its text in capitals.
+    /// Returns the text of the statement in capitals.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -122,13 +122,13 @@ impl Statement {
         }
     }
 
-    /// Returns the arguments after `NAME/id` and before the function, if there is one.
+    /// Returns the arguments after `NAME/id`, up to the function if there is one.
     fn arguments(&self) -> impl Iterator<Item = &str> {
         let end = self.function_key().map_or(self.text.len(), |k| k.0);
         self.text[..end].split([',', JOINT]).map(str::trim).filter(|a| !a.is_empty())
     }
 
-    /// Returns whether the arguments include a keyword without a value, in full or abbreviated as Adams allows.
+    /// Returns whether the arguments include a keyword without a value, in full or in an abbreviation that Adams allows.
     pub fn has_quality(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let is = |a: &str| !a.is_empty() && !a.contains('=') && (word.starts_with(a) || a.starts_with(word));
@@ -160,7 +160,7 @@ impl Statement {
         })
     }
 
-    /// Returns [`Statement::key`] of FUNCTION, in full or abbreviated.
+    /// Returns [`Statement::key`] for FUNCTION, in full or abbreviated.
     fn function_key(&self) -> Option<(usize, usize)> {
         const WORD: &str = "FUNCTION";
         (1..=WORD.len()).rev().find_map(|length| self.key(&WORD[..length]))
@@ -183,7 +183,7 @@ impl Statement {
     /// Returns the points of a spline.
     ///
     /// # Errors
-    /// Points in a separate file, points that are not numbers, or different numbers of X and Y.
+    /// Points are in a separate file, points are not numbers, or the numbers of X and Y differ.
     pub fn spline(&self) -> anyhow::Result<Spline> {
         let mut spline = Spline { x: Vec::new(), y: Vec::new() };
         let mut key = String::new();
@@ -215,7 +215,7 @@ impl Statement {
             }
         }
         let count = spline.x.len();
-        // The spline is a surface: it has several lists of Y, each after its Z.
+        // The spline is a surface: it has several lists of Y, and a value of Z precedes each list.
         if spline.y.len() > 1 && spline.y.iter().all(|y| y.len() == count + 1) {
             spline.y.iter_mut().for_each(|y| *y = y.split_off(1));
         }

@@ -1,4 +1,4 @@
-//! Evaluation of the function expression of an FV damper at a velocity, to find the sign of its force.
+//! Evaluation of the function expression of an FV damper at a velocity, for the sign of its force.
 
 use anyhow::{Context as _, bail};
 
@@ -6,19 +6,19 @@ use anyhow::{Context as _, bail};
 pub struct Meaning<'a> {
     /// Markers of the SFORCE, if known.
     pub markers: [Option<u64>; 2],
-    /// Velocity VR between its markers.
+    /// Velocity VR between the markers of the SFORCE.
     pub speed: f64,
     /// Function that returns the value of a spline by its id.
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 
-/// Largest nesting depth of brackets and signs, which limits the recursion of the reader. The function of a damper has a few levels.
+/// Largest nesting depth of brackets and signs. It limits the recursion of the reader. The function of a damper has a few levels.
 const DEEPEST: usize = 100;
 
 /// Evaluates an expression in capitals without spaces.
 ///
 /// # Errors
-/// Content that an FV damper does not have: other functions, other markers, or no expression.
+/// The expression has content that does not belong to an FV damper, such as other functions or markers, or it is empty.
 pub fn evaluate(text: &str, meaning: &Meaning<'_>) -> anyhow::Result<f64> {
     let mut reader = Reader { rest: text, meaning, depth: 0 };
     let value = reader.sum()?;
@@ -65,7 +65,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Parses a power. As in Fortran, it binds more tightly than a sign or a product, and several powers are evaluated from right to left.
+    /// Parses a power. As in Fortran, a power binds more tightly than a sign or a product, and several powers are evaluated from right to
+    /// left.
     fn power(&mut self) -> anyhow::Result<f64> {
         let base = self.atom()?;
         if self.take("**") { Ok(libm::pow(base, self.factor()?)) } else { Ok(base) }

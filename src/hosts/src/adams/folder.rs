@@ -1,4 +1,4 @@
-//! Texts of all files of an Adams run folder for a damper, except the library.
+//! Contents of all text files of an Adams run folder for a damper.
 
 use super::native;
 use dashpot_core::{Model, Params};
@@ -21,7 +21,7 @@ pub struct File {
     pub text: String,
 }
 
-/// Makes the files for a model whose length at zero displacement is `length` mm. Also returns the reason for a missing native.adm.
+/// Makes the files for a model with length `length`, mm, at zero displacement. If native.adm is missing, also returns the reason.
 pub fn files(
     params: &Params,
     model: &Model,
@@ -41,7 +41,7 @@ pub fn files(
     let native = native::fragment(params, model, length);
     let read_me = match &native {
         Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
-        // The note follows the title, by which README.txt is recognized as an older version of itself.
+        // The note follows the title, because the program recognizes an older README.txt by its title.
         Err(reason) => {
             let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
             let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");
@@ -69,17 +69,15 @@ const NATIVE: &str = "\
 native.adm        the same damper from Adams's own elements, without the library: paste it into a model, put in the model's two
                   markers, the length and free ids; the lines at its head say where";
 
-/// Puts important remarks before the text of README.txt.
-///
-/// A person who opens the folder later did not see the messages of the export.
+/// Inserts important remarks before the text of README.txt. Later users of the folder did not see the messages of the export.
 pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
-/// Appends the remarks on chatter to the text of README.txt, and states whom they concern.
+/// Appends the remarks on chatter to the text of README.txt, and states for which users they matter.
 ///
-/// Adams solves for the force with the derivatives of the routines, in steps of its own choice, so it does not chatter. A program that
-/// evaluates the force once a step may chatter.
+/// Adams solves for the force with the derivatives of the routines, in steps of its own choice, so the damper does not chatter there. It
+/// may chatter in a program that evaluates the force once a step.
 pub fn below(text: &str, chatters: &[String]) -> String {
     if chatters.is_empty() {
         return text.to_owned();
@@ -106,9 +104,9 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// Writes the command file of the tests on the rig, one line for each command.
+/// Writes the command file of the tests on the rig, with one line for each command.
 ///
-/// Every test begins and ends at rest in the middle, so that the next one can follow.
+/// Every test begins and ends at rest in the middle, so that the next test can follow.
 fn acf(tests: &[SineTest]) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");
@@ -131,7 +129,7 @@ fn acf(tests: &[SineTest]) -> String {
     out + "STOP\n"
 }
 
-/// Formats a number with up to nine decimals without trailing zeros, to keep command lines short.
+/// Formats a number with up to nine decimals and without trailing zeros, so that command lines stay short.
 fn short(value: f64) -> String {
     let text = format!("{value:.9}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()

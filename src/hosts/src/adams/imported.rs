@@ -16,25 +16,26 @@ use std::path::Path;
 pub struct Imported {
     /// Text of the model file.
     pub text: String,
-    /// Number of points of its curve.
+    /// Number of points of the model's curve.
     pub points: usize,
-    /// Contents of the file other than the curve, as a message.
+    /// Message about contents of the file in addition to the curve.
     pub other_contents: String,
-    /// Difference between the curve and Adams's interpolation of the file, and omitted contents. The text contains them as comments.
+    /// Difference between the curve and Adams's interpolation of the file, and omitted contents. The text contains these remarks as
+    /// comments.
     pub remarks: Vec<String>,
 }
 
 /// Makes a model file from a property file: its curve, and the gas force if it has one.
 ///
 /// # Errors
-/// A file that cannot be read, or that makes no valid model.
+/// The file cannot be read, or it does not give a valid model.
 pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let named = || path.display().to_string();
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", named()))?;
     let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);
-    // Adams does not use Akima's method for a linear rate, or for a spline that is marked as linear.
+    // Adams does not use Akima's method for a linear rate, or for a spline with the mark linear.
     let (curve, interpolation, remark) = if read.linear {
         let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
@@ -90,9 +91,9 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
 /// Fraction of the largest force below which a force at rest is rounding error.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force of the curve at rest to the gas force, and reports it.
+/// Moves the force of the curve at zero velocity to the gas force, and reports that force.
 ///
-/// The FV curve of a damper is zero at rest. A force that pushes or pulls at rest acts at every velocity.
+/// The FV curve of a damper is zero at zero velocity. A force that pushes or pulls at rest acts at every velocity.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
     let rest = akima::at_rest(&read.curve, read.linear);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
@@ -131,7 +132,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     }
 }
 
-/// Describes the difference if fewer points represent those of the file.
+/// Describes the difference if the model has fewer points than the file.
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
@@ -152,7 +153,7 @@ mod tests {
 
     const HEAD: &str = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n";
 
-    /// The file has a row at rest or not. The sum of curve and gas force is the curve of the file.
+    /// The files have a row at zero velocity or none. In both cases, the sum of curve and gas force is the curve of the file.
     #[test]
     fn a_force_at_rest_is_gas_and_the_curve_has_none() {
         for (rows, forces) in [

@@ -1,11 +1,11 @@
-//! Damper from Adams's own elements, without a routine.
+//! Damper of Adams's own elements, which needs no routine.
 //!
 //! It has splines for primary damper, parallel spring and friction, and two differential equations for the internal mass. A third equation
 //! models friction that reverses within a short travel.
 //!
-//! The mass is not a PART. A part needs a position in the model, which is unknown here, and a joint to the tube, which a wrong position
-//! violates. Its equations move the mass along the line between the damper's markers, as in the kernel. Its displacement is relative to the
-//! moving end, so the initial value 0 holds at any length of the damper.
+//! The mass is not a PART. A part needs a joint to the tube, and a position in the model. The position is unknown here, and a wrong one
+//! violates the joint. The equations of the mass move it along the line between the damper's markers, as in the kernel. Its displacement is
+//! relative to the moving end, so the initial value 0 holds at any length of the damper.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Input, Model, Params, State, evaluate::force};
@@ -20,8 +20,8 @@ const STROKE: f64 = 150.0;
 const FASTEST: f64 = 5000.0;
 const FINE: f64 = 2.0;
 
-/// Elements that splines of velocity and displacement can represent, with a spring, a damper and a mass. Any other element would be
-/// silently omitted from the file.
+/// Elements that a spring, a damper, a mass and splines of velocity and displacement can represent. Any other element would be silently
+/// omitted from the file.
 const HELD: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
@@ -33,10 +33,10 @@ const HELD: [Element; 8] = [
     element!("gas_preload"),
 ];
 
-/// Writes the dataset fragment, or returns the reason why these elements cannot represent the model.
+/// Writes the dataset fragment. If its elements cannot represent the model, returns the reason.
 ///
 /// # Errors
-/// An element that a spline of velocity or displacement cannot represent, or a model without internal mass.
+/// A spline of velocity or displacement cannot represent an element, or the model has no internal mass.
 pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, String> {
     if !params.is_on(element!("series_compliance")) {
         return Err("the element series_compliance is off".into());
@@ -49,7 +49,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     if model.elements().carries_whole() {
         return Err("with series_load = \"whole\" friction and gas force act on the internal mass".into());
     }
-    // Inner and outer end move alike. The result is the force of each element at this motion.
+    // Inner and outer end have the same motion. The result is the force of each element at this motion.
     let at = |x: f64, v: f64| {
         let state = State {
             mass_displacement: 1e-3 * x,
@@ -62,7 +62,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    // The spline contains only the friction that depends on velocity.
+    // The spline contains only velocity-dependent friction.
     let mut of_velocity = *params;
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
@@ -107,7 +107,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     Some((contact, format!("-{:?}*DIF(3)", level / length)))
 }
 
-/// Returns abscissae symmetric about 0, mapped by `of` from -1 to 1.
+/// Returns abscissae that are symmetric about 0. `of` maps them from the range −1 to 1.
 fn spaced(of: impl Fn(f64) -> f64) -> Vec<f64> {
     let half = (POINTS / 2) as f64;
     (0..POINTS).map(|i| of((i as f64 - half) / half)).collect()

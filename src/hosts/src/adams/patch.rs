@@ -1,4 +1,4 @@
-//! Replacement of dampers in a compiled Adams Car model (`.adm`) by the routine. All other bytes stay unchanged.
+//! Replacement of dampers in a compiled Adams Car model (`.adm`) by the routine. All other bytes stay the same.
 
 use super::dataset::{self, Function, Spline, Statement};
 use super::expression::{self, Meaning};
@@ -8,11 +8,11 @@ use std::cell::Cell;
 /// A damper to replace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Name of the SFORCE in Adams View, as in the comment above it; or the end of this name after a dot; or `SFORCE/id`.
+    /// Name of the SFORCE in Adams View, from the preceding comment. The part of this name after a dot suffices, and so does `SFORCE/id`.
     pub name: String,
     /// Length at zero displacement, in model units.
     pub length: f64,
-    /// Path of its model file, as the solver finds it.
+    /// Path at which the solver finds the model file of the damper.
     pub model_file: String,
 }
 
@@ -28,7 +28,7 @@ pub struct Patched {
 /// statement or unit.
 ///
 /// # Errors
-/// A word that is not a unit of length.
+/// The word is not a unit of length.
 pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
     let lines = dataset::lines(adm);
     let begins = |line: &[u8]| {
@@ -59,17 +59,17 @@ const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
 /// Replaces the dampers of a model.
 ///
-/// A function may add a force at rest, such as a gas force, to its spline. It is replaced only if `with_preload` confirms that the model
-/// file contains this force.
+/// A function may add a force at rest, such as a gas force, to its spline. Such a function is replaced only with `with_preload`. This
+/// option confirms that the model file contains the force.
 ///
 /// # Errors
-/// A damper that is missing, ambiguous, or no SFORCE with an FV spline. Also an SFORCE that is positive in rebound: the model's signs are
-/// then not those of a damper, and the routine must not guess.
+/// A damper is missing or ambiguous, or is not an SFORCE with an FV spline. The function also rejects an SFORCE that is positive in
+/// rebound. The model then does not have the signs of a damper, and the routine must not guess.
 pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Result<Patched> {
     let lines = dataset::lines(adm);
     let strings = lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1);
     let last = strings.max().unwrap_or(0);
-    // Ids for at most as many STRINGs as there are dampers must fit into the number range.
+    // The ids of the STRINGs, at most one per damper, must fit into the number range.
     let string = last.checked_add(1).filter(|first| first.checked_add(dampers.len() as u64).is_some());
     let string = string.with_context(|| format!("STRING/{last} leaves no number for another STRING; renumber it"))?;
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
@@ -120,7 +120,7 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
     Ok(Patched { model: out, notes })
 }
 
-/// Returns the function to replace, after all checks.
+/// Checks the function to replace, and returns it.
 fn function_of(
     lines: &[(usize, &[u8])],
     name: &str,
@@ -165,7 +165,7 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     };
     let is_text = |line: &[u8]| !line.starts_with(b"!") && !line.trim_ascii().is_empty();
     let begin = (comment + 1..lines.len()).find(|i| is_text(lines[*i].1)).context("nothing follows its name")?;
-    // Adams View writes a disabled element as a comment, under its name. The lines after it belong to another element.
+    // Adams View writes a disabled element as a comment after the name of the element. The following lines belong to another element.
     if let Some(next) = lines[comment + 1..begin].iter().find_map(|l| dataset::view_name(l.1)) {
         bail!("is switched off in the model: its lines are comments, and the next element is {next}");
     }
@@ -175,7 +175,7 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     Ok(begin)
 }
 
-/// Checks that the existing function resists rebound: with the sign of its own SPLINE it is negative at positive velocity.
+/// Checks that the existing function resists rebound: with the sign of its own SPLINE, it is negative at positive velocity.
 ///
 /// Parts of the function other than its spline would be lost silently. So a force at rest is rejected, and factors are reported.
 fn check_function(
@@ -209,7 +209,7 @@ fn check_function(
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
         let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
-        // Value of the function if its spline is zero.
+        // Evaluate the function with a spline that is zero.
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
@@ -369,7 +369,7 @@ mod tests {
         assert!(patched.notes.len() == 1 && patched.notes[0].contains("0.8 times"), "{:?}", patched.notes);
     }
 
-    /// Dataset written by hand: abbreviated keywords, ids with leading zeros, a power with spaces inside.
+    /// The dataset was written by hand, with abbreviated keywords, ids with leading zeros, and a power with spaces inside.
     #[test]
     fn abbreviations_are_read() {
         let by_hand = MODEL.replace("SFORCE/1\n", "SFORCE/0001\n").replace(", TRANSLATIONAL\n", ",TRANS\n");
@@ -398,7 +398,7 @@ mod tests {
         }
     }
 
-    /// Pseudorandom numbers, equal in every run.
+    /// Generator of pseudorandom numbers. The numbers are equal in every run.
     struct Dice(u64);
 
     impl Dice {
@@ -420,7 +420,7 @@ mod tests {
         }
     }
 
-    /// Model in pieces: the parts that stay, and between them each damper's original function.
+    /// Pieces of a model: the parts that stay, and between these parts each damper's original function.
     struct Made {
         stays: Vec<Vec<u8>>,
         functions: Vec<(String, &'static str)>,
@@ -522,7 +522,7 @@ mod tests {
             head += &next(dice);
             piece.extend_from_slice(head.as_bytes());
             stays.push(piece);
-            // With the sign of the spline the SFORCE is negative in rebound.
+            // The sign of the spline makes the SFORCE negative in rebound.
             let minus =
                 if sign > 0.0 { dice.one(&["-", "-1.0*", "(-1)*", "-2.D0 * "]) } else { dice.one(&["", "1.5*", "+"]) };
             let cut = if one_line { String::new() } else { format!("{end}{}", dice.one(&[",", ", ", ",\t"])) };

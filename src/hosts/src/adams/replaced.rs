@@ -1,4 +1,4 @@
-//! Replacement of dampers in a compiled Adams Car model, from the file and the user's data on each damper.
+//! Replacement of dampers in a compiled Adams Car model, from the file and the user's data about each damper.
 
 use super::patch::{self, Damper};
 use crate::damper_length;
@@ -6,30 +6,30 @@ use anyhow::{Context as _, anyhow};
 use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
 
-/// A damper as the user names it. The model shows the unit of its length.
+/// A damper to replace, as stated by the user. The unit of its length may follow from the model.
 #[derive(Debug, Clone)]
 pub struct Named {
     /// Name of its SFORCE, or `SFORCE/id`.
     pub name: String,
-    /// Its length at zero displacement: a number in the unit of the model, or with its own unit.
+    /// Length at zero displacement: a number in the unit of the model, or a number with its own unit.
     pub length: String,
-    /// Path of its model file, as the solver finds it.
+    /// Path at which the solver finds the model file of the damper.
     pub model_file: String,
 }
 
 /// Replaces dampers in the model of file `input`, and returns the model with notes.
 ///
-/// The result is written to `output`, whose folder determines whether the solver finds a model file. With `with_preload` a force at rest is
-/// replaced too.
+/// The caller writes the result to `output`. The folder of `output` determines whether the solver finds a model file. With `with_preload`,
+/// a force at rest is replaced too.
 ///
 /// # Errors
-/// A file that cannot be read, a length that no damper has, and the errors of [`patch::patch`].
+/// The file cannot be read, a length is impossible for a damper, or [`patch::patch`] fails.
 pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool) -> anyhow::Result<patch::Patched> {
     let file = || input.display().to_string();
     let adm = std::fs::read(input).with_context(|| format!("cannot read {}", file()))?;
     let unit = patch::length_unit(&adm).with_context(file)?;
     let damper = |damper: &Named| {
-        // Without UNITS the numbers of a model have no unit. Files of Adams Car have UNITS.
+        // Without UNITS, the numbers of a model have no unit. Files of Adams Car have UNITS.
         let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
         let length =
             damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
@@ -49,7 +49,7 @@ pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool
 
 /// Returns a note on a model file that is missing, or that the solver would not find.
 ///
-/// The solver usually runs in the folder of its model. The file may be copied there later, so this is no error.
+/// The solver usually runs in the folder of its model. The user may copy the file there later, so this is not an error.
 fn not_there(path: &str, output: &Path) -> Option<String> {
     let beside = output.parent().map(|folder| folder.join(path));
     let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {

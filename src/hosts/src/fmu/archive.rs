@@ -4,7 +4,7 @@ use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, System, ZipWriter};
 
-/// Archive under construction.
+/// Incomplete archive.
 pub struct Archive {
     writer: ZipWriter<Cursor<Vec<u8>>>,
 }
@@ -17,7 +17,7 @@ impl Archive {
 
     /// Adds a file. Its name contains the folders, separated by `/`.
     pub fn add(&mut self, name: &str, content: &[u8]) -> anyhow::Result<()> {
-        // The date is 1 January 1980. Attributes and system of the computer are not stored.
+        // The date is 1 January 1980. The archive contains neither attributes nor the system of the computer.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(DateTime::default())

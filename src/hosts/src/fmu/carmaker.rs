@@ -1,23 +1,23 @@
-//! File next to an FMU with which IPG CarMaker uses the FMU as the damper of a suspension (model class `Susp_Damper`).
+//! File next to an FMU. With this file, IPG CarMaker uses the FMU as the damper of a suspension (model class `Susp_Damper`).
 //!
-//! The file maps quantities of CarMaker to variables. Its format follows the vendor's templates; see `vi-crt-bridge/FACTS.md`.
+//! The file maps quantities of CarMaker to variables. Its format follows the vendor's templates: see `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use std::fmt::Write as _;
 
-/// Longest damper, m. A larger number is a length in mm. A damper of a heavy truck reaches 1 m, and this allows a margin.
+/// Longest damper, m. A larger number is a length in mm. A damper of a heavy truck reaches 1 m, and the limit leaves a margin.
 pub const LONGEST: f64 = 3.0;
 
 impl Scales {
     /// Returns the scales of CarMaker.
     ///
     /// CarMaker passes the length of the damper and its velocity, positive in extension. It expects a force that is positive if the damper
-    /// pushes. `length`, m, is the length at displacement 0 of the records, and the start value.
+    /// pushes. `length`, m, is the length at displacement 0 of the records. It is also the start value.
     ///
     /// # Errors
-    /// A length that no damper has.
+    /// The length is impossible for a damper.
     pub fn carmaker(length: f64) -> anyhow::Result<Scales> {
         if !(length > 0.0 && length <= LONGEST) {
             bail!("--carmaker takes the length of the damper in m, above 0 and up to {LONGEST}, not {length}");
@@ -26,9 +26,9 @@ impl Scales {
     }
 }
 
-/// Lists the elements that are absent from CarMaker's computation of equilibrium.
+/// Lists the elements that CarMaker's computation of equilibrium lacks.
 ///
-/// The file can hold a spring, but no source states the reference of its numbers, so none is written.
+/// The file can contain a spring, but no source states the reference of its numbers. Thus, the file contains no spring.
 pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     (!curve.omitted_elements.is_empty()).then(|| {
         format!(
@@ -39,15 +39,15 @@ pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     })
 }
 
-/// Link of CarMaker's input for controlled dampers to the setting.
+/// Text that links CarMaker's input for controlled dampers to the setting.
 const SETTING: &str = "FMUIn.setting.Link = IFVar\nFMUIn.setting.Rel = CtrlIn\n";
 
-/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with a curve if `shown` has one.
+/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with the curve of `shown` if there is one.
 ///
 /// If the damper depends on a setting, CarMaker's `CtrlIn` is that setting.
 ///
 /// # Errors
-/// An invalid model, or a line break in the name, which would begin another key.
+/// The model is invalid, or the name contains a line break, which would begin another key.
 pub fn plug_info(
     (name, guid): (&str, &str),
     has_setting: bool,
@@ -120,7 +120,7 @@ mod tests {
             assert!(Scales::carmaker(length).is_err(), "{length}");
         }
         let scales = Scales::carmaker(0.4125).unwrap();
-        // At the start the damper is at the rig's zero.
+        // At the start, the damper has zero displacement on the rig.
         assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
 
         assert!(plug_info(("a\nFMU.Name = b", "{1}"), false, None, "x").is_err());

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 /// Identifier of model and binary.
 pub const IDENTIFIER: &str = "dashpot_damper";
 
-/// Writes the description of an FMU with these variables. `name` is the name of the model. Importers that compile use `sources`.
+/// Writes the description of an FMU with these variables. `name` is the name of the model. Importers that compile the FMU use `sources`.
 pub fn description(version: Version, variables: &[Variable], guid: &str, name: &str, sources: &[String]) -> String {
     let name = escaped(name);
     let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
@@ -55,8 +55,8 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
         "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n  \
          </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n",
     );
-    // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects one because it asks for a start value that the
-    // standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
+    // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects such a variable because it requires a start
+    // value that the standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
     let told = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
     for (reference, v) in variables.iter().enumerate().filter(|(_, v)| told(v)) {
         variable(&mut out, version, variables, reference, v);
@@ -68,7 +68,7 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
 }
 
 fn escaped(text: &str) -> String {
-    // XML cannot represent control characters, even escaped.
+    // XML cannot represent control characters, even in escaped form.
     let text = text.replace(char::is_control, " ");
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
@@ -227,7 +227,7 @@ fn structure(out: &mut String, version: Version, all: &[Variable]) {
     out.push_str("  </ModelStructure>\n");
 }
 
-/// Writes `sources/buildDescription.xml` of FMI 3.0. The kernel in `sources` is an object for one platform.
+/// Writes `sources/buildDescription.xml` of FMI 3.0. The kernel in `sources` is an object file for one platform.
 pub fn build_description(platform: &str, sources: &[String]) -> String {
     let files: String = sources.iter().map(|s| format!("      <SourceFile name=\"{}\"/>\n", escaped(s))).collect();
     format!(

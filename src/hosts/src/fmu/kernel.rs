@@ -1,4 +1,4 @@
-//! Kernel sources inside an FMU, with which a simulator team compiles the kernel for its own target.
+//! Kernel sources inside an FMU. A simulator team compiles the kernel from these sources for its own target.
 
 include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
 
@@ -7,7 +7,7 @@ pub fn files() -> Vec<(String, String)> {
     let mut files: Vec<(String, String)> = KERNEL
         .iter()
         .map(|(name, text)| {
-            // The FMU contains no tests of the kernel, so the manifest omits their dependencies.
+            // The FMU does not contain the tests of the kernel, so the manifest omits the dependencies of the tests.
             let text = if name.ends_with("Cargo.toml") { without_dev_dependencies(text) } else { (*text).to_owned() };
             // The FMU links only the static library.
             let text = if *name == "dll/Cargo.toml" {

@@ -24,7 +24,7 @@ use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
 
-/// Note if the instant of the importer's inputs was not stated.
+/// Note for an export that does not state when the importer sets the inputs.
 pub const INPUTS_HAVE_ZERO_ORDER_HOLD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
      beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
      nothing changes but this note";
@@ -41,7 +41,7 @@ impl Binary {
     /// Reads a library for a platform.
     ///
     /// # Errors
-    /// An invalid platform, or a file that cannot be read.
+    /// The platform is invalid, or the file cannot be read.
     pub fn read(platform: &str, file: &Path) -> anyhow::Result<Binary> {
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if platform.is_empty() || !platform.chars().all(plain) {
@@ -70,7 +70,7 @@ pub struct Options<'a> {
     pub scales: Scales,
     /// Instant for which the importer sets the inputs of a step.
     pub inputs: Inputs,
-    /// Longest step, s, of an explicit solver that integrates the states; 0 if unknown.
+    /// Longest step, s, of an explicit solver that integrates the states, or 0 if unknown.
     pub explicit_step: f64,
     /// Name of the model.
     pub name: &'a str,
@@ -78,11 +78,11 @@ pub struct Options<'a> {
     pub from_source: Option<&'a Path>,
     /// Whether the FMU contains its sources.
     pub sources: bool,
-    /// Whether the parameters are concealed: none is a variable of the FMU, and the model in its resources is obfuscated.
+    /// Whether the parameters are concealed. Then no parameter is a variable of the FMU, and the model in its resources is obfuscated.
     pub conceal_parameters: bool,
     /// Binaries for further platforms.
     pub more: &'a [Binary],
-    /// Remarks on its page about this damper, such as chatter in a host with a zero-order hold of the force.
+    /// Remarks about this damper on the documentation page, such as chatter in a host with a zero-order hold of the force.
     pub remarks: &'a [String],
 }
 
@@ -92,14 +92,14 @@ pub struct Made {
     pub bytes: Vec<u8>,
     /// Folders below `binaries`.
     pub platforms: Vec<String>,
-    /// Identifier that must agree in description and binary.
+    /// Identifier, which must be equal in description and binary.
     pub guid: String,
 }
 
-/// Returns the dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2). With `four` one model is used four times.
+/// Returns the dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2). With `four`, one model is used four times.
 ///
 /// # Errors
-/// Any other number of models.
+/// There is any other number of models.
 pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     match (models, four) {
         ([one], false) => Ok(vec![*one]),
@@ -110,13 +110,13 @@ pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     }
 }
 
-/// Text in every prebuilt runtime, which distinguishes it from a library compiled from one FMU's sources.
+/// Text in every prebuilt runtime. It distinguishes such a runtime from a library that was compiled from one FMU's sources.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 
 /// Makes an FMU of one or four corners.
 ///
 /// # Errors
-/// A required compiler that is missing or fails, or a missing runtime.
+/// A required compiler is missing or fails, or the runtime is missing.
 pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyhow::Result<Made> {
     let corners: Vec<Definition> = corners.iter().map(|damper| (*damper).into()).collect();
     let corners = corners.as_slice();
@@ -125,7 +125,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     if options.conceal_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
-    // The step would reveal stiffness and mass.
+    // The recommended step would reveal stiffness and mass.
     let explicit_step = if options.conceal_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
@@ -164,7 +164,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
                 other.platform
             );
         }
-        // Binaries of the user replace those of the command.
+        // The user's binaries replace the embedded binaries.
         binaries.retain(|(platform, ..)| *platform != other.platform);
         binaries.push((other.platform.clone(), other.suffix(), other.content.clone()));
     }
@@ -173,7 +173,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
         bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
     }
 
-    // Sources for an importer that compiles: the C files, and the kernel as an object.
+    // Add sources for an importer that compiles the FMU: the C files, and the kernel as an object file.
     let compiled: Vec<String> = if options.sources && kernel.is_some() {
         let c = files.iter().map(|(name, _)| name.clone()).filter(|name| name.ends_with(".c"));
         c.chain([KERNEL.to_owned()]).collect()
@@ -183,7 +183,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let mut archive = Archive::new();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes())?;
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON)?;
-    // Remarks on chatter state stiffness and damping.
+    // Remarks on chatter would reveal stiffness and damping.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
     for (platform, suffix, content) in &binaries {
@@ -220,10 +220,10 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     Ok(Made { bytes: archive.finish()?, platforms, guid })
 }
 
-/// Path of the kernel as one object, below `sources`.
+/// Path of the kernel as one object file, below `sources`.
 const KERNEL: &str = "lib/kernel.o";
 
-/// Converts a platform name of FMI 2.0 to this version.
+/// Converts a platform name of FMI 2.0 to the given version of FMI.
 fn platform_of(two: &str, version: Version) -> String {
     match (version, two) {
         (Version::Three, "linux64") => "x86_64-linux".into(),
@@ -294,13 +294,13 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     Ok(binary)
 }
 
-/// Links the library to one object without debugging information.
+/// Links the library to one object file without debugging information.
 fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
     let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // One function pulls in the whole interface.
+    // The linker adds the whole interface because of this one function.
     link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
     let ran = link.arg(std::path::absolute(library)?).output()?;
     if !ran.status.success() {

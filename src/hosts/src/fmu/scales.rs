@@ -7,19 +7,19 @@ use anyhow::bail;
 pub struct Scales {
     /// Damper extension per unit of the host's displacement.
     pub motion: f64,
-    /// Force of the host for each N of tension.
+    /// Force of the host per N of tension.
     pub force: f64,
     /// Extension of the damper from the rig's zero at zero displacement of the host, m.
     pub position_offset: f64,
-    /// Displacement of the host if it sets none before the start.
+    /// Start value of the host's displacement, for a host that sets no displacement before the start.
     pub start: f64,
 }
 
 impl Scales {
-    /// Checks the user's scales. By default one damper has extension and tension positive, and a vehicle has compression positive.
+    /// Checks the user's scales. By default, extension and tension are positive for one damper, and compression is positive for a vehicle.
     ///
     /// # Errors
-    /// A scale that is 0 or not finite, or an offset that no damper has.
+    /// A scale is 0 or not finite, or the offset is impossible for a damper.
     pub fn checked(
         corners: usize,
         motion: Option<f64>,

@@ -1,4 +1,4 @@
-//! C sources of an FMU: those of the command, and the tables of this model.
+//! C sources of an FMU: the sources embedded in the command, and the tables of this model.
 
 use super::scales::Scales;
 use super::variables::{Inputs, Variable};
@@ -62,7 +62,7 @@ pub fn contents(
     (inputs, explicit_step): (Inputs, f64),
     guid: &str,
 ) -> String {
-    // Numbers are written as the bits of a double, because C parses decimals by the host's locale.
+    // Numbers are written as the bits of a double, because the host's locale affects how C parses decimals.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
         "dashpot-fmu 3\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\nsolver {} {}\n",
@@ -104,7 +104,7 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
     out
 }
 
-/// Script with which a simulator team compiles the FMU for its own target.
+/// Script for a simulator team that compiles the FMU for its own target.
 pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 
 /// Explanation of the build script.

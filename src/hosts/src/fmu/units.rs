@@ -2,15 +2,15 @@
 //!
 //! Parameters and states have the units of the parameter table. Motion and force have the units of the host.
 //!
-//! An importer converts by the declared units, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must state the
-//! units before these scales. If the FMU declared meters for a host in millimeters, the values would be converted twice.
+//! An importer converts values with the declared units, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must
+//! state the units before these scales. If the FMU declared meters for a host in millimeters, the values would be converted twice.
 
 use super::scales::Scales;
 
 /// A unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
-    /// Name; "-" for a pure number, and if the host's unit has no name.
+    /// Name of the unit. It is "-" for a pure number, and if the host's unit has no name.
     pub name: String,
     /// Size of the unit in `si`.
     pub factor: f64,
@@ -43,7 +43,7 @@ const OF_A_SETTING: [(&str, f64, &str); 14] = [
 ];
 
 impl Unit {
-    /// Returns the unit of a setting from its name in the model file; "-" without a name.
+    /// Returns the unit of a setting from its name in the model file, or "-" without a name.
     pub fn of_setting(name: &str) -> Unit {
         match OF_A_SETTING.iter().find(|(known, ..)| *known == name) {
             Some((_, factor, si)) => Unit { name: name.to_owned(), factor: *factor, si },
@@ -57,7 +57,7 @@ impl Unit {
         self.name != "-"
     }
 
-    /// Returns its dimensions in SI as attributes of FMI's `BaseUnit`, if known. Other units are declared by name only.
+    /// Returns the dimensions of the unit in SI as attributes of FMI's `BaseUnit`, if known. Other units are declared by name only.
     pub fn dimensions(&self) -> Option<&'static str> {
         Some(match self.si {
             "s" => "s=\"1\"",
@@ -88,11 +88,11 @@ impl Unit {
 
 /// Units of length with their size in m.
 ///
-/// These are the SI prefixes used for lengths, and the two customary units of vehicle drawings elsewhere.
+/// The list contains the SI prefixes of lengths, and the two customary units of vehicle drawings outside the SI.
 const LENGTHS: [(&str, f64); 8] =
     [("m", 1.0), ("dm", 0.1), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("km", 1e3), ("in", 0.0254), ("ft", 0.3048)];
 
-/// Units of force with their size in N. The pound-force is 0.45359237 kg times 9.80665 m/s^2, both exact by definition.
+/// Units of force with their size in N. The pound-force is 0.45359237 kg times 9.80665 m/s^2. Both values are exact by definition.
 const FORCES: [(&str, f64); 8] = [
     ("N", 1.0),
     ("daN", 10.0),
@@ -104,10 +104,10 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// Relative difference up to which a scale is recognized as a unit.
+/// Largest relative difference of a scale from a unit that it represents.
 ///
-/// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance a motion ratio near 1
-/// would be lost.
+/// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance, a motion ratio near 1
+/// would be ignored.
 const NEAR: f64 = 1e-5;
 
 fn named(units: &[(&'static str, f64)], size: f64) -> Option<(&'static str, f64)> {
@@ -121,7 +121,8 @@ pub struct HostUnits {
 }
 
 impl HostUnits {
-    /// Returns the units that correspond to the scales. The sign is ignored. A scale that includes a motion ratio corresponds to no unit.
+    /// Returns the units of a host with these scales, without regard to the sign. A scale that includes a motion ratio corresponds to no
+    /// unit.
     pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }

@@ -6,16 +6,16 @@ use dashpot_core::family::{Definition, Delay, Family};
 use dashpot_core::parameter::{self, Number, Parameter, Shape};
 use dashpot_core::{Input, Model, Output, Params, list, step};
 
-/// Indices of a corner's states, as in the FMU's sources.
+/// Indices of a corner's states. The FMU's sources use the same indices.
 const TRAVEL: usize = 0;
 const DEFLECTION: usize = 1;
 const MASS_VELOCITY: usize = 2;
 const FIRST_INTERNAL: usize = 3;
 
-/// Behavior of inputs between two communication points, in the order of the FMU's sources.
+/// Behavior of inputs between two communication points. The order is that of the FMU's sources.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
-/// Instant for which the importer sets the inputs of a co-simulation step. It determines the start value of `inputs_between_points`.
+/// Instant at which the importer sets the inputs of a co-simulation step. It determines the start value of `inputs_between_points`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Inputs {
     /// Unspecified: zero-order hold in co-simulation, extrapolation in model exchange.
@@ -29,7 +29,7 @@ pub enum Inputs {
 
 impl Inputs {
     /// Returns the start value, an index of [`BETWEEN_POINTS`]. Inputs at the end of a step have a zero-order hold, as with `automatic`.
-    /// Model exchange is unchanged.
+    /// The value does not change model exchange.
     pub fn start_value(self) -> f64 {
         if self == Inputs::Begin { 2.0 } else { 0.0 }
     }
@@ -90,7 +90,7 @@ impl Kind {
 pub struct Variable {
     /// Kind of the variable.
     pub kind: Kind,
-    /// Corner; `None` for the time.
+    /// Corner, or `None` for the time.
     pub corner: Option<usize>,
     /// Index among the states, or in the list of a parameter.
     pub index: Option<usize>,
@@ -100,7 +100,7 @@ pub struct Variable {
     pub parameter: Option<&'static Parameter>,
     /// Start value, if any.
     pub start: Option<f64>,
-    /// Unit; "-" for a pure number, and if the host's unit has no name.
+    /// Unit. Its name is "-" for a pure number, and if the host's unit has no name.
     pub unit: Unit,
     /// Description in one sentence.
     pub meaning: String,
@@ -110,7 +110,7 @@ pub struct Variable {
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
 
-/// Returns the name of a corner's model in the FMU's resources, which the FMU's sources also use.
+/// Returns the file name of a corner's model in the FMU's resources. The FMU's sources use the same name.
 pub fn model_file_name(corner: usize, corners: usize) -> String {
     if corners == 1 { "model.toml".into() } else { format!("model_{}.toml", CORNERS[corner]) }
 }
@@ -198,7 +198,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
     let units = HostUnits::from_scales(scales);
-    // Without a declared unit, the description states the factor.
+    // If the unit is not declared, the description states the factor.
     let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
     let (m, n) = (scales.motion.abs(), scales.force.abs());
     let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
@@ -315,10 +315,10 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         .collect()
 }
 
-/// Returns the nominal values of the states: the power of ten below the largest value of each on an ordinary stroke.
+/// Returns the nominal values of the states. Each is the power of ten below the state's largest value on a typical stroke.
 ///
 /// Hosts multiply their relative tolerance by the nominal value. An internal state may be a length, a velocity, a force or a temperature,
-/// so its size is measured.
+/// so its magnitude is measured in a simulation.
 fn usual(damper: &Definition) -> [f64; 11] {
     if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
 }
@@ -352,10 +352,10 @@ fn usual_of_family(damper: &Definition) -> [f64; 11] {
     decades(largest)
 }
 
-/// Step of the ordinary stroke, s.
+/// Step of the typical stroke, s.
 const STEP: f64 = 1e-3;
 
-/// Returns the motion of the ordinary stroke.
+/// Returns the motion of the typical stroke.
 fn motion(t: f64) -> Input {
     // The stroke is ±25 mm at 0.5 m/s, three times.
     const AMPLITUDE: f64 = 0.025;
@@ -364,7 +364,7 @@ fn motion(t: f64) -> Input {
     Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
 }
 
-/// Returns the powers of ten. A state that stays constant on the stroke gets 1e-4.
+/// Returns the powers of ten. A state that stays constant during the stroke gets 1e-4.
 fn decades(largest: [f64; 11]) -> [f64; 11] {
     largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
 }
@@ -427,7 +427,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 
-/// Returns the parameters of the elements that are on, without those that depend on the setting.
+/// Returns the parameters of the enabled elements, without the parameters that depend on the setting.
 fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let Definition { params, axis } = damper;
     let mut all = Vec::new();
@@ -462,8 +462,8 @@ fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
 
 /// Returns the power of ten at or below a positive number.
 ///
-/// It is parsed from digits, because library powers differ in the last bits between systems. So the FMU of a model is identical wherever it
-/// is written.
+/// The power is parsed from digits, because the powers of math libraries differ in the last bits between systems. So every system writes
+/// the same FMU of a model.
 fn decade(number: f64) -> f64 {
     let digits = format!("{number:e}");
     let exponent = digits.split_once('e').map_or("0", |(_, exponent)| exponent);

@@ -1,5 +1,5 @@
-//! Obfuscation of the model in an FMU with concealed parameters, so that its numbers cannot be read in the archive.
-//! It is not encryption, because the archive also contains the decoder, `vi-crt-bridge/fmu/veil.c`.
+//! Obfuscation of the model in an FMU with concealed parameters, so that its numbers cannot be read in the archive. It is not encryption,
+//! because the archive also contains the decoder, `vi-crt-bridge/fmu/veil.c`.
 
 use std::fmt::Write as _;
 

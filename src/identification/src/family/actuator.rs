@@ -1,4 +1,4 @@
-//! Actuator of a damper family, identified from tests whose setting changes.
+//! Actuator of a damper family, identified from tests in which the setting changes.
 
 use super::TEMPERATURE;
 use super::interpolation_error::InterpolationError;
@@ -17,9 +17,9 @@ use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use serde::Serialize;
 
-/// Ratio of root mean square to mean absolute value of a normal error.
+/// Ratio of root mean square to mean absolute value of a normally distributed error.
 const RMS_OF_MEAN: f64 = 1.25;
-/// Ratio to the prior's standard deviation below which the records determine a number.
+/// Largest ratio of a posterior to a prior standard deviation at which the records determine a number.
 const NARROWED: f64 = 0.7;
 
 /// Decision on one part of an actuator, with its probability.
@@ -27,20 +27,20 @@ const NARROWED: f64 = 0.7;
 pub struct ActuatorDecision {
     /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
     pub name: &'static str,
-    /// Whether the model has it.
+    /// Whether the model has this part.
     pub is_present: bool,
-    /// Probability that the valve has it.
+    /// Probability that the valve has this part.
     pub probability: f64,
 }
 
 /// An actuator identified from records.
 #[derive(Debug, Clone, Serialize)]
 pub struct ActuatorFit {
-    /// Its numbers with their 95 % intervals. A number shared by rising and falling settings appears once for each.
+    /// Numbers of the actuator with their 95 % intervals. A number shared by rising and falling settings appears once for each.
     pub estimates: Vec<Estimate>,
-    /// Decision on each of its parts.
+    /// Decision on each part of the actuator.
     pub parts: Vec<ActuatorDecision>,
-    /// Tests from which it was identified.
+    /// Tests from which the actuator was identified.
     pub tests: Vec<String>,
 }
 
@@ -57,7 +57,7 @@ fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
 
 /// Identifies the actuator of a given damper family, and writes the actuator into its axis.
 ///
-/// Returns `None` if no test has a setting that changes, or if no start gives a finite force.
+/// Returns `None` if no test has a changing setting, or if no start gives a finite force.
 pub fn identify_actuator(
     damper: &mut Definition,
     family: &FamilyStructure,
@@ -100,10 +100,9 @@ pub fn identify_actuator(
     })
 }
 
-/// Estimates the standard deviation of the interpolated force midway between grid neighbors, as a fraction of the force, for each pair.
-///
-/// It is the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error there. A moving valve passes
-/// these settings, so a wrong force there would appear as a wrong time.
+/// Estimates the standard deviation of the interpolated force midway between each pair of grid neighbors, as a fraction of the force. It is
+/// the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error there. A moving valve passes these
+/// settings, so a wrong force there would appear as a wrong time.
 fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
     let errors = InterpolationError::new(damper);
     let difference = |place: usize| {
@@ -112,11 +111,11 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
     let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), difference);
-    // A grid of two settings has no setting to leave out.
+    // A grid of two settings has no inner setting that can be left out.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
-/// Returns whether the setting rises in a record, and whether it falls in one.
+/// Returns whether the setting rises in any record, and whether it falls in any record.
 fn ways_of(records: &[&Record]) -> [bool; 2] {
     let values = |record: &&Record| record.setting_signal.as_ref().map(|signal| signal.values.clone());
     let all: Vec<Vec<f64>> = records.iter().filter_map(values).collect();
@@ -124,10 +123,9 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// Estimates the numbers with their intervals. `timing` holds the derivatives of the residuals with respect to the instant of the command
-/// within a sample. The intervals include this uncertainty.
-///
-/// A number of a direction in which the setting never changes is not identified, even if both directions share it.
+/// Estimates the numbers with their intervals. `timing` contains the derivatives of the residuals with respect to the instant of the
+/// command within a sample. The intervals include the uncertainty of that instant. If the setting never changes in one direction, the
+/// number of that direction is not identified, even if both directions share it.
 fn estimates(
     refit: &ActuatorRefit,
     timing: &[Vec<f64>],
@@ -136,7 +134,7 @@ fn estimates(
 ) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
-    // The error of the instant is the same at all steps.
+    // The instant of the command has the same error at all steps.
     let shift = considered_shift(&refit.blocks, &precisions, timing);
     let unit = damper.axis.unit();
     let mut all = Vec::new();
@@ -171,7 +169,7 @@ fn estimates(
     all
 }
 
-/// Returns the unit of a number of the axis. The unit of the setting is the user's; the result is one of a few units that the program
+/// Returns the unit of a number of the axis. The user chooses the unit of the setting. The result is one of the few units that the program
 /// knows.
 fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     match (unit, of_setting) {

@@ -12,13 +12,13 @@ pub struct ActuatorNumber {
     pub value: f64,
     /// Unit.
     pub unit: String,
-    /// 95 % interval; `None` if the file has none.
+    /// 95 % interval, or `None` if the file has none.
     pub interval: Option<[f64; 2]>,
 }
 
 /// Returns the nonzero numbers of the actuator of an axis.
 pub fn actuator_numbers(axis: &Axis, known: &Identification) -> Vec<ActuatorNumber> {
-    // The first entry is the start of the setting, not a number of the actuator.
+    // The first entry is the start of the setting, which is not a number of the actuator.
     let entries = ENTRIES.iter().enumerate().skip(1).filter(|(index, _)| axis.number(*index) != 0.0);
     entries
         .map(|(index, entry)| ActuatorNumber {

@@ -1,4 +1,4 @@
-//! Evaluation of a family at one setting: an ordinary damper with the results of the fit that hold there.
+//! Evaluation of a family at one setting: an ordinary damper with those results of the fit that hold at the setting.
 
 use super::interpolation_error::InterpolationError;
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
@@ -12,8 +12,9 @@ use dashpot_messages::{Kept, Sentence};
 
 /// Returns the ordinary damper at a setting, with the 95 % intervals there.
 ///
-/// Between two settings of the fit, the distances of the ends from the value are interpolated linearly. The [error of
-/// interpolation](InterpolationError) is added as an independent error. If it is unknown there is no interval, and a note states so.
+/// Between two settings of the fit, the distances of the interval ends from the value are interpolated linearly. The [error of
+/// interpolation](InterpolationError) is added as an independent error. If that error is unknown, the number has no interval, and a note
+/// states so.
 pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     let params = file.definition().params_at(setting);
     let mut identification = file.identification.clone();
@@ -30,10 +31,10 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     // An ordinary damper has no actuator.
     identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
-    // After a change by hand the stored curves belong to another damper.
+    // If the user changed the file, the stored curves belong to another damper.
     let curve = if file.was_changed() { None } else { place.curve(file.axis.grid(), &curves) };
     identification.fv_only = curve.or(identification.fv_only);
-    // A number that is not identified at a neighboring setting has no measured value between the two.
+    // Identification failed at a neighboring setting, so the number has no measured value between the two settings.
     let mut open: Vec<String> = Vec::new();
     for name in &identification.not_identified {
         let (bare, is_here) = match name.rsplit_once('@') {
@@ -71,7 +72,7 @@ impl Place {
         let right = grid.partition_point(|value| *value < setting).min(last);
         let left = if grid.get(right).is_some_and(|value| *value <= setting) { right } else { right.saturating_sub(1) };
         let width = grid.get(right).zip(grid.get(left)).map_or(0.0, |(right, left)| right - left);
-        // Beyond the grid the damper is the one at the end of the grid.
+        // Beyond the grid, the damper equals the damper at the end of the grid.
         let part = if width > 0.0 { ((setting - grid[left]) / width).clamp(0.0, 1.0) } else { 0.0 };
         Place { setting, left, right, part }
     }
@@ -80,7 +81,8 @@ impl Place {
         [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
     }
 
-    /// Returns whether a note of the fit holds here. Notes of other settings do not, nor does the force of an effect over all settings.
+    /// Returns whether a note of the fit holds at this setting. Notes on other settings do not apply here. Notes on the force of an effect
+    /// over all settings do not apply either.
     fn is_of(&self, note: &str, axis: &Axis) -> bool {
         let own = note.strip_prefix("at ").and_then(|rest| rest.strip_prefix(axis.name())?.strip_prefix(" = "));
         match own {
@@ -92,7 +94,7 @@ impl Place {
         }
     }
 
-    /// Returns the plain FV curve at the setting; `None` unless the file has one for both neighbors.
+    /// Returns the plain FV curve at the setting. Returns `None` unless the file has a curve for both neighbors.
     fn curve(&self, grid: &[f64], all: &[FvOnlyAt]) -> Option<FvOnly> {
         let of = |place: usize| {
             let setting = grid.get(place)?;
@@ -101,7 +103,7 @@ impl Place {
         of(self.left)?.between(of(self.right)?, self.part)
     }
 
-    /// Returns the interval of a number or a list at the setting; `None` if interval and values have different grids.
+    /// Returns the interval of a number or a list at the setting. Returns `None` if interval and values have different grids.
     fn interval(
         &self,
         name: &str,
@@ -184,7 +186,7 @@ mod tests {
             other => panic!("{other:?}"),
         }
         assert!(!middle.axis.is_some() && !middle.was_changed());
-        // Beyond the grid the damper is the one at the end of the grid.
+        // Beyond the grid, the damper equals the damper at the end of the grid.
         assert_eq!(number_of(&at(9.0), "coulomb_force"), [90.0, 110.0]);
     }
 
@@ -194,7 +196,7 @@ mod tests {
         let file = family_of_text(&bent, "f.toml".as_ref()).unwrap();
         let middle = at_setting(&file, 0.5);
         let [low, high] = number_of(&middle, "coulomb_force");
-        // The line through its neighbors gives 80 N instead of 60 N at the middle. Halfway to a neighbor, half of 20 N is uncertain.
+        // The line through the neighbors gives 80 N instead of 60 N at the middle. Halfway to a neighbor, half of these 20 N is uncertain.
         assert!(((high - low) / 2.0 - libm::hypot(12.5, 10.0)).abs() < 1e-9, "{low} {high}");
         let two = FAMILY.replace(", 2.0]", "]").replace(", 100.0]", "]").replace(", [-4000.0, 0.0, 6000.0]", "");
         let two = two.replace("    [90.0, 110.0],\n", "");

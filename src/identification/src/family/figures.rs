@@ -1,4 +1,4 @@
-//! Figures of the fit of a family: the output of `dashpot fit --setting --json`, which Python reads too.
+//! Figures of the fit of a family. `dashpot fit --setting --json` writes them, and Python reads them.
 
 use super::actuator::ActuatorFit;
 use super::fit::{FamilyEstimate, FamilyFit, FamilyItem, SettingDependence};
@@ -31,7 +31,7 @@ pub struct FamilyFigures<'a> {
     actuator: Option<&'a ActuatorFit>,
     inventory: &'a [FamilyItem],
     measured: &'a [Measured],
-    /// Errors at each value of the setting, including those of the family fitted without it.
+    /// Errors at each value of the setting, including the errors of the family fitted without that setting.
     settings: &'a [SettingReport],
     notes: &'a [Sentence],
     misfit: f64,
@@ -40,7 +40,7 @@ pub struct FamilyFigures<'a> {
 }
 
 impl<'a> FamilyFigures<'a> {
-    /// Collects the figures of a fit to a campaign. `model` is the model file that was written.
+    /// Collects the figures of a fit to a campaign. `model` is the path of the written model file.
     pub fn new(fit: &'a FamilyFit, campaign: &'a Campaign, model: Option<&'a Path>) -> FamilyFigures<'a> {
         FamilyFigures {
             model,

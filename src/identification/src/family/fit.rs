@@ -37,7 +37,7 @@ use std::collections::BTreeMap;
 /// Estimate of one number of a family.
 #[derive(Debug, Clone, Serialize)]
 pub struct FamilyEstimate {
-    /// Setting at which the estimate holds; absent if all settings share the number.
+    /// Setting at which the estimate holds, or `None` if all settings share the number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub setting: Option<f64>,
     /// The number.
@@ -50,13 +50,13 @@ pub struct FamilyEstimate {
 pub struct SettingDependence {
     /// Name of the number; `fv_force` for the FV curve.
     pub name: &'static str,
-    /// Whether it depends on the setting in the model.
+    /// Whether the number depends on the setting in the model.
     pub varies: bool,
     /// Probability of the dependence, from a first-order estimate of the alternative.
     pub probability: f64,
 }
 
-/// Force that an effect carries at one setting.
+/// Force of an effect at one setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ForceAtSetting {
     /// The setting.
@@ -74,7 +74,7 @@ pub struct FamilyItem {
     /// The effect, with its force over all settings.
     #[serde(flatten)]
     pub item: InventoryItem,
-    /// Its force at each setting.
+    /// Force of the effect at each setting.
     pub settings: Vec<ForceAtSetting>,
 }
 
@@ -89,7 +89,7 @@ pub struct FamilyFit {
     pub estimates: Vec<FamilyEstimate>,
     /// Numbers that may depend on the setting, with the decision for each.
     pub dependences: Vec<SettingDependence>,
-    /// The actuator; absent where no test has a setting that changes.
+    /// The actuator, or `None` if no test has a changing setting.
     pub actuator: Option<ActuatorFit>,
     /// Effects with their force over all settings.
     pub inventory: Vec<FamilyItem>,
@@ -103,21 +103,21 @@ pub struct FamilyFit {
     pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
-    /// Names of the tests used.
+    /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of their contents, in the same order.
+    /// Fingerprints of the contents of these tests, in the same order.
     pub fingerprints: Vec<String>,
-    /// Root mean square of the weighted residual. At 1 the residual equals noise and curve discretization.
+    /// Root mean square of the weighted residual. At 1, the residual equals noise and curve discretization.
     pub misfit: f64,
 }
 
 impl FamilyFit {
-    /// Returns the settings at which the model file gives numbers.
+    /// Returns the settings for which the model file gives numbers.
     pub fn settings_grid(&self) -> &[f64] {
         self.damper.axis.grid()
     }
 
-    /// Returns the setting that the family predicts worst when fitted without it; `None` if no setting was left out.
+    /// Returns the setting with the worst prediction by the family fitted without that setting. Returns `None` if no setting was left out.
     pub fn worst_left_out(&self) -> Option<WorstLeftOut> {
         WorstLeftOut::find(&self.settings)
     }
@@ -126,7 +126,7 @@ impl FamilyFit {
 /// Fits one damper family to records measured at several values of a setting.
 ///
 /// # Errors
-/// Records without the setting, a single setting, too many settings, or a setting at which no damper can be fitted.
+/// The records lack the setting, they have a single setting or too many settings, or no damper can be fitted at a setting.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,
@@ -223,7 +223,7 @@ fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests])
     Ok(damper)
 }
 
-/// Estimates the numbers: a shared number once, any other number at each setting.
+/// Estimates the numbers. A shared number has one estimate, any other number has one at each setting.
 fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
     let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let (joint, joint_refit) = (hypothesis.joint(), hypothesis.joint_refit(refit));
@@ -237,7 +237,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
             Site::Number(number) => estimate.name == number.name(),
         })
     };
-    // The force effect of a number is judged by the tests that show it. A shared number is judged by all tests.
+    // The tests at a setting decide about the force effect of a number. All tests decide about a shared number.
     let at = |place: usize, tests: &[Test], residual: &[f64]| {
         let theta = hypothesis.theta_at(&refit.theta, place);
         known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests, residual)
@@ -252,7 +252,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     all
 }
 
-/// Estimates the numbers again with a rejected delay and mass of the load cell free within their priors.
+/// Estimates the numbers again after freeing a rejected delay and mass of the load cell within their priors.
 fn with_open_measurement(
     best: &FamilyStructure,
     settings: &[SettingTests],
@@ -269,7 +269,7 @@ fn with_open_measurement(
     estimates(&freed, &refit, settings)
 }
 
-/// Widens the intervals until they contain those of another fit of the same numbers that the records do not exclude.
+/// Widens the intervals until they contain the intervals of another fit of the same numbers. The records do not exclude that fit.
 fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     for of in all {
         let others = others.iter().filter(|other| other.setting == of.setting).map(|other| &other.estimate);
@@ -277,7 +277,7 @@ fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     }
 }
 
-/// Returns the decisions on dependence, by name of the number.
+/// Returns the decisions on dependence, with the name of each number.
 fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<SettingDependence> {
     let named = dependences(best, settings).into_iter().map(|of| SettingDependence {
         name: match of.site {
@@ -290,7 +290,8 @@ fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<S
     named.collect()
 }
 
-/// Computes the force of each effect, over all settings and at each. The probability compares the family with and without the effect.
+/// Computes the force of each effect over all settings and at each setting. The probability compares the family with and without the
+/// effect.
 fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyItem> {
     let probabilities: BTreeMap<&str, f64> = best
         .components
@@ -328,7 +329,7 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Family
     all
 }
 
-/// Reports the expectations from the priors, and the contradictions by the records. For a number that varies it names the setting.
+/// Reports the expectations from the priors, and their contradictions with the records. Names the setting of a number that depends on it.
 fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     for row in priors.rows() {
@@ -348,12 +349,11 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
     notes
 }
 
-/// Ratio of the family's error to the error of a separate fit of one setting above which a note is made.
-///
-/// The worst ratio of UTFSM is 1.15. It was 2.2 where friction varied between settings but the model shared it.
+/// Smallest ratio, with a note, of the family's error to the error of a separate fit of one setting. The worst ratio of UTFSM is 1.15. The
+/// ratio was 2.2 for a model with shared friction and records with friction that depends on the setting.
 const WORSE: f64 = 1.5;
 
-/// Returns notes on settings where a separate fit is clearly better than the family, or clearly worse.
+/// Returns notes on settings at which a separate fit is clearly better or clearly worse than the family.
 fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> impl Iterator<Item = Sentence> + 'r {
     reports.iter().filter_map(|of| {
         let ratio = of.family.mean_error_n / of.own_fit.mean_error_n.max(1e-300);
@@ -364,7 +364,7 @@ fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> 
     })
 }
 
-/// Names the setting of a sentence.
+/// Adds the setting to a sentence.
 fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
     Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
 }

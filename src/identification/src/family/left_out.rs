@@ -1,4 +1,4 @@
-//! Errors of a family at each setting, and its prediction errors at settings that the fit did not see.
+//! Errors of a family at each setting, and its prediction errors at settings that the fit did not use.
 
 use super::settings::SettingAxis;
 use dashpot_core::family::{Axis, Definition};
@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// Mean error over the tests of a setting, on the mean cycle of each test.
+/// Mean error over the tests of a setting, from the mean cycle of each test.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SettingError {
     /// Mean absolute error, N.
@@ -28,37 +28,37 @@ pub struct SettingError {
 pub struct SettingReport {
     /// Value of the setting.
     pub setting: f64,
-    /// Number of its tests.
+    /// Number of tests at the setting.
     pub tests: usize,
     /// Error of an ordinary damper fitted to this setting alone.
     pub own_fit: SettingError,
     /// Error of the family.
     pub family: SettingError,
-    /// Error of the family fitted to all other settings. Absent at the ends of the grid, where nothing is interpolated.
+    /// Error of the family fitted to all other settings. `None` at the ends of the grid, where nothing is interpolated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<SettingError>,
-    /// Ratio of that error to the error of the fit to this setting alone.
+    /// Ratio of the error `left_out` to the error of the fit to this setting alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out_ratio: Option<f64>,
 }
 
-/// Setting that the family predicts worst when fitted without it.
+/// Setting with the worst prediction by the family fitted without that setting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstLeftOut {
     /// Value of the setting.
     pub setting: f64,
-    /// Error there.
+    /// Error of the prediction.
     pub error: SettingError,
-    /// Ratio of that error to the error of the fit to this setting alone.
+    /// Ratio of the prediction error to the error of the fit to this setting alone.
     pub ratio: f64,
 }
 
 impl WorstLeftOut {
-    /// Largest ratio at which an interpolated setting counts as equal to a grid setting, the target of the book's figures. It affects
-    /// messages only.
+    /// Largest ratio at which an interpolated setting counts as equal to a grid setting. It is the target of the book's figures, and
+    /// affects messages only.
     pub const AS_GOOD: f64 = 1.3;
 
-    /// Finds the worst of these reports; `None` if no setting was left out.
+    /// Finds the worst setting of these reports. Returns `None` if no setting was left out.
     pub fn find(reports: &[SettingReport]) -> Option<WorstLeftOut> {
         let left_out = reports.iter().filter_map(|of| {
             Some(WorstLeftOut { setting: of.setting, error: of.left_out?, ratio: of.left_out_ratio? })
@@ -70,7 +70,7 @@ impl WorstLeftOut {
 /// Makes the damper over a grid from the parameter set at each setting.
 ///
 /// # Errors
-/// An error of the kernel, which rejects the sets.
+/// The kernel rejects the sets.
 pub fn damper_through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
     let (params, mut over) = Axis::through(grid, sets)?;
     let is_short = |text: &str| text.len() <= dashpot_core::family::axis::MAX_TEXT;
@@ -109,7 +109,7 @@ fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
 }
 
-/// Computes the error at a setting of the family refitted to the others; `None` at an end of the grid.
+/// Computes the error at a setting of the family refitted to the other settings. Returns `None` at an end of the grid.
 fn left_out_error(
     family: &FamilyStructure,
     axis: &SettingAxis,
@@ -129,7 +129,7 @@ fn left_out_error(
     error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
 }
 
-/// Reports the errors at every setting. `own` holds the ordinary fit of each setting.
+/// Reports the errors at every setting. `own` contains the ordinary fit of each setting.
 pub fn reports(
     family: &FamilyStructure,
     own: &[&Structure],

@@ -3,13 +3,13 @@
 //! | module | what |
 //! |---|---|
 //! | [`settings`] | records sorted by their setting, and errors of the campaign |
-//! | [`actuator`] | response of the valve, from tests whose setting changes |
+//! | [`actuator`] | response of the valve, from tests with a changing setting |
 //! | [`at_setting()`] | ordinary damper at a setting, with its intervals |
 //! | [`actuator_numbers()`] | numbers of the valve in a model file |
 //! | [`interpolation_error`] | bound on the error between two settings |
 //! | [`FamilyFigures`] | figures of a fit as JSON |
 //! | [`fit`] | fit of structure, numbers and their dependence on the setting |
-//! | [`left_out`] | prediction of a setting from the others |
+//! | [`left_out`] | prediction of a setting from the other settings |
 //! | [`setting_labels`] | check of the stated settings against the forces |
 //! | [`model_file`] | model file of a family |
 
@@ -33,7 +33,6 @@ pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDepe
 pub use left_out::{SettingError, SettingReport, WorstLeftOut};
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 
-/// Factor by which the log odds of a part of a family are divided before they become probabilities.
-///
-/// The form errors of different tests are correlated, so the tests carry less information than their number suggests.
+/// Divisor of the log odds of a part of a family before conversion to probabilities. The form errors of different tests are correlated, so
+/// the tests contain less information than their number suggests.
 const TEMPERATURE: f64 = 2.0;

@@ -1,4 +1,4 @@
-//! Model file of a family: the kernel's flat part, then tables with the results of the fit.
+//! Model file of a family: first the lines that the kernel reads, then tables with the results of the fit.
 
 use super::fit::{FamilyEstimate, FamilyFit};
 use crate::intervals::Standing;
@@ -9,13 +9,13 @@ use crate::model_file::{
 use crate::{Estimate, InventoryItem};
 use std::fmt::Write as _;
 
-/// Returns the estimates of a parameter at a setting, or of a shared parameter if `setting` is `None`.
+/// Returns the estimates of a parameter at a setting. If `setting` is `None`, returns the estimates of a shared parameter.
 fn estimates_of<'f>(fit: &'f FamilyFit, name: &str, setting: Option<f64>) -> Vec<&'f Estimate> {
     let own = fit.estimates.iter().filter(|e| e.estimate.name == name && e.setting == setting);
     own.map(|e| &e.estimate).collect()
 }
 
-/// Returns the names of the shared estimates, or of the others, each once.
+/// Returns the names of the shared estimates or of all other estimates. Each name appears once.
 fn names(fit: &FamilyFit, is_shared: bool) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for FamilyEstimate { estimate, .. } in fit.estimates.iter().filter(|e| e.setting.is_none() == is_shared) {

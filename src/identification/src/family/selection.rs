@@ -6,7 +6,7 @@ use dashpot_estimation::samples::selection::{MOST_CHANGING, most_at_setting, sel
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 
-/// Selects tests of every kind of motion at each setting, and tests whose setting changes. Returns a note if some are left out.
+/// Selects tests of every kind of motion at each setting, and tests with a changing setting. Returns a note if tests are left out.
 pub fn select_tests(settings: &mut [SettingRecords], changing: &mut Vec<&Record>) -> Option<Sentence> {
     let count = |settings: &[SettingRecords], changing: &[&Record]| {
         settings.iter().map(|of| of.records.len()).sum::<usize>() + changing.len()

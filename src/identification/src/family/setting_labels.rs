@@ -1,4 +1,4 @@
-//! Whether the forces of the tests belong to the settings that they state.
+//! Check of the stated settings against the forces of the tests.
 
 use super::settings::{SettingAxis, SettingRecords};
 use crate::phrases;
@@ -10,16 +10,16 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_messages::Sentence;
 
-/// Ratio of a test's error at its stated setting to that at another one, from which the label is suspect.
+/// Ratio of a test's errors at the stated setting and at another setting above which the label is suspect.
 ///
-/// One label in a hundred is taken to be wrong, and the residual of a test to hold four independent errors. A ratio of 5 then gives odds of 6 to 1
-/// between two settings and even odds among six. Lower, a test that the model fits badly is suspected.
+/// The assumptions are that one label in a hundred is wrong, and that the residual of a test contains four independent errors. A ratio of 5
+/// then gives odds of 6 to 1 between two settings and even odds among six. With a lower ratio, a test with a poor fit is wrongly suspected.
 /// Test: `a_test_with_the_label_of_another_setting_is_named`.
 const MUCH_WORSE: f64 = 5.0;
-/// Fraction of the range of the damping force over the settings that noise may let it fall back by.
+/// Largest decrease of the damping force over the setting that noise may cause, as a fraction of its range.
 const FLAT: f64 = 0.02;
 
-/// Returns what is wrong with the settings that tests state, as notes to the engineer.
+/// Returns notes on stated settings that contradict the forces.
 pub fn notes(
     best: &FamilyStructure,
     damper: &Definition,
@@ -54,16 +54,16 @@ fn in_unit(axis: &SettingAxis, value: f64) -> String {
     format!("{value} {}", axis.unit).trim_end().to_owned()
 }
 
-/// A record whose forces belong to another setting than it states.
+/// A record whose forces belong to another setting than the stated one.
 #[derive(Debug, PartialEq)]
 struct Suspect {
     /// Position of the stated setting.
     stated: usize,
-    /// Position of the record among those of the stated setting.
+    /// Index of the record among the records of the stated setting.
     record: usize,
-    /// Position of the setting whose damper fits it.
+    /// Position of the setting whose damper fits the record.
     fitting: usize,
-    /// Error at the stated setting over the one at the other.
+    /// Ratio of the error at the stated setting to the error at the other setting.
     ratio: f64,
 }
 
@@ -74,7 +74,7 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     let own: Vec<Vec<(usize, f64)>> = own;
     let mut all: Vec<f64> = own.iter().flatten().map(|(_, error)| *error).collect();
     all.sort_by(f64::total_cmp);
-    // Most labels are right, so the median is that of tests at their own setting.
+    // Most labels are right, so the median is typical of tests at their own setting.
     let Some(typical) = all.get(all.len() / 2).copied() else { return Vec::new() };
     let mut suspects = Vec::new();
     for (stated, errors_there) in own.iter().enumerate() {
@@ -95,7 +95,8 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     suspects
 }
 
-/// Returns the root mean square error of each record at a setting, by its place, in units of the error that noise and form leave.
+/// Returns the root mean square error of each record at a setting, with the record's index. The errors are relative to the error due to
+/// noise and form.
 fn errors(best: &FamilyStructure, place: usize, tests: &[Test]) -> Option<Vec<(usize, f64)>> {
     let (hypothesis, theta) = (&best.hypothesis, &best.refit.theta);
     let params = hypothesis.params_at(theta, place);
@@ -125,7 +126,8 @@ fn strength(params: &Params) -> f64 {
     forces.iter().map(|force| force.abs()).sum::<f64>() / forces.len().max(1) as f64
 }
 
-/// Returns two settings whose exchange makes the damping force rise or fall throughout, where it does not as it is.
+/// Returns two settings whose exchange makes the damping force monotonic over the setting. Returns `None` if it is already monotonic, or if
+/// no exchange makes it so.
 fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
     let (least, most) = strengths.iter().fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(*s), b.max(*s)));
     let flat = FLAT * (most - least);
@@ -144,7 +146,8 @@ fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
             is_monotone(&all)
         })
         .collect();
-    // Of several repairs none is surer than the others, and one setting in a row of three may be the wrong one in two ways: the nearest pair.
+    // Several exchanges may be equally likely: in a row of three settings, either neighbor may be wrong. The function then returns the
+    // nearest pair.
     repairs.into_iter().min_by_key(|(one, other)| other - one)
 }
 
@@ -157,9 +160,9 @@ mod tests {
         assert_eq!(exchanged(&[1.0, 3.0, 2.0, 4.0]), Some((1, 2)));
         assert_eq!(exchanged(&[1.0, 2.0, 3.0, 4.0]), None);
         assert_eq!(exchanged(&[4.0, 3.0, 2.99, 1.0]), None);
-        // A force that truly rises and falls has no such exchange.
+        // This force truly rises and falls, so no exchange makes it monotonic.
         assert_eq!(exchanged(&[1.0, 2.0, 4.0, 3.0, 2.5, 1.5]), None);
-        // Noise beside a wide range.
+        // The decrease is small compared with the range, so it counts as noise.
         assert_eq!(exchanged(&[1.0, 1.01, 1.0, 4.0]), None);
     }
 }

@@ -9,7 +9,7 @@ use dashpot_records::{Record, is_same_setting, records_without_setting};
 /// Largest number of names that a sentence lists.
 const NAMES: usize = 6;
 
-/// Error of a campaign from which no family can be fitted.
+/// Reason why no family can be fitted to a campaign.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum FamilyError {
@@ -17,7 +17,7 @@ pub enum FamilyError {
     NoSetting {
         /// Requested name.
         name: String,
-        /// Names of the records' settings.
+        /// Names of the settings in the records.
         known: Vec<String>,
     },
     /// Some records have no setting of this name.
@@ -38,10 +38,10 @@ pub enum FamilyError {
     One {
         /// Name of the setting.
         name: String,
-        /// Its value.
+        /// Value of the setting.
         value: f64,
     },
-    /// There are more settings than a model can hold.
+    /// There are more settings than a model can contain.
     TooMany {
         /// Name of the setting.
         name: String,
@@ -52,14 +52,14 @@ pub enum FamilyError {
     At {
         /// Name of the setting.
         name: String,
-        /// Its value.
+        /// Value of the setting.
         value: f64,
         /// Error of the fit.
         why: FitError,
     },
     /// The numbers do not form a valid family.
     Kernel {
-        /// The parameter at fault.
+        /// The invalid parameter.
         parameter: &'static str,
         /// Reason.
         why: &'static str,
@@ -106,9 +106,9 @@ impl FamilyError {
 /// Setting over which records were measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SettingAxis {
-    /// Its name, such as `current`.
+    /// Name of the setting, such as `current`.
     pub name: String,
-    /// Its unit; empty without a unit.
+    /// Unit of the setting, or empty without a unit.
     pub unit: String,
 }
 
@@ -117,19 +117,19 @@ pub struct SettingAxis {
 pub struct SettingRecords<'a> {
     /// Value of the setting.
     pub value: f64,
-    /// Its records.
+    /// Records at this value.
     pub records: Vec<&'a Record>,
 }
 
-/// Splits records into those with a constant setting or none, and those whose setting `name` changes within the test.
+/// Splits records by the setting `name`: records with a constant setting or none, and records in which it changes.
 pub fn split_changing<'a>(records: &[&'a Record], name: &str) -> (Vec<&'a Record>, Vec<&'a Record>) {
     records.iter().partition(|record| record.setting_signal.as_ref().is_none_or(|signal| signal.name != name))
 }
 
-/// Sorts records by the value of the setting `name`, lowest first.
+/// Sorts records by the value of the setting `name`. The lowest value comes first.
 ///
 /// # Errors
-/// Records without the setting, a single setting, or more settings than a model can hold.
+/// A record lacks the setting, there is a single setting, or there are more settings than a model can contain.
 pub fn by_setting<'a>(
     records: &[&'a Record],
     name: &str,
@@ -154,7 +154,7 @@ pub fn by_setting<'a>(
     }
     let mut valued: Vec<(f64, &Record)> =
         records.iter().filter_map(|record| Some((own(record)?.value, *record))).collect();
-    // The stable sort keeps the order of the records at one setting.
+    // The sort is stable, so the records at one setting keep their order.
     valued.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut sorted: Vec<SettingRecords> = Vec::new();
     for (value, record) in valued {

@@ -9,13 +9,12 @@ use dashpot_estimation::samples::segments;
 use dashpot_records::Record;
 use serde::{Deserialize, Serialize};
 
-/// Relative distance of a test's peak velocity from the requested speed up to which its force is used without interpolation.
-///
-/// It is the error with which a rig meets its commanded speed. With a larger value a steep curve could decide about a window.
+/// Largest relative distance of a test's peak velocity from the requested speed at which its force needs no interpolation. Rigs reach their
+/// commanded speed with this error. With a larger value, a steep curve could decide about a limit.
 pub const NEAR: f64 = 0.05;
-/// Largest ratio of two peak velocities between which a force is interpolated. Across a wider gap the curve may have a knee.
+/// Largest ratio of two peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee.
 pub const BETWEEN: f64 = 2.0;
-/// Relative difference of amplitudes that count as one stroke.
+/// Largest relative difference of amplitudes of one stroke.
 const SAME_STROKE: f64 = 0.1;
 
 /// A peak with the test from which it comes.
@@ -38,19 +37,18 @@ struct Gap {
     mean_gap: f64,
 }
 
-/// Measured figures from which every limit of a campaign can be judged.
-///
-/// They can be stored as text with serde, and judged against other limits later with bitwise equal results.
+/// Measured figures that decide about every limit of a campaign. They can be stored as text with serde. A later comparison with other
+/// limits gives bitwise equal results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     points: Vec<Point>,
     gaps: Vec<Gap>,
-    /// Names of the slow tests, with friction and gas force.
+    /// Names of the slow tests, and their friction and gas force.
     sliding: Option<(Vec<String>, first_guess::Dry)>,
 }
 
 impl Figures {
-    /// Measures the figures of the records, with other forces at their samples if `forces` is given.
+    /// Measures the figures of the records. If `forces` is given, these forces at the samples replace the measured forces.
     pub fn measure(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
         let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
         let mut slow: Vec<Record> = Vec::new();
@@ -91,7 +89,7 @@ impl Figures {
             (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
             (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
             (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
-            // Responses to steps of a setting are not among these figures: see `judge_over_settings`.
+            // These figures exclude responses to steps of a setting: see `judge_over_settings`.
             (
                 Quantity::ResponseTimeUp | Quantity::ResponseTimeDown | Quantity::RiseTimeUp | Quantity::RiseTimeDown,
                 _,
@@ -103,7 +101,7 @@ impl Figures {
         self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), uncertainty: None })
     }
 
-    /// Returns the force at a speed from the longest stroke that reaches the speed.
+    /// Returns the force at a speed, from the longest stroke that reaches this speed.
     fn force(&self, velocity: f64, amplitude: Option<f64>) -> Option<Value> {
         let mut side: Vec<&Point> = self
             .points
@@ -115,7 +113,8 @@ impl Figures {
             .find_map(|stroke| at_speed(stroke, velocity))
     }
 
-    /// Returns the hysteresis of the test at a speed, preferring the longest stroke. Without a speed it returns the largest of all tests.
+    /// Returns the hysteresis of the test at a speed, with preference for the longest stroke. Without a speed, returns the largest
+    /// hysteresis of all tests.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
         let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], uncertainty: None };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
@@ -133,7 +132,7 @@ fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
     wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
 }
 
-/// Returns the force at a speed from the peaks of one stroke: interpolated between neighbors, or from a peak near the speed.
+/// Returns the force at a speed from the peaks of one stroke. It is interpolated between neighbors, or comes from a peak near the speed.
 fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let speed = |p: &Point| p.peak.velocity_m_s.abs();
     let wanted = velocity.abs();

@@ -1,10 +1,10 @@
-//! Checks of a damper against limits, as its maker or buyer states them.
+//! Checks of a damper against limits that its maker or buyer states.
 //!
-//! [`table`] reads the limits, and [`measured`] extracts the figures from the records. [`judge`] compares both, and [`Figures::judge`] does
-//! so with stored figures. [`judge_over_settings`] judges a damper over a setting.
+//! [`table`] reads the limits, and [`measured`] extracts the figures from the records. [`judge`] compares limits and records, and
+//! [`Figures::judge`] compares limits and stored figures. [`judge_over_settings`] judges a damper over a setting.
 //!
-//! The verdict is that of the measurement. The forces of a model, if given, are judged separately by the same rules: a model that
-//! represents a damper in a vehicle must keep the limits too.
+//! The verdict applies to the measurement. If a model is given, the same rules judge its forces separately. A model that represents a
+//! damper in a vehicle must meet the limits too.
 
 mod json;
 mod measured;
@@ -24,11 +24,11 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// Inside the window.
+    /// The figure is within the limits.
     Pass,
-    /// Outside the window.
+    /// The figure is outside the limits.
     Fail,
-    /// The records do not show the quantity: no test at this speed, or none slow enough. This is not a pass.
+    /// The records do not show the quantity, because no test has this speed or no test is slow enough. This is not a pass.
     NotTested,
 }
 
@@ -62,7 +62,7 @@ pub struct Value {
     pub value: f64,
     /// Names of the tests.
     pub tests: Vec<String>,
-    /// How far the measurement may be off to either side, in the unit of the figure; `None` where that is not known.
+    /// Largest error of the measurement to either side, in the unit of the figure, or `None` if it is unknown.
     pub uncertainty: Option<f64>,
 }
 
@@ -82,7 +82,8 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Returns the uncertainty of the measured figure if it decides on the verdict: an end of the window lies within it.
+    /// Returns the uncertainty of the measured figure if it decides about the verdict. Then an end of the window lies within the
+    /// uncertainty.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         let uncertainty = measured.uncertainty?;
@@ -113,22 +114,22 @@ pub struct Certificate {
     pub passed: bool,
     /// Verdict on the damper. A limit that was not tested is neither a failure nor a pass.
     pub overall: Overall,
-    /// Whether the model meets every tested limit; `None` without a model.
+    /// Whether the model meets every tested limit, or `None` without a model.
     pub model_passed: Option<bool>,
     /// Every limit, in the order of the file.
     pub limits: Vec<Checked>,
-    /// Peak points from which the forces were read.
+    /// Peak points that supply the forces.
     pub peaks: Vec<PeakPoint>,
 }
 
-/// Compares limits with records, and with the forces of a model at the records' samples if given.
+/// Compares limits with records. If a model is given, also compares them with its forces at the records' samples.
 pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
     let simulated = model.map(|forces| Figures::measure(records, Some(forces)));
     Figures::measure(records, None).judge(limits, simulated.as_ref())
 }
 
 impl Figures {
-    /// Compares limits with these figures, and with the figures of a model on the same records if given.
+    /// Compares limits with these figures. If a model is given, also compares them with the figures of the model on the same records.
     pub fn judge(&self, limits: &[Limit], model: Option<&Figures>) -> Certificate {
         answers(limits, self, model)
     }
@@ -221,8 +222,8 @@ mod tests {
         // The mean over the samples within 2 % of the peak velocity lies 0.7 % below the peak.
         assert!((value(0) - (2000.0 * 0.5206 + 30.0 - 150.0)).abs() < 6.0, "{}", value(0));
         assert!((value(1) + 800.0 * 0.5206 + 30.0 + 150.0).abs() < 4.0, "{}", value(1));
-        // At 2.3 mm/s, the median of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression. So half the difference
-        // of the strokes is 33.2 N, and their mean is shifted by 1.4 N.
+        // At 2.3 mm/s, the median speed of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression. So half the
+        // difference of the strokes is 33.2 N, and their mean changes by 1.4 N.
         assert!((value(2) - 148.6).abs() < 0.5 && (value(3) - 33.2).abs() < 0.5, "{} {}", value(2), value(3));
         assert!(value(4) > 10.0 && value(4) < 60.0, "{}", value(4));
         assert!(found.passed && found.model_passed == Some(true), "{found:?}");
@@ -243,7 +244,7 @@ mod tests {
         let found = answer("quantity,velocity_m_s,low,high\nforce,1.5,900,940\n", 1.0);
         assert!(!found.passed && found.limits[0].verdict == Verdict::NotTested && found.limits[0].measured.is_none());
         assert_eq!(found.overall, Overall::Incomplete);
-        // One violated limit fails the damper, even if others were not tested, in any order.
+        // One violated limit fails the damper in any order of the limits, even if other limits were not tested.
         let (missed, kept) = ("force,0.52,0,10\n", "force,0.52,900,940\n");
         for (rows, overall) in [
             ([missed, "force,1.5,900,940\n"], Overall::Fail),

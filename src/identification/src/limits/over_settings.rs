@@ -1,4 +1,4 @@
-//! Limits of a damper over a setting. Each window is judged by the tests at its own setting.
+//! Limits of a damper over a setting. The tests at the setting of a limit decide about it.
 
 use super::measured::Figures;
 use super::table::{Limit, Quantity};
@@ -6,41 +6,41 @@ use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse};
 use dashpot_records::{Record, is_same_setting, restate_in_unit};
 
-/// Error of limits that do not match the damper.
+/// Reason why limits do not match the damper.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettingLimitError {
-    /// A window without a setting, while the tests have several settings.
+    /// A limit has no setting, but the tests have several settings.
     #[error(
         "the limit {name} in line {line} says no setting, and the tests have several: give the table a column setting, or validate the damper at one, written with dashpot setting"
     )]
     Without {
         /// Name of the limit.
         name: String,
-        /// Its line.
+        /// Line of the limit.
         line: u64,
     },
-    /// A window at a setting, while the damper has no setting.
+    /// A limit has a setting, but the damper has none.
     #[error(
         "the limit {name} in line {line} holds at the setting {setting}, and the damper depends on none: leave the column setting out"
     )]
     OfOrdinary {
         /// Name of the limit.
         name: String,
-        /// Its line.
+        /// Line of the limit.
         line: u64,
-        /// Its setting.
+        /// Setting of the limit.
         setting: f64,
     },
-    /// A window whose setting has a unit that measures another quantity than the damper's unit.
+    /// The unit of a limit's setting and the damper's unit belong to different quantities.
     #[error("the limit {name} in line {line} has its setting in {unit}, the damper in {own}: write it in {own}")]
     OtherUnit {
         /// Name of the limit.
         name: String,
-        /// Its line.
+        /// Line of the limit.
         line: u64,
         /// Unit of the limit.
         unit: String,
-        /// Unit of the damper, or "no unit".
+        /// Unit of the damper's setting, or "no unit".
         own: String,
     },
 }
@@ -48,10 +48,10 @@ pub enum SettingLimitError {
 /// Converts the settings of limits to the unit of the damper's setting.
 ///
 /// # Errors
-/// The first unit that measures another quantity.
+/// Returns the first unit that belongs to another quantity.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
     for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
-        // A window with a unit is rejected if the damper's setting has no unit: it then refers to another damper.
+        // If the damper's setting has no unit, a limit with a unit refers to another damper and is rejected.
         if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),
@@ -68,7 +68,7 @@ pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(),
 /// Checks that no limit has a setting.
 ///
 /// # Errors
-/// The first limit with a setting.
+/// Returns the first limit with a setting.
 pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> {
     match limits.iter().find_map(|limit| Some((limit, limit.setting?))) {
         None => Ok(()),
@@ -81,7 +81,7 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
 /// Checks that each limit has a setting if the records have several. A response time without a setting applies to all steps.
 ///
 /// # Errors
-/// The first limit without a setting.
+/// Returns the first limit without a setting.
 pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result<(), SettingLimitError> {
     let first = settings.iter().flatten().next().copied();
     let is_one = settings.iter().flatten().all(|setting| first.is_some_and(|first| is_same_setting(*setting, first)));
@@ -91,10 +91,10 @@ pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result
     }
 }
 
-/// Compares limits with the records of a damper over a setting, and with the forces of its model there.
+/// Compares limits with the records of a damper over a setting. Also compares them with the forces of its model, if given.
 ///
-/// `settings` holds the setting of every record, `None` if it changes within the record. Response times come from all steps in their
-/// direction, or from the steps that end at the setting of the window.
+/// `settings` contains the setting of every record, or `None` if the setting changes within the record. Response times come from all steps
+/// in their direction, or from the steps that end at the setting of the limit.
 ///
 /// # Errors
 /// The errors of [`check_over_settings`].
@@ -137,7 +137,7 @@ pub fn judge_over_settings(
     })
 }
 
-/// Samples of the logger by which a measured response time may be off, because the command may change anywhere within a sample.
+/// Uncertainty of a measured response time, in samples of the logger. The command may change anywhere within a sample.
 const HALF_SAMPLE: f64 = 0.5;
 
 /// Compares a limit on a time with the slowest response to which the limit applies.
@@ -150,7 +150,7 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         .collect();
     let time = |times: ResponseTimes| if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
     type Times<T> = fn(&T) -> Option<ResponseTimes>;
-    // A rise time has both its ends in the force, and no command whose time within a sample is unknown.
+    // Both ends of a rise time lie in the force, so the instant of the command does not affect it.
     let uncertainty = |of: &StepResponse| (!is_rise).then_some(HALF_SAMPLE * of.sample_s);
     let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
         let of_all = own.iter().filter_map(|of| {
@@ -160,11 +160,11 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         let of_each = groups.filter_map(|(of, group)| {
             Some(Value { value: time(part(group)?), tests: vec![group.test.clone()], uncertainty: uncertainty(of) })
         });
-        // Judge each group: a mean over tests and directions would hide a slow response.
+        // Judge each group separately, because a mean over tests and directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
     let measured = slowest(|of| of.measured, |of| of.measured);
-    // The times of the model are computed.
+    // The times of the model are computed, so they have no measurement uncertainty.
     let model = slowest(|of| of.model, |of| of.model).map(|model| Value { uncertainty: None, ..model });
     let verdict = |value: Option<&Value>| match value {
         None => Verdict::NotTested,
@@ -219,7 +219,7 @@ mod tests {
         )
     }
 
-    /// Makes steps up to 1.6 in 12 ms and to 0.8 in 9 ms, and one step down in 20 ms.
+    /// Makes steps up to 1.6 in 12 ms and up to 0.8 in 9 ms, and one step down in 20 ms.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
@@ -251,10 +251,10 @@ mod tests {
         assert_eq!(verdicts, [Verdict::Fail, Verdict::Pass, Verdict::Pass, Verdict::NotTested]);
         assert_eq!(found.limits[0].measured.as_ref().unwrap().tests, ["0 1.6"]);
         assert!((found.limits[2].measured.as_ref().unwrap().value - 0.037).abs() < 1e-12);
-        // The figures are seconds in JSON, and their keys end in the unit.
+        // JSON has the figures in seconds, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
-        // Half a sample is 0.5 ms: 12 ms are as far from 11 as from 13, and 11.8 ms nearer than that.
+        // The uncertainty is half a sample, 0.5 ms. It does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.
         assert_eq!(found.limits[0].deciding_uncertainty(), None);
         let near =
             judged("quantity,setting,high,unit\nresponse_time_up,1.6,11.8,ms\nresponse_time_up,1.6,12.2,ms\n").unwrap();

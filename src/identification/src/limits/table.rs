@@ -1,4 +1,4 @@
-//! File of limits: one window in each row of a table from a spreadsheet.
+//! File of limits: a table from a spreadsheet with one limit in each row.
 
 use dashpot_records::{Dimension, Unit, delimiter, split_unit};
 use serde::Serialize;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
-    /// Force at a peak velocity, signed: rebound velocity and tension positive, compression negative.
+    /// Force at a peak velocity. Rebound velocity and tension are positive, compression is negative.
     Force,
     /// Force that pushes the rod out, from slow tests.
     GasForce,
@@ -39,7 +39,7 @@ impl Quantity {
         ("rise_time_down", Quantity::RiseTimeDown),
     ];
 
-    /// Returns whether the quantity is a response time, s, and not a force, N.
+    /// Returns whether the quantity is a response time, s, instead of a force, N.
     pub fn is_time(self) -> bool {
         matches!(
             self,
@@ -57,10 +57,10 @@ impl Quantity {
         if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
     }
 
-    /// Returns the quantity of a name. Case does not matter, and neither do spaces or hyphens instead of underscores.
+    /// Returns the quantity of a name. Ignores case, and accepts spaces or hyphens instead of underscores.
     ///
     /// # Errors
-    /// A message with the known names.
+    /// Returns a message with the known names.
     pub fn named(said: &str) -> Result<Quantity, String> {
         let plain = said.to_ascii_lowercase().replace([' ', '-'], "_");
         Quantity::NAMES.iter().find(|(name, _)| *name == plain).map(|(_, quantity)| *quantity).ok_or_else(|| {
@@ -72,16 +72,16 @@ impl Quantity {
     }
 }
 
-/// One window of a quantity.
+/// Limits of a quantity at one point of operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// Name given in the file; else the name of the quantity.
+    /// Name in the file, or the name of the quantity if the file gives none.
     pub name: String,
     /// Limited quantity.
     pub quantity: Quantity,
     /// Velocity at which the limit holds, m/s, negative in compression.
     pub velocity_m_s: Option<f64>,
-    /// Amplitude at which the limit holds, m; if absent, the longest that reaches the velocity.
+    /// Amplitude at which the limit holds, m. If absent, the longest stroke that reaches the velocity applies.
     pub amplitude_m: Option<f64>,
     /// Smallest allowed value: a force, N, or a time, s.
     pub low: Option<f64>,
@@ -89,7 +89,7 @@ pub struct Limit {
     pub high: Option<f64>,
     /// Setting at which the limit holds, if the damper has a setting.
     pub setting: Option<f64>,
-    /// Unit of the setting in the file, such as mA; empty if it is the unit of the damper.
+    /// Unit of the setting in the file, such as mA. If it is empty, the unit of the damper applies.
     pub setting_unit: String,
     /// Line in the file.
     pub line: u64,
@@ -99,10 +99,10 @@ pub struct Limit {
 const LONGEST: f64 = 2.0;
 
 impl Limit {
-    /// Checks that a value can meet the window, and that a rig measures the quantity.
+    /// Checks that a value can meet the limit, and that a rig measures the quantity.
     ///
     /// # Errors
-    /// A message with the reason.
+    /// Returns a message with the reason.
     pub fn check(&self) -> Result<(), String> {
         let numbers = [
             ("velocity_m_s", self.velocity_m_s),
@@ -153,13 +153,13 @@ impl Limit {
         }
     }
 
-    /// Returns whether a value lies in the window.
+    /// Returns whether a value meets the limit.
     pub fn holds(&self, value: f64) -> bool {
         self.low.is_none_or(|low| value >= low) && self.high.is_none_or(|high| value <= high)
     }
 }
 
-/// Error of a file of limits.
+/// Reason why a file of limits is invalid.
 #[derive(Debug, thiserror::Error)]
 pub enum LimitError {
     /// The file cannot be read.
@@ -171,7 +171,7 @@ pub enum LimitError {
         #[source]
         source: std::io::Error,
     },
-    /// A line that is not a valid limit.
+    /// A line is not a valid limit.
     #[error("{file}, line {line}: {cause}", file = .file.display())]
     Line {
         /// Path of the file.
@@ -183,7 +183,7 @@ pub enum LimitError {
     },
 }
 
-/// Known columns. Either `low` and `high`, or `nominal` and `tolerance`, define the window.
+/// Known columns. Either `low` and `high`, or `nominal` and `tolerance`, define the limit.
 const COLUMNS: &str =
     "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, setting, unit, name";
 
@@ -196,7 +196,7 @@ pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
     parse(file, &dashpot_records::text(&bytes))
 }
 
-/// Reads the text of a file of limits. Messages name it by `file`.
+/// Reads the text of a file of limits. `file` is its name in messages.
 ///
 /// # Errors
 /// The errors of [`read`].
@@ -238,7 +238,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let mut limits = Vec::new();
     for row in reader.records() {
         let row = row.map_err(|e| wrong(e.position().map_or(1, csv::Position::line), e.to_string()))?;
-        // A spreadsheet writes only separators for an empty row.
+        // In a spreadsheet file, an empty row consists of separators only.
         if row.iter().all(str::is_empty) {
             continue;
         }
@@ -256,7 +256,7 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     Ok(limits)
 }
 
-/// Returns the line of a row. The CSV reader counts from the end of the previous row, and skips empty lines and comments silently.
+/// Returns the line of a row. The CSV reader counts from the end of the previous row, and silently skips empty lines and comments.
 fn line_of(text: &str, at: &csv::Position) -> u64 {
     let ahead = usize::try_from(at.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or_default();
     at.line() + ahead.lines().take_while(|l| l.is_empty() || l.starts_with('#')).count() as u64

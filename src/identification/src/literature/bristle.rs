@@ -1,8 +1,8 @@
-//! Hysteresis shared by the Dahl, Bouc-Wen and Spencer models: a bristle that deflects with travel and slides at ±1.
+//! Hysteresis that the Dahl, Bouc-Wen and Spencer models share: a bristle deflects with travel and slides at ±1.
 //!
-//! Consider travel in one direction. q is the deflection in that direction, u the travel in stick distances: `dq/du = 1 − |q|ⁿ w`. Here `w
-//! = 1` if the bristle is deflected along the travel (q ≥ 0), and `w = 1 − 2b` if it is still deflected against it. With β + γ = 1 in Wen's
-//! notation b is β. n = 1, b = 1 is Dahl's model.
+//! Consider travel in one direction. The deflection in that direction is q. The travel u is in units of δ, the distance over which the
+//! hysteretic force builds up. Then `dq/du = 1 − |q|ⁿ w`. If the bristle is deflected along the travel (q ≥ 0), `w = 1`. If it is still
+//! deflected against the travel, `w = 1 − 2b`. With β + γ = 1 in Wen's notation, b is β. Dahl's model has n = 1 and b = 1.
 
 /// Shape of the hysteresis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,14 +13,14 @@ pub struct Shape {
     pub turning: f64,
 }
 
-/// Travel of one step, in stick distances.
+/// Travel of one step, in units of δ.
 const STEP: f64 = 0.1;
-/// Deflection above which the law is nearly linear, and the longer step used there. The steps are nearly exact there at any length.
+/// Deflection above which the law is nearly linear, and the longer step above it. Steps of any length are nearly exact there.
 const NEARLY: (f64, f64) = (0.9, 0.4);
-/// Travel after which the initial deflection contributes less than a millionth, for any b of at least 0.5.
+/// Travel, in units of δ, after which the initial deflection contributes less than a millionth, for any b of at least 0.5.
 const FORGOTTEN: f64 = 16.0;
 
-/// `(e^x − 1)/x`.
+/// Returns `(e^x − 1)/x`.
 pub fn phi(x: f64) -> f64 {
     if x.abs() < 1e-8 { 1.0 + 0.5 * x } else { libm::expm1(x) / x }
 }
@@ -34,9 +34,9 @@ impl Shape {
         (1.0 - power * weight, -weight * self.sharpness * power / size * q.signum())
     }
 
-    /// Returns the deflection after a signed travel, in stick distances, from deflection `z`.
+    /// Returns the deflection after a signed travel from deflection `z`. The travel is in units of δ.
     ///
-    /// It uses exponential Rosenbrock steps, which are exact where the law is linear.
+    /// The exponential Rosenbrock steps are exact for a linear law.
     pub fn after(self, z: f64, travel: f64) -> f64 {
         let direction = travel.signum();
         let mut left = travel.abs();

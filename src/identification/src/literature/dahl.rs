@@ -1,7 +1,7 @@
 //! Dahl friction in parallel with a spring and a dashpot.
 //!
-//! P. R. Dahl, *A solid friction model*, The Aerospace Corporation, TOR-0158(3107-18)-1, 1968; used for magnetorheological
-//! dampers by F. Ikhouane and S. J. Dyke (Smart Mater. Struct. 16, 2007).
+//! P. R. Dahl, *A solid friction model*, The Aerospace Corporation, TOR-0158(3107-18)-1, 1968. F. Ikhouane and S. J. Dyke use it for
+//! magnetorheological dampers (Smart Mater. Struct. 16, 2007).
 //! `F = k x + c v + F_c z + f₀`, `dz/dx = (1 − z sgn v)/δ`.
 
 use super::law::{Law, Number};

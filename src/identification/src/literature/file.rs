@@ -1,4 +1,4 @@
-//! File of a model of the literature that the kernel cannot run: a separate TOML format, read only by `validate --against`.
+//! File of a model of the literature that the kernel cannot run. It is a separate TOML format that only `validate --against` reads.
 
 use super::Literature;
 use serde::{Deserialize, Serialize};
@@ -11,10 +11,10 @@ const HEADING: &str = "\
 # `dashpot validate MODEL DATA --against THIS-FILE` reads it.
 ";
 
-/// Key that identifies such a file.
+/// Key that identifies a file of this format.
 pub const KEY: &str = "literature_model";
 
-/// Error of a file of a model of the literature.
+/// Reason why a file of a model of the literature cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// The file cannot be opened.
@@ -22,7 +22,7 @@ pub enum FileError {
     Unreadable {
         /// Path.
         file: PathBuf,
-        /// The system's reason.
+        /// Reason from the operating system.
         why: std::io::Error,
     },
     /// The file has another format, or it is damaged.
@@ -35,7 +35,7 @@ pub enum FileError {
     },
 }
 
-/// Writes a model and the tests that it was identified from.
+/// Writes a model and the tests from which it was identified.
 pub fn write(model: &Literature, tests: &[String]) -> String {
     #[derive(Serialize)]
     struct File<'a> {
@@ -57,7 +57,7 @@ pub fn read(path: &Path) -> Result<Literature, FileError> {
     toml::from_str(&text).map_err(|why| FileError::Wrong { file: path.to_path_buf(), why: why.to_string() })
 }
 
-/// Returns whether a text is such a file.
+/// Returns whether a text has the format of such a file.
 pub fn is_one(text: &str) -> bool {
     #[derive(Deserialize)]
     struct Head {

@@ -1,8 +1,8 @@
-//! Force-velocity curve of highest accuracy that a curve alone can have.
+//! Force-velocity curve with the highest accuracy of any curve.
 //!
 //! Its points lie at the peak velocities of the tests, and at creep speeds where slow tests show the friction step. The kernel's monotone
-//! curve interpolates between them, and a constant gas force is added. Least squares over all samples determine the forces, so no other
-//! curve through these velocities is closer.
+//! curve interpolates between the points, and a constant gas force is added. Least squares over all samples determine the forces. Thus no
+//! other curve through these velocities has a smaller error.
 //!
 //! Vehicle models use such a curve today. Every fit, report and validation is compared with it.
 
@@ -17,32 +17,32 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FvCurve {
-    /// Velocities of the points, m/s, increasing; 0 is one of them.
+    /// Increasing velocities of the points, m/s. Zero is one of them.
     pub velocity_m_s: Vec<f64>,
-    /// Forces at the points without the gas force, N; 0 at velocity 0.
+    /// Forces at the points without the gas force, N. The force at zero velocity is zero.
     pub force_n: Vec<f64>,
-    /// Gas force, pushing the rod out, N.
+    /// Gas force, which pushes the rod out, N.
     pub gas_force_n: f64,
 }
 
-/// Speeds of points below the smallest peak velocity, m/s. There slow tests show the friction force around zero velocity.
+/// Speeds of points below the smallest peak velocity, m/s. At these speeds, slow tests show the friction force around zero velocity.
 const CREEPING: [f64; 4] = [3e-4, 1e-3, 2.5e-3, 5e-3];
-/// Largest ratio of one speed to the next. Knees are about that wide, so a wider gap is divided.
+/// Largest ratio of one speed to the next. Knees are about as wide, so additional points divide a wider gap.
 const WIDEST: f64 = 1.65;
 /// Ratio below which two speeds are merged to one point.
 const SAME: f64 = 1.25;
-/// Smallest speed of the points that divide a gap, m/s. Below it only slow tests determine the curve.
+/// Smallest speed of the points that divide a gap, m/s. At lower speeds, only slow tests determine the curve.
 const SMALLEST: f64 = 0.010;
 /// Smallest slope, relative to the line through both ends of the curve.
 ///
-/// If friction decreases with speed, the best monotone curve has a horizontal section. A small slope instead changes the force by less than
-/// a newton, and the curve stays invertible.
+/// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force by less than a
+/// newton, and the curve stays invertible.
 const LEAST_SLOPE: f64 = 0.1;
 /// Smallest number of samples between the neighbors of a point.
 const ENOUGH: usize = 12;
 /// Width of the averaging bins: a fraction of their speed, and a minimum in m/s.
 ///
-/// The bins are far narrower than any feature of a curve. With them the cost of a fit does not depend on the number of tests.
+/// The bins are far narrower than any feature of a curve. Because of them, the cost of a fit does not depend on the number of tests.
 const BIN: (f64, f64) = (0.01, 2e-5);
 
 /// Samples averaged over a narrow range of velocity.
@@ -84,11 +84,11 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let of = |t: &Observation| -> Vec<f64> { t.motion.velocity[t.from..].iter().map(|v| sign * v).collect() };
     let mut all: Vec<f64> = tests.iter().flat_map(of).filter(|v| *v > 0.0).collect();
     all.sort_by(f64::total_cmp);
-    // The last point lies among the samples of highest speed, not on a single noisy peak.
+    // The last point lies among the samples of highest speed instead of a single noisy peak.
     let Some(top) = all.get(all.len().saturating_sub(4)).copied() else { return Vec::new() };
     let mut peaks: Vec<f64> =
         tests.iter().map(|t| of(t).into_iter().fold(0.0, f64::max)).filter(|v| *v > 0.0 && *v < top / SAME).collect();
-    // Keep creep speeds that a slow test passes in steady motion, not only during a reversal.
+    // Keep the creep speeds that a slow test passes in steady motion. Reversals alone do not suffice.
     let slow = peaks.iter().copied().filter(|v| *v < SMALLEST).fold(0.0, f64::max);
     peaks.extend(CREEPING.iter().copied().filter(|v| *v < slow));
     peaks.push(top);
@@ -102,7 +102,7 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
             _ => points.push(v),
         }
     }
-    // The first point of the fast tests must leave more than one straight line for the speeds below it.
+    // Add a point below the first point of the fast tests. Otherwise, the curve below it would be a single straight line.
     let first_fast = points.partition_point(|v| *v < SMALLEST);
     if points.get(first_fast).is_some_and(|v| *v > SAME * SMALLEST) {
         points.insert(first_fast, SMALLEST);
@@ -124,7 +124,7 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
         if count >= ENOUGH {
             kept.push(*v);
         } else if k + 1 == divided.len() {
-            // Too few samples lie between the last two points. Keep the last, because it bounds the data.
+            // There are too few samples between the last two points. Keep the last point, because it bounds the data.
             kept.pop();
             kept.push(*v);
         }
@@ -150,7 +150,7 @@ struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Returns the forces at the points and the gas force. Each unknown is the rise of a point above its neighbor toward zero.
+    /// Returns the forces at the points and the gas force. Each unknown is the rise of a point above its neighbor on the side of zero.
     fn curve(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let zero = zero(self.velocity);
         let mut force = vec![0.0; self.velocity.len()];
@@ -191,7 +191,7 @@ pub fn fit(tests: &[Observation]) -> FvCurve {
     let unit = bins.iter().map(|b| b.force.abs()).fold(1e-3, f64::max);
     let problem = Problem { bins: &bins, velocity: &velocity, unit };
     let n = velocity.len();
-    // Start from a straight line: the least-squares problem of a monotone curve has a single minimum.
+    // Start from a straight line, because the least-squares problem of a monotone curve has a single minimum.
     let reach = velocity[n - 1] - velocity[0];
     let mut start: Vec<f64> = velocity.windows(2).map(|w| (w[1] - w[0]) / reach).collect();
     start.push(0.0);

@@ -2,8 +2,8 @@
 //!
 //! N. M. Kwok, Q. P. Ha, T. H. Nguyen, J. Li, B. Samali, *A novel hysteretic model for magnetorheological fluid dampers and
 //! parameter identification using particle swarm optimization*, Sensors and Actuators A 132, 2006.
-//! `F = k x + c v + α tanh(β v + δ sgn x) + f₀`. The displacement in the sign is measured from the middle of the motion. On the rig of the
-//! paper all motions have the same middle.
+//! `F = k x + c v + α tanh(β v + δ sgn x) + f₀`. In the sign function, the displacement is relative to the middle of the motion. On the rig
+//! of the paper, all motions have the same middle.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};

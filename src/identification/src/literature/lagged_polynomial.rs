@@ -1,7 +1,7 @@
 //! Polynomial in velocity, followed by a first-order lag.
 //!
-//! It is one of the models with which Jonnalagadda & Vyas compare theirs (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter
-//! 2): `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. The time constant decreases from low to high speed over a ramp, because a jump makes the
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). Its equations
+//! are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant decreases over a ramp from low to high speed, because a jump makes the
 //! model unstable.
 
 use super::law::{self, Law, Number};
@@ -24,28 +24,28 @@ pub struct LaggedPolynomial {
     pub ramp_m_s: [f64; 2],
 }
 
-/// Degree of the polynomial, as in the source.
+/// Degree of the polynomial, from the source.
 const DEGREE: usize = 7;
 /// Speeds at which the ramp of the time constant begins and ends, as fractions of the highest speed of the tests.
 const RAMP: [f64; 2] = [0.03, 0.3];
-/// Substeps of a sample for each shortest time constant.
+/// Number of substeps of a sample per shortest time constant.
 const PARTS: f64 = 2.0;
-/// Largest number of substeps. A force that needs more substeps has already reached its target.
+/// Largest number of substeps. If a force needs more, it has already reached its target.
 const MOST_PARTS: f64 = 16.0;
 /// Largest coefficient of a polynomial of this degree, in units of force over a power of the highest velocity.
 ///
 /// The largest coefficient of Chebyshev's polynomial of degree 7 is 112.
 const LARGEST: f64 = 120.0;
 
-/// Returns the largest number of coefficients within the kernel's range. If all tests are slow, coefficients of high powers become very
+/// Returns the largest number of coefficients within the kernel's range. If all tests are slow, the coefficients of high powers become very
 /// large.
 fn most_terms(s: &Scales) -> usize {
     let (_, high) = list!("polynomial").bounds();
     (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)
 }
 
-/// Returns the number of coefficients that best predicts left-out tests, without the lag. A polynomial of high degree follows the tests and
-/// diverges beyond them.
+/// Returns the number of coefficients with the best prediction of left-out tests, without the lag. A polynomial of high degree fits the
+/// tests and diverges beyond them.
 fn terms(tests: &[Observation]) -> usize {
     let s = Scales::from_tests(tests);
     let most = most_terms(&s);
@@ -82,7 +82,7 @@ fn terms(tests: &[Observation]) -> usize {
     (2..=most).min_by(|a, b| missed(*a).total_cmp(&missed(*b))).unwrap_or(2)
 }
 
-/// Lagged polynomial with N coefficients.
+/// Polynomial with lag and N coefficients.
 struct WithTerms<const N: usize>(LaggedPolynomial);
 
 /// Identifies the model.
@@ -109,7 +109,7 @@ impl LaggedPolynomial {
         self.lag_slow_s + (self.lag_fast_s - self.lag_slow_s) * share
     }
 
-    /// Converts the model to a parameter set of the kernel, which has this model as an element.
+    /// Converts the model to a parameter set of the kernel, which contains this model as an element.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
@@ -166,7 +166,8 @@ impl LaggedPolynomial {
         let v = &motion.velocity;
         motion.run(self.polynomial(v[0]), |y, i| {
             if i > 0 && motion.dt[i] > 0.0 {
-                // The substep is exact for a target that changes linearly over it. Substeps are short compared with the time constant.
+                // The substep is exact for a target that changes linearly during the substep. Substeps are short compared with the time
+                // constant.
                 let shortest = self.lag_slow_s.min(self.lag_fast_s);
                 let parts = (PARTS * motion.dt[i] / shortest).ceil().clamp(1.0, MOST_PARTS);
                 let h = motion.dt[i] / parts;

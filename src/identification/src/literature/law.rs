@@ -1,4 +1,4 @@
-//! Parameters, starts and least squares of models that are formulas.
+//! Parameters, starts and least squares of models that consist of a formula.
 
 use super::observation::{Motion, Observation, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 /// Kind and range of one parameter of a model.
 #[derive(Debug, Clone, Copy)]
 pub enum Number {
-    /// The force is proportional to it while all other linear parameters are zero. Linear least squares find it at each start.
+    /// A parameter to which the force is proportional if all other linear parameters are zero. Linear least squares find it at each start.
     Linear {
         /// Typical size.
         typical: f64,
@@ -73,12 +73,12 @@ impl Number {
     }
 }
 
-/// Model that is a formula with a few parameters.
+/// Model that consists of a formula with a few parameters.
 pub trait Law: Sized + Send + Sync + 'static {
     /// Returns the parameters, in the order of [`Law::from_numbers`].
     fn numbers(scales: &Scales) -> Vec<Number>;
 
-    /// Returns starts that interpret the tests physically differently. Linear least squares replace the entries of linear parameters.
+    /// Returns starts with different physical interpretations of the tests. Linear least squares replace the entries of linear parameters.
     fn starts(scales: &Scales) -> Vec<Vec<f64>>;
 
     /// Makes the model with these parameters.
@@ -91,9 +91,9 @@ pub trait Law: Sized + Send + Sync + 'static {
 /// Weighted residual above which the loss grows linearly instead of quadratically. It is large, because a poor model has large residuals
 /// that are not outliers.
 const HUBER: f64 = 30.0;
-/// Number of starts that are iterated to convergence: those of lowest cost with their linear parameters.
+/// Number of starts that are iterated to convergence. They have the lowest cost after the fit of their linear parameters.
 const FOLLOWED: usize = 3;
-/// Relative ridge on the diagonal that keeps the linear parameters of a start finite if the data does not determine them.
+/// Relative ridge on the diagonal. It keeps the linear parameters of a start finite if the data does not determine them.
 const RIDGE: f64 = 1e-10;
 
 /// Returns the least-squares options of every model of the literature.
@@ -104,7 +104,7 @@ pub fn options() -> Options {
 /// Function that returns the force of a law with its parameters at every sample of a motion, N.
 type Forces = Box<dyn Fn(&Motion) -> Vec<f64> + Send + Sync>;
 
-/// Least-squares problem of one law. The code is shared by all laws and compiled once.
+/// Least-squares problem of one law. All laws share this code, which is compiled once.
 struct Problem<'a> {
     tests: &'a [Observation],
     numbers: &'a [Number],
@@ -139,7 +139,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Returns a start whose linear parameters are replaced by their least-squares values.
+/// Returns a start with the least-squares values of its linear parameters.
 fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     let linear: Vec<usize> =
         (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
@@ -181,14 +181,14 @@ fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     inner
 }
 
-/// Identifies a law from several starts; `None` if none gives finite forces.
+/// Identifies a law from several starts. Returns `None` if no start gives finite forces.
 pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
     fit_from(tests, &[])
 }
 
-/// Identifies a law from its own and further starts; `None` if none gives finite forces.
+/// Identifies a law from its own and further starts. Returns `None` if no start gives finite forces.
 ///
-/// The further starts are always iterated to convergence, and are not modified before.
+/// The further starts are always iterated to convergence, without a fit of their linear parameters.
 pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
     let scales = Scales::from_tests(tests);
     let numbers = L::numbers(&scales);
@@ -200,7 +200,7 @@ pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L
     Some(L::from_numbers(&best(&problem, &L::starts(&scales), further)?, &scales))
 }
 
-/// Returns the parameters of lowest cost from several starts.
+/// Returns the parameters with the lowest cost of several starts.
 fn best(problem: &Problem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
     let (low, high) = problem.numbers.iter().map(|n| n.bounds()).unzip();
     let bounds = Bounds { low, high };

@@ -1,12 +1,12 @@
-//! Models for comparison with dashpot's own: the models of today's vehicle simulation, and damper models of the literature.
+//! Models for comparison with dashpot's own model: the models of today's vehicle simulation, and damper models of the literature.
 //!
-//! Each model has a file of its own with the paper that defines it. It is identified from the tests of dashpot's model by the same least
-//! squares, and then predicts the force of any motion. The models serve for comparison only. The kernel can run those for which it has
-//! elements ([`Literature::params`]). The others are stored in a separate format ([`mod@file`]).
+//! Each model has a separate file with the paper that defines it. It is identified from the tests of dashpot's model by the same least
+//! squares, and then predicts the force of any motion. The models serve for comparison only. The kernel can run the models for which it has
+//! elements ([`Literature::params`]). The other models have a separate file format ([`mod@file`]).
 //!
 //! | file | model |
 //! |---|---|
-//! | [`fv_curve`] | force-velocity curve as an engineer would draw it, with friction step and gas force |
+//! | [`fv_curve`] | force-velocity curve with the points that an engineer would choose, with friction step and gas force |
 //! | [`piecewise_linear`] | straight lines with two rebound knees and one compression knee |
 //! | [`lagged_polynomial`] | polynomial in velocity, followed by a first-order lag |
 //! | [`restoring_force_surface`] | Chebyshev surface over displacement and velocity |
@@ -18,8 +18,8 @@
 //!
 //! | file | shared part |
 //! |---|---|
-//! | [`observation`] | tests in the form that the models use, from the fit's segments or from a record |
-//! | [`law`] | parameters, starts and least squares of models that are formulas |
+//! | [`observation`] | tests in the format of these models, from the fit's segments or from a record |
+//! | [`law`] | parameters, starts and least squares of models that consist of a formula |
 //! | [`bristle`] | normalized hysteresis of Dahl, Bouc-Wen and Spencer over a travel |
 //! | [`mod@file`] | file of a model that the kernel cannot run |
 
@@ -78,13 +78,13 @@ pub const MODELS: [(&str, &str); 9] = [
     ("network", "small neural network of displacement, velocity and acceleration"),
 ];
 
-/// Error of the identification of a model of the literature.
+/// Reason why the identification of a model of the literature failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LiteratureError {
     /// No model has this name.
     #[error("there is no model called {name:?} to compare with; there are {}", MODELS.map(|m| m.0).join(", "))]
     Unknown {
-        /// The name given.
+        /// The given name.
         name: String,
     },
     /// There is no test.
@@ -93,7 +93,7 @@ pub enum LiteratureError {
         /// Name of the model.
         name: &'static str,
     },
-    /// No start gave finite forces.
+    /// No start gives finite forces.
     #[error("{name} gives no finite force on these tests from any of its starts; leave it out of --against")]
     NotFinite {
         /// Name of the model.
@@ -105,7 +105,7 @@ impl Literature {
     /// Identifies the model of this name from tests.
     ///
     /// # Errors
-    /// An unknown name, no tests, or no finite force from any start.
+    /// The name is unknown, there are no tests, or no start gives finite forces.
     pub fn fit(name: &str, tests: &[Observation]) -> Result<Literature, LiteratureError> {
         let Some((name, _)) = MODELS.iter().find(|m| m.0 == name) else {
             return Err(LiteratureError::Unknown { name: name.to_owned() });
@@ -158,7 +158,7 @@ impl Literature {
         }
     }
 
-    /// Converts the model to a parameter set; `None` if the kernel has no elements for it.
+    /// Converts the model to a parameter set. Returns `None` if the kernel has no elements for it.
     pub fn params(&self) -> Option<Params> {
         match self {
             Literature::Fv(model) => Some(model.params()),

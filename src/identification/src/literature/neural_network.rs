@@ -1,12 +1,12 @@
 //! Small feed-forward neural network.
 //!
-//! A black-box model after A. Patel, J. Dunne, *NARX neural network modelling of hydraulic suspension dampers for steady-state and variable
-//! temperature operation*, Vehicle System Dynamics 40, 2003. Jonnalagadda & Vyas review it (*Modelling of Automotive Suspension Damper*,
-//! KTH 2020, chapter 2).
+//! The model is a black box after A. Patel, J. Dunne, *NARX neural network modelling of hydraulic suspension dampers for steady-state and
+//! variable temperature operation*, Vehicle System Dynamics 40, 2003. Jonnalagadda & Vyas review it (*Modelling of Automotive Suspension
+//! Damper*, KTH 2020, chapter 2).
 //!
-//! It has one hidden tanh layer over displacement, velocity and acceleration. Unlike the original it does not feed back the measured force,
-//! which a vehicle model lacks. Levenberg-Marquardt with exact derivatives and weight decay trains it from fixed starts, so the same tests
-//! give the same network.
+//! It has one hidden tanh layer over displacement, velocity and acceleration. The original also feeds back the measured force, which does
+//! not exist in a vehicle model. Levenberg-Marquardt with exact derivatives and weight decay trains the network from fixed starts. Thus,
+//! equal tests give equal networks.
 
 use super::law::options;
 use super::observation::{Motion, Observation, Scales};
@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 /// Weights and scales of the network.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Network {
-    /// Offset subtracted from displacement, m.
+    /// Subtracted offset of the displacement, m.
     pub middle_m: f64,
     /// Divisors of displacement, velocity and acceleration, m, m/s and m/s².
     pub input_scale: [f64; 3],
@@ -112,7 +112,8 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Returns a generator of numbers uniform over −1..1, equal in every run (a linear congruential generator with Knuth's constants).
+/// Returns a generator of numbers uniform over −1..1. The numbers are equal in every run (linear congruential generator with Knuth's
+/// constants).
 fn spread(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     move || {
@@ -148,7 +149,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
             let mut next = spread(seed);
             let mut start = Vec::with_capacity(SIZE);
             for _ in 0..NEURONS {
-                // Start with steps at all velocities, steep and gentle, that also depend on displacement and acceleration.
+                // Begin with steep and gentle steps at all velocities. They also depend on displacement and acceleration.
                 let steep = libm::pow(10f64, 0.75 * (1.0 + next()));
                 start.extend([steep * 0.5 * next(), next(), steep, next(), 0.1 * next()]);
             }
@@ -157,7 +158,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
         })
         .collect();
     let mut priors = vec![Some(Prior { mean: 0.0, spread: DECAY }); SIZE];
-    // Friction needs a steep dependence on velocity most.
+    // Friction is the main reason for a steep dependence on velocity.
     for k in 0..NEURONS {
         priors[5 * k + 2] = Some(Prior { mean: 0.0, spread: 10.0 * DECAY });
     }

@@ -1,6 +1,6 @@
-//! Tests in the form that the models of the literature use: motion, force, and the scale of the residual.
+//! Tests in the format of the models of the literature: motion, force, and the scale of the residual.
 //!
-//! This module alone depends on the preparation of records. All other modules here work on these types.
+//! Only this module depends on the preparation of records. All other modules here use these types.
 
 use dashpot_estimation::segment::Segment;
 use dashpot_records::Record;
@@ -9,15 +9,14 @@ use dashpot_records::smoothing::smooth;
 /// A motion at its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// Time from one sample to the next, s; the first is 0.
+    /// Time from the preceding sample to each sample, s. The first value is 0.
     pub dt: Vec<f64>,
     /// Displacement, m.
     pub displacement: Vec<f64>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// Index of a sample one or more whole cycles after the first, if the motion is periodic.
-    ///
-    /// The internal state of a model there equals that at the first sample.
+    /// Index of a sample one or more whole cycles after the first, if the motion is periodic. The internal state of a model is equal at
+    /// both samples.
     pub returns: Option<usize>,
 }
 
@@ -30,13 +29,13 @@ pub struct Observation {
     pub motion: Motion,
     /// Measured force, N.
     pub force: Vec<f64>,
-    /// First sample whose force counts. The samples before it let the transient of a model decay.
+    /// First scored sample. The transient of a model decays during the samples before it.
     pub from: usize,
     /// Force of one unit of weighted residual, N.
     pub scale: f64,
 }
 
-/// Fraction of the range of a motion by which two samples one cycle apart may differ.
+/// Largest relative difference of two samples one cycle apart, as a fraction of the range of the motion.
 const SAME: f64 = 0.05;
 
 impl Motion {
@@ -50,8 +49,8 @@ impl Motion {
 
     /// Simulates a model with internal state along the motion.
     ///
-    /// A periodic motion runs for one cycle from `rest` first, so that the scored samples begin in the steady state. `step` advances the
-    /// state from the sample before to a sample, and returns the force there.
+    /// A periodic motion first runs for one cycle from `rest`, so that the scored samples begin in the steady state. `step` advances the
+    /// state from the preceding sample to a sample, and returns the force at that sample.
     pub(super) fn run<M: Clone>(&self, rest: M, step: impl Fn(&mut M, usize) -> f64) -> Vec<f64> {
         let mut memory = rest;
         if let Some(end) = self.returns {
@@ -90,7 +89,7 @@ fn observation(segment: &Segment) -> Observation {
     let displacement: Vec<f64> = segment.input.iter().map(|i| i.displacement.unwrap_or(0.0)).collect();
     let velocity: Vec<f64> = segment.input.iter().map(|i| i.velocity).collect();
     // The scored part contains whole cycles if the motion has any. So the sample at (length − `from`) lies one or more whole cycles after
-    // the first.
+    // the first sample.
     let returns = (displacement.len() - segment.from).min(displacement.len() - 1);
     let near = |values: &[f64]| {
         let (low, high) = range(values);

@@ -1,15 +1,15 @@
 //! Piecewise-linear force-velocity curve.
 //!
-//! It is one of the models with which Jonnalagadda & Vyas compare theirs (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter
-//! 2). It has rebound slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines
-//! pass through the origin.
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). It has rebound
+//! slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines pass through the
+//! origin.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
 
-/// Kernel parameters of this form of the curve.
+/// Kernel parameters of this form of the FV curve.
 pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
     number!("fv_rebound_c1"),
     number!("fv_rebound_c2"),
@@ -32,7 +32,7 @@ pub struct PiecewiseLinear {
     pub compression_coefficients_n_s_m: [f64; 2],
     /// Compression knee as a speed, m/s.
     pub compression_knee_m_s: f64,
-    /// Gas force, pushing the rod out, N.
+    /// Gas force, which pushes the rod out, N.
     pub gas_force_n: f64,
 }
 
@@ -50,7 +50,7 @@ impl PiecewiseLinear {
         curve - self.gas_force_n
     }
 
-    /// Converts the curve to a parameter set of the kernel, which has this form of the curve.
+    /// Converts the curve to a parameter set of the kernel, which contains this form of the curve.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();

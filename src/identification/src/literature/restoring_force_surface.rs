@@ -1,10 +1,10 @@
 //! Restoring-force surface.
 //!
 //! S. F. Masri, T. K. Caughey, *A nonparametric identification technique for nonlinear dynamic problems*, J. Appl. Mech. 46, 1979. The
-//! force is a double series of Chebyshev polynomials over displacement and velocity, both scaled to −1..1 by the tests.
+//! force is a double series of Chebyshev polynomials over displacement and velocity. Both are scaled to −1..1 with the ranges of the tests.
 //!
-//! It is linear in its coefficients. The two degrees are those that best predict left-out tests. Beyond the tests the surface is constant,
-//! because a polynomial would diverge.
+//! The force is linear in the coefficients. The two degrees are those with the best prediction of left-out tests. Beyond the tests the
+//! surface is constant, because a polynomial would diverge.
 
 use super::observation::{Motion, Observation, range};
 use nalgebra::{DMatrix, DVector};
@@ -21,11 +21,11 @@ pub struct Surface {
     pub coefficients_n: Vec<Vec<f64>>,
 }
 
-/// Highest degree in displacement that is tried.
+/// Highest tried degree in displacement.
 const MOST_X: usize = 5;
-/// Highest degree in velocity that is tried.
+/// Highest tried degree in velocity.
 const MOST_V: usize = 11;
-/// Ridge relative to the mean of the diagonal. It keeps the surface flat where no test combines displacement and velocity.
+/// Ridge relative to the mean of the diagonal. It keeps the surface flat for combinations of displacement and velocity without tests.
 const RIDGE: f64 = 1e-5;
 
 /// Computes T_0 to T_n of a value clamped to −1..1.
@@ -100,14 +100,14 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
             let of = chosen(nx, nv);
             let (square, right) = part(&total, &of);
             let missed: f64 = if sums.len() < 3 {
-                // Too few tests to leave one out: use fixed degrees.
+                // There are too few tests to leave one out, so use fixed degrees.
                 if (nx, nv) == (1, 5) { 0.0 } else { f64::INFINITY }
             } else {
                 sums.iter()
                     .map(|test| {
                         let (own, own_right) = part(test, &of);
                         match solve(&(&square - &own), &(&right - &own_right)) {
-                            // Sum logarithms, so that one test beyond the range of the others does not decide alone.
+                            // Sum logarithms, so that a single test beyond the range of the other tests does not dominate.
                             Some(c) => {
                                 libm::log((test.force - 2.0 * own_right.dot(&c) + c.dot(&(&own * &c))).max(1e-9))
                             }

@@ -4,7 +4,7 @@
 //! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with them rounds the loop at low speed.
 //! The accumulator k₁ is in parallel with the whole path:
 //! `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x + f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y.
-//! The paper's `k₁ (x − x₀)` is written with f₀ = −k₁ x₀. This avoids a division if k₁ is nearly zero.
+//! The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which avoids a division if k₁ is nearly zero.
 
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 pub struct Spencer {
     /// Level F_z of the hysteretic force (α z at sliding), N.
     pub level_n: f64,
-    /// Travel over which the hysteretic force builds up, m.
+    /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
@@ -35,11 +35,11 @@ pub struct Spencer {
     pub offset_n: f64,
 }
 
-/// Largest travel of one step, in stick distances.
+/// Largest travel of one step, in units of δ.
 const STEP: f64 = 0.25;
 /// Largest relative decay of the deflection x − y in one step.
 const DECAY: f64 = 0.5;
-/// Largest number of steps between two samples. Only a start far from the solution needs so many.
+/// Largest number of steps between two samples. Only a start far from the solution needs as many.
 const MOST: f64 = 24.0;
 
 /// Series damping, relative to the damping of the tests, at which the series path is practically rigid.
@@ -47,7 +47,8 @@ const RIGID: f64 = 3e3;
 
 /// Identifies the model.
 ///
-/// The model contains the plain Bouc-Wen model, whose fit is one of the starts. So the fit is never worse than that of Bouc-Wen.
+/// Bouc-Wen is a special case of the model, and the Bouc-Wen fit is one of the starts. Therefore, the error is never larger than with
+/// Bouc-Wen.
 pub fn fit(tests: &[Observation]) -> Option<Spencer> {
     let s = Scales::from_tests(tests);
     let plain = law::fit::<BoucWen>(tests).map(|b| {
@@ -144,7 +145,8 @@ impl Law for Spencer {
                 let decay = self.inner_stiffness_n_m.abs() / sum * dt;
                 let steps = (travel / STEP).max(decay / DECAY).ceil().clamp(1.0, MOST);
                 let h = dt / steps;
-                // The mean velocity over a sample is the difference of the displacements, so that the travel adds up.
+                // The mean velocity over a sample is the difference of the displacements divided by the time. Thus, the sum of the travels
+                // is exact.
                 let mean = (x[i] - x[i - 1]) / dt;
                 for k in 0..steps as usize {
                     let part = (k as f64 + 0.5) / steps;

@@ -1,10 +1,10 @@
-//! Every model recovers its own parameters, and gives equal forces in the kernel and after a file round trip.
+//! Tests that every model recovers its own parameters, and gives equal forces in the kernel and after a file round trip.
 
 use super::*;
 use dashpot_core::list;
 use std::f64::consts::TAU;
 
-/// Makes sine tests of these amplitudes, m, and frequencies, Hz, with the forces of a model.
+/// Makes sine tests of these amplitudes, m, and frequencies, Hz. The forces come from a model.
 fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
     plan.iter()
         .map(|(amplitude, frequency)| {
@@ -152,7 +152,7 @@ fn what_cannot_be_identified_is_said() {
 
 #[test]
 fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
-    // 4 ms a sample is short compared with the time constants, so the test compares the models and not their step sizes.
+    // A sample of 4 ms is short compared with the time constants. Thus, the test compares the models instead of their step sizes.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.025, 3.0), (0.005, 3.0)]);
     let mut models = ["fv", "piecewise"].map(|name| Literature::fit(name, &tests).unwrap()).to_vec();
@@ -191,7 +191,7 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
 
 #[test]
 fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
-    // ±12 mm at 0.05 Hz: the seventh power of 3.8 mm/s needs coefficients that the kernel rejects.
+    // The test is ±12 mm at 0.05 Hz. The seventh power of 3.8 mm/s needs coefficients that the kernel rejects.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.012, 0.05)]);
     let found = Literature::fit("lag", &tests).unwrap();
@@ -203,7 +203,7 @@ fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
 
 #[test]
 fn the_curve_shows_the_friction_step_where_slow_tests_are_and_has_no_level_stretch() {
-    // Friction of ±170 N, fully developed at 1 mm/s, is added to a degressive curve. The peak velocities are those of a schedule with slow
+    // The law adds friction of ±170 N, fully developed at 1 mm/s, to a degressive curve. The peak velocities belong to a schedule with slow
     // tests.
     let law = |v: f64| 170.0 * libm::tanh(v / 4e-4) + 2500.0 * v / (1.0 + (v / 0.3).abs()).sqrt() - 40.0;
     let plan = [(0.05, 0.00637), (0.05, 0.008), (0.05, 0.17), (0.05, 0.83), (0.05, 3.33), (0.01, 0.83), (0.01, 4.0)];

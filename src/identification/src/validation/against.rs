@@ -1,4 +1,4 @@
-//! Comparison with models of the literature, each identified from the tests of the model's fit.
+//! Comparison with models of the literature. Each is identified from the tests of the model's fit.
 
 use super::compared::Compared;
 use super::deviation::Deviation;
@@ -8,17 +8,17 @@ use serde::Serialize;
 /// Model of the literature with its errors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Against {
-    /// Its name on the command line.
+    /// Name of the model on the command line.
     pub model: String,
     /// Description of the model.
     pub meaning: String,
     /// Errors on every test, in the order of the validation's tests.
     pub tests: Vec<AgainstTest>,
-    /// Mean errors on the tests from which it was identified.
+    /// Mean errors on the tests from which the model was identified.
     pub used_in_fit: Option<AgainstSummary>,
-    /// Mean errors on the tests left out.
+    /// Mean errors on the left-out tests.
     pub left_out: Option<AgainstSummary>,
-    /// The model with its parameters; absent for the validated model.
+    /// The model with its parameters, or `None` for the validated model.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers: Option<Literature>,
 }
@@ -28,7 +28,7 @@ pub struct Against {
 pub struct AgainstTest {
     /// Name of the test.
     pub name: String,
-    /// Whether the model was identified from it.
+    /// Whether the model was identified from this test.
     pub used_in_fit: bool,
     /// Errors of the model.
     #[serde(flatten)]

@@ -1,4 +1,4 @@
-//! Validation of a whole campaign: every test, the overall figures, and separate figures of the tests left out of the fit.
+//! Validation of a whole campaign: every test, the overall figures, and separate figures of the left-out tests.
 
 use super::against::{Against, AgainstTest};
 use super::compared::{Compared, ValidationError};
@@ -26,13 +26,13 @@ pub struct Summary {
 /// Errors of a model over a campaign. `dashpot validate` writes its JSON form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Validation {
-    /// Every test, in the order given.
+    /// Every test, in the given order.
     pub tests: Vec<TestValidation>,
     /// All tests together.
     pub overall: Summary,
-    /// Tests used by the identification, if any.
+    /// Tests that the identification used, if any.
     pub used_in_fit: Option<Summary>,
-    /// Tests not used by the identification, if any.
+    /// Tests that the identification did not use, if any.
     pub left_out: Option<Summary>,
     /// Errors by amplitude and peak velocity.
     pub matrix: ErrorMatrix,
@@ -41,26 +41,26 @@ pub struct Validation {
     /// Errors at each setting; empty if the damper has no setting.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub settings: Vec<SettingSummary>,
-    /// Errors of the tests whose setting changes; absent without such tests.
+    /// Errors of the tests in which the setting changes, or `None` without such tests.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub changing: Option<ChangingSummary>,
-    /// Responses to steps of the setting; empty if no test has steps.
+    /// Responses to steps of the setting, or empty if no test has steps.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub step_responses: Vec<StepResponse>,
-    /// The model and the models of the literature, on the same tests; empty if no comparison was requested.
+    /// The model and the models of the literature on the same tests, or empty without a comparison.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
-    /// Results of the limits; absent if none were given.
+    /// Results of the limits, or `None` without limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Certificate>,
-    /// Measurement errors that the model's own fit found, and whether these records were corrected by them; absent if it found none.
+    /// Measurement errors that the model's own fit found, if any. States whether these records were corrected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests of the campaign that could not be used. No figure includes them.
     pub unusable: Vec<Unusable>,
 }
 
-/// Mean figures over the tests whose setting changes.
+/// Mean figures over the tests in which the setting changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangingSummary {
     /// Figures of these tests.
@@ -76,7 +76,7 @@ pub struct ChangingSummary {
 pub struct SettingSummary {
     /// Value of the setting.
     pub setting: f64,
-    /// Whether the model file gives numbers at this value. Otherwise they are interpolated.
+    /// Whether the model file gives numbers at this value. Otherwise the numbers are interpolated.
     pub is_of_grid: bool,
     /// Figures of the tests at this setting.
     #[serde(flatten)]
@@ -87,10 +87,10 @@ pub struct SettingSummary {
 }
 
 impl Validation {
-    /// Summarizes the tests by their setting, lowest first. `settings` holds the setting of every test, `grid` the settings of the model
-    /// file.
+    /// Summarizes the tests by their setting. The lowest setting comes first. `settings` contains the setting of every test, `grid` the
+    /// settings of the model file.
     ///
-    /// A test whose setting changes has `None`. These tests are summarized together.
+    /// A test with a changing setting has `None`. These tests are summarized together.
     pub fn summarize_settings(&mut self, settings: &[Option<f64>], grid: &[f64]) {
         let all = 0..self.tests.len().min(settings.len());
         let (constant, changing): (Vec<usize>, Vec<usize>) = all.partition(|place| settings[*place].is_some());
@@ -112,7 +112,7 @@ impl Validation {
         self.settings = found;
     }
 
-    /// Returns the errors of the validated model in the form of the compared models.
+    /// Returns the errors of the validated model in the format of the models of the literature.
     pub fn as_against(&self) -> Against {
         let test = |t: &TestValidation| AgainstTest {
             name: t.name.clone(),

@@ -2,7 +2,7 @@
 
 use dashpot_records::Record;
 
-/// A measured test with the forces simulated at its samples.
+/// A measured test with the simulated forces at its samples.
 #[derive(Debug, Clone)]
 pub struct Compared<'a> {
     /// The measured test.
@@ -15,19 +15,19 @@ pub struct Compared<'a> {
     pub used_in_fit: bool,
 }
 
-/// Error of a comparison.
+/// Reason why a comparison is not possible.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ValidationError {
     /// There is nothing to compare.
     #[error("no test to validate against: name at least one record")]
     NoTests,
-    /// A test without samples.
+    /// A test has no samples.
     #[error("test '{test}' has no samples: leave it out or look at what cleaning removed")]
     NoSamples {
         /// Name of the test.
         test: String,
     },
-    /// A series whose length differs from that of the record.
+    /// The length of a series differs from the length of the record.
     #[error(
         "test '{test}': {series} has {got} samples, the force has {expected}: simulate at the record's own samples"
     )]
@@ -36,12 +36,12 @@ pub enum ValidationError {
         test: String,
         /// Name of the series.
         series: &'static str,
-        /// Samples of the measured force.
+        /// Number of samples of the measured force.
         expected: usize,
-        /// Samples of the series.
+        /// Number of samples of the series.
         got: usize,
     },
-    /// A measured or simulated value that is not finite.
+    /// A measured or simulated value is not finite.
     #[error("test '{test}': {series} is not a finite number at sample {sample}: {advice}")]
     NotFinite {
         /// Name of the test.
@@ -53,7 +53,7 @@ pub enum ValidationError {
         /// Remedy.
         advice: &'static str,
     },
-    /// A cycle that extends beyond its record.
+    /// A cycle extends beyond its record.
     #[error("test '{test}': cycle {cycle} reaches beyond the last sample: derive the cycles again after cleaning")]
     Cycle {
         /// Name of the test.
@@ -70,7 +70,7 @@ pub enum ValidationError {
 }
 
 impl Compared<'_> {
-    /// Rejects data that cannot be compared. Every figure computed afterwards is then finite.
+    /// Rejects data that cannot be compared. All later figures are then finite.
     pub(super) fn check(&self) -> Result<(), ValidationError> {
         const RECORD: &str = "clean the record first";
         const SIMULATED: &str = "the simulation diverged, check the model's parameters";

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 /// Speed that separates region 1 (slow: friction, bleed, hysteresis) from region 2 (fast: valve shims, blow-off), m/s.
 ///
-/// The reference work prints both parts but not the boundary. Its tables imply a boundary between two peak velocities of its schedule,
-/// 0.262 m/s and 0.524 m/s. The value is their rounded middle.
+/// The reference work prints the errors of both regions but not the boundary. Its tables imply a boundary between two peak velocities of
+/// its schedule, 0.262 m/s and 0.524 m/s. The value is their rounded middle.
 pub const REGION_BOUNDARY: f64 = 0.4;
 
 /// Error figures of a simulated force relative to the measured force.
@@ -15,15 +15,15 @@ pub struct Deviation {
     pub mean_error_n: f64,
     /// 100 · mean error / largest |measured force|, %.
     pub error_percent: f64,
-    /// Contribution to the mean error of the samples slower than [`REGION_BOUNDARY`], N. Both contributions add up to the mean error.
+    /// Contribution of the samples slower than [`REGION_BOUNDARY`] to the mean error, N. Both contributions add up to the mean error.
     pub region1_n: f64,
-    /// Contribution to the mean error of the samples at or above [`REGION_BOUNDARY`], N.
+    /// Contribution of the samples at or above [`REGION_BOUNDARY`] to the mean error, N.
     pub region2_n: f64,
     /// Root mean square of simulated − measured, N.
     pub rmse_n: f64,
 }
 
-/// Error figures of the full model, and those of the force–velocity curve alone for comparison.
+/// Error figures of the full model. The figures of the force–velocity curve alone are for comparison.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Errors {
     /// The full model.
@@ -72,7 +72,7 @@ impl Deviation {
 }
 
 impl Errors {
-    /// Averages every figure over tests, each with equal weight. Returns `None` without tests.
+    /// Averages every figure over tests with equal weights. Returns `None` without tests.
     pub(super) fn mean(of: &[Self]) -> Option<Self> {
         if of.is_empty() {
             return None;
@@ -82,7 +82,7 @@ impl Errors {
         Some(Self { model: Deviation::mean(&model), fv_only: Deviation::mean(&fv_only) })
     }
 
-    /// Returns the figures with percents relative to another largest force, N: that of a whole row of tests.
+    /// Returns the figures with percents relative to another largest force, N, such as that of a whole row of tests.
     pub(super) fn in_percent_of(mut self, max_force: f64) -> Self {
         for deviation in [&mut self.model, &mut self.fv_only] {
             deviation.error_percent = percent(deviation.mean_error_n, max_force);
@@ -91,7 +91,7 @@ impl Errors {
     }
 }
 
-/// Computes the error in percent as the reference work defines it.
+/// Computes the error in percent with the definition of the reference work.
 fn percent(mean_error: f64, max_force: f64) -> f64 {
     100.0 * mean_error / max_force
 }
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn the_published_table_is_reproduced() {
-        // Table 5.1, Test 1: 148.1041 N of 3466 N, printed there as 4.27 %.
+        // In Table 5.1, Test 1 has 148.1041 N of 3466 N, printed there as 4.27 %.
         let measured = [3466.0, -1000.0, 0.0, 500.0];
         let simulated = measured.map(|force| force - 148.1041);
         let got = Deviation::of_test(&simulated, &measured, &[1.0, -1.0, 0.0, 0.1], 3466.0);

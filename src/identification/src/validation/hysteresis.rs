@@ -1,17 +1,18 @@
 //! Hysteresis of one test: the gap between the strokes at equal velocity, the loop area, and the energy per cycle.
 //!
-//! All three come from whole cycles only, because a loop that is not closed has no area.
+//! All three come from whole cycles only, because an open loop has no area.
 //!
-//! Gap and area are the force at rising velocity minus the force at falling velocity. A force that lags behind the velocity (gas and oil
-//! compressibility, a parallel spring) makes them negative. A force that leads (moving mass) makes them positive. They are zero for a
-//! function of velocity alone.
+//! Gap and area are the force at rising velocity minus the force at falling velocity. They are negative for a force that lags the velocity
+//! (gas and oil compressibility, a parallel spring). They are positive for a force that leads (moving mass). They are zero for a function
+//! of velocity alone.
 
 use super::Compared;
 use serde::Serialize;
 
 /// Number of velocity bins from the negative to the positive peak velocity.
 ///
-/// It is even, so that zero velocity is an edge: friction changes sign there, and one bin across zero would average it away.
+/// The number is even, so that zero velocity is the edge of a bin. Friction changes sign there, and a bin across zero would average it to
+/// zero.
 const BINS: usize = 20;
 
 /// Smallest number of samples of a branch in a bin for a valid mean force.
@@ -57,7 +58,7 @@ pub struct Hysteresis {
     pub gap_error_fv_only_n: f64,
     /// ∮F dv of one cycle, N·m/s.
     pub area_n_m_s: OfEach,
-    /// ∮F dx of one cycle, J: the heat dissipated by the damper.
+    /// ∮F dx of one cycle, J: the heat that the damper dissipates.
     pub energy_j: OfEach,
 }
 
@@ -82,7 +83,7 @@ impl OfEach {
 }
 
 impl Hysteresis {
-    /// Computes the hysteresis of a checked test; `None` if the test has no whole cycle or no motion.
+    /// Computes the hysteresis of a checked test. Returns `None` if the test has no whole cycle or no motion.
     pub(crate) fn of_test(compared: &Compared<'_>) -> Option<Self> {
         let record = compared.record;
         let cycles: Vec<_> = record.cycles.iter().filter(|cycle| cycle.len() >= MIN_CYCLE_SAMPLES).cloned().collect();
@@ -117,7 +118,7 @@ impl Hysteresis {
     }
 }
 
-/// Computes ∮F dq of one cycle by the trapezoidal rule, closed from its last sample to its first.
+/// Computes ∮F dq of one cycle by the trapezoidal rule. The loop is closed from its last sample to its first.
 fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
     let next = |i: usize| (i + 1) % force.len();
     (0..force.len()).map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i])).sum()
@@ -136,8 +137,8 @@ struct Bins {
 impl Bins {
     /// Sorts samples into bins and branches.
     ///
-    /// Velocity rises while the damper is below the middle of its stroke, and falls above it. The branch follows from the displacement,
-    /// because the derivative of a measured velocity is too noisy.
+    /// Velocity rises while the damper is below the middle of its stroke, and falls while it is above. The branch follows from the
+    /// displacement, because the derivative of a measured velocity is too noisy.
     fn sort(velocity: &[f64], displacement: &[f64], cycles: &[std::ops::Range<usize>], peak: f64) -> Self {
         let mut samples = vec![[Vec::new(), Vec::new()]; BINS];
         for cycle in cycles {
@@ -248,7 +249,7 @@ mod tests {
             if part.abs() < 0.9 {
                 assert!((bin.gap_n.measured / gap(part) - 1.0).abs() < 0.02, "{part} {}", bin.gap_n.measured);
             } else {
-                // The outermost bins average over the end of the loop, where the gap closes.
+                // The outermost bins include the end of the loop, where the gap closes.
                 assert!((gap(0.9)..0.0).contains(&bin.gap_n.measured), "{part} {}", bin.gap_n.measured);
             }
         }

@@ -1,32 +1,32 @@
-//! Error matrix: the campaign's errors by constant amplitude, by constant peak velocity, and for the slow tests.
+//! Error matrix: the campaign's errors for tests of equal amplitude, for tests of equal peak velocity, and for the slow tests.
 //!
 //! Rows correspond to the reference work's stitched records, which join all tests of one amplitude. Each test has equal weight in its row,
-//! so no frequency with many tests dominates. The percent is relative to the largest measured force of the whole row.
+//! so frequencies with many tests do not dominate. The percent is relative to the largest measured force of the whole row.
 
 use super::deviation::Errors;
 use super::of_test::TestValidation;
 use serde::Serialize;
 
-/// Peak velocity below which tests are friction tests and form a row of their own, m/s.
+/// Peak velocity below which tests are friction tests and form a separate row, m/s.
 ///
-/// The reference work's slow test reaches 2.6 mm/s, its slowest damping test 52 mm/s.
+/// The slow test of the reference work reaches 2.6 mm/s. Its slowest damping test reaches 52 mm/s.
 pub const SLOW_PEAK_VELOCITY: f64 = 0.005;
 
-/// Relative scatter of a measured amplitude or peak velocity that still counts as one nominal value.
+/// Largest relative scatter of a measured amplitude or peak velocity of one nominal value.
 const SAME: f64 = 0.05;
 
-/// Scatter of a measured amplitude on a rig even at the smallest strokes, m.
+/// Scatter of a measured amplitude on a rig at the smallest strokes, m.
 const SAME_AMPLITUDE: f64 = 0.0001;
 
-/// Scatter of a measured peak velocity on a rig even in the slowest tests, m/s.
+/// Scatter of a measured peak velocity on a rig in the slowest tests, m/s.
 const SAME_VELOCITY: f64 = 0.002;
 
 /// Errors of one group of tests.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MatrixRow {
-    /// Description of the common property of the tests.
+    /// Description of the property that the tests share.
     pub label: String,
-    /// The common amplitude, m, or peak velocity, m/s: the mean over the tests.
+    /// The shared amplitude, m, or peak velocity, m/s: the mean over the tests.
     pub value: f64,
     /// Number of tests.
     pub tests: usize,
@@ -34,7 +34,7 @@ pub struct MatrixRow {
     pub test_names: Vec<String>,
     /// Largest |measured force| of the row, N.
     pub max_force_n: f64,
-    /// Mean errors, each test with equal weight; percent of `max_force_n`.
+    /// Mean errors with equal weight of each test. Percents are relative to `max_force_n`.
     #[serde(flatten)]
     pub errors: Errors,
 }
@@ -48,23 +48,23 @@ pub struct MatrixCell {
     pub peak_velocity_row: usize,
     /// Number of tests.
     pub tests: usize,
-    /// Mean errors; percent is the mean of the tests' percents.
+    /// Mean errors. The percent is the mean of the tests' percents.
     #[serde(flatten)]
     pub errors: Errors,
 }
 
-/// Errors of a campaign, grouped like the test schedule.
+/// Errors of a campaign. The groups are those of the test schedule.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ErrorMatrix {
-    /// One row for each amplitude, largest first as in the test schedule.
+    /// One row for each amplitude. The largest amplitude comes first, as in the test schedule.
     pub by_amplitude: Vec<MatrixRow>,
-    /// One row for each peak velocity, slowest first.
+    /// One row for each peak velocity. The slowest comes first.
     pub by_peak_velocity: Vec<MatrixRow>,
-    /// Errors of each combination of amplitude and peak velocity that was tested.
+    /// Errors of each tested combination of amplitude and peak velocity.
     pub cells: Vec<MatrixCell>,
-    /// Slow friction tests, which appear in no other row.
+    /// Slow friction tests. They appear in no other row.
     pub slow: Option<MatrixRow>,
-    /// Tests without whole cycles (random, road), which have neither amplitude nor frequency.
+    /// Tests without whole cycles (random, road). They have neither amplitude nor frequency.
     pub not_periodic: Option<MatrixRow>,
 }
 
@@ -118,7 +118,7 @@ impl ErrorMatrix {
     }
 }
 
-/// Makes a row of tests; `None` without tests.
+/// Makes a row of tests. Returns `None` without tests.
 fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow> {
     let errors: Vec<Errors> = tests.iter().map(|test| test.errors).collect();
     let max_force_n = tests.iter().map(|test| test.max_force_n).fold(0.0, f64::max);
@@ -132,9 +132,9 @@ fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow
     })
 }
 
-/// Groups indices by nearly equal value, smallest value first, and keeps the given order within a group.
+/// Groups indices by nearly equal value. The smallest value comes first, and a group keeps the given order.
 ///
-/// A value joins the group below it if it lies within [`SAME`] of the group's mean, or within `floor`.
+/// A value joins the preceding group if it lies within [`SAME`] of the group's mean, or within `floor`.
 fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));

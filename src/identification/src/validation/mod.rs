@@ -1,8 +1,8 @@
 //! Validation of a model against the rig: error figures, the error matrix and hysteresis.
 //!
-//! The input is one [`Compared`] for each test: the measured record and two simulated forces at its samples, those of the full model and
-//! those of the force–velocity curve alone. Every figure is given for both, because a model is only worth its cost if it is closer than the
-//! curve.
+//! The input is one [`Compared`] for each test. It contains the measured record, and the forces of the full model and of the force–velocity
+//! curve alone at its samples. Every figure is given for both, because the cost of a model is justified only if its error is smaller than
+//! the curve's error.
 //!
 //! | file | measure |
 //! |---|---|
@@ -12,8 +12,8 @@
 //! | [`ResponseTimes`] | times of the force response to a step of the setting |
 //! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
 //!
-//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5, so the figures are comparable
-//! with the published ones.
+//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5. Thus, the figures are
+//! comparable with the published figures.
 
 mod against;
 mod campaign;

@@ -13,7 +13,7 @@ pub struct TestValidation {
     pub name: String,
     /// Displacement amplitude, m.
     pub amplitude_m: f64,
-    /// Frequency, Hz; zero if the motion is not periodic.
+    /// Frequency, Hz, or zero if the motion is not periodic.
     pub frequency_hz: f64,
     /// Peak velocity, m/s.
     pub peak_velocity_m_s: f64,
@@ -24,7 +24,7 @@ pub struct TestValidation {
     pub errors: Errors,
     /// Whether the identification used this test.
     pub used_in_fit: bool,
-    /// Number of samples compared.
+    /// Number of compared samples.
     pub samples: usize,
     /// Number of whole cycles.
     pub cycles: usize,

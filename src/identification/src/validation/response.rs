@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// Times of a response to a step, s, counted from the step.
+/// Times of a response to a step, s, relative to the step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ResponseTimes {
     /// Time until the force has completed 10 % of its change.
@@ -20,7 +20,7 @@ impl ResponseTimes {
     pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
         let begins = time.partition_point(|t| *t < 0.0);
         let reach = |fraction: f64, from: usize| -> Option<usize> {
-            // Require two consecutive samples, so that a single noisy sample is not a response.
+            // Require two consecutive samples, because a single noisy sample is not a response.
             let pairs = response.windows(2).enumerate().skip(from);
             pairs.filter(|(_, pair)| pair[0] >= fraction && pair[1] >= fraction).map(|(k, _)| k).next()
         };
@@ -36,7 +36,7 @@ impl ResponseTimes {
         let at_63 = reach(0.632, begins)?;
         let at_10 = (begins..=at_63).rev().find(|k| response[*k] < 0.1).map_or(begins, |k| k + 1);
         let at_90 = reach(0.9, at_63)?;
-        // Average neighbors: the largest of many noisy samples is not an overshoot.
+        // Average neighbors, because the largest of many noisy samples is not an overshoot.
         let most = response[at_63..].windows(5).map(|w| w.iter().sum::<f64>() / 5.0).fold(1.0, f64::max);
         Some(ResponseTimes {
             t10_s: crossing(at_10, 0.1)?.max(0.0),
@@ -56,7 +56,7 @@ pub struct StepGroup {
     pub is_rebound: bool,
     /// Number of steps.
     pub steps: usize,
-    /// Times of the measured force; absent if the records do not show them.
+    /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
     /// Times of the model's force.
@@ -67,21 +67,21 @@ pub struct StepGroup {
 /// Response to steps from one setting to another.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepResponse {
-    /// Setting before.
+    /// Setting before the step.
     pub from: f64,
-    /// Setting after.
+    /// Setting after the step.
     pub to: f64,
     /// Number of steps.
     pub steps: usize,
-    /// Names of the tests with these steps.
+    /// Names of the tests that contain these steps.
     pub tests: Vec<String>,
-    /// Sampling interval, s. The instant of a step is known to half of it.
+    /// Sampling interval, s. The uncertainty of the instant of a step is half of it.
     pub sample_s: f64,
-    /// Fraction of its change that the model's force has completed at the end of the levels.
+    /// Completed fraction of the change of the model's force at the end of the levels.
     pub end_fraction: f64,
-    /// Response times of each test and direction with at least three steps. A limit applies to the slowest.
+    /// Response times of each test and direction with at least three steps. A limit applies to the slowest group.
     pub groups: Vec<StepGroup>,
-    /// Times of the measured force; absent if the records do not show them.
+    /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
     /// Times of the model's force.
@@ -90,10 +90,10 @@ pub struct StepResponse {
     /// Time since the step, s.
     #[serde(skip)]
     pub time: Vec<f64>,
-    /// Fraction of its change that the measured force has completed.
+    /// Completed fraction of the change of the measured force.
     #[serde(skip)]
     pub measured_response: Vec<f64>,
-    /// Fraction of its change that the model's force has completed.
+    /// Completed fraction of the change of the model's force.
     #[serde(skip)]
     pub model_response: Vec<f64>,
 }

@@ -14,7 +14,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
-    // The remark on the reference qualifies the findings, so the brief print includes it.
+    // The remark on the reference limits the findings, so the brief print includes it.
     blocks.extend(found.about_the_reference.as_ref().map(|about| Block::Paragraph(sentence(about, words))));
     let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
     blocks.push(Block::Wide(errors.saying(words.errors_caption)));
@@ -27,13 +27,13 @@ pub fn headline(found: &Diagnosis, words: &Words) -> String {
     sentence(&found.summary, words)
 }
 
-/// Begins a text with a capital letter and ends it with a full stop.
+/// Formats a text with a capital first letter and a full stop.
 pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
     let said = words.say(text);
     words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
-/// Explains the verdict and the fraction of the gap that is closed.
+/// Explains the verdict and states the fraction of the gap that the diagnosis closes.
 fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let left_out = found.tests.iter().filter(|t| t.left_out).count();
     let (text, before, after) = match (left_out, found.before.left_out_rmse_n, found.after.left_out_rmse_n) {
@@ -93,7 +93,7 @@ fn key_table(found: &Diagnosis, words: &Words) -> Table {
     Table { caption: words.mean_cycles_caption.to_owned(), columns, rows, sortable: false }
 }
 
-/// Draws the before/after picture: the error of every test below the loops of the left-out test with the largest gap.
+/// Draws the loops of the left-out test with the largest gap, and below them the error of every test, before and after.
 pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let shown = super::loops::largest(&found.tests, true).or_else(|| super::loops::largest(&found.tests, false))?;
     let [wide, tall] = crate::plot::axes::SIZE;

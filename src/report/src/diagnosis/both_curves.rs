@@ -1,4 +1,4 @@
-//! The FV curve of the damper in comparison with the FV curve of the reference.
+//! The FV curve of the damper and the FV curve of the reference in one figure.
 
 use crate::blocks::Figure;
 use crate::plot::axes::{Axis, Marks, Plane, Series};
@@ -11,7 +11,7 @@ use dashpot_simulation::prediction::between_velocities;
 /// Size, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 340.0];
 
-/// Draws both FV curves, including friction and gas force, over the velocity range of the tests.
+/// Draws both FV curves over the velocity range of the tests. They include friction and gas force.
 ///
 /// Returns `None` without a reference.
 pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {

@@ -8,7 +8,7 @@ use crate::numbers::{error, fraction, with_unit};
 use crate::words::Words;
 use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
-/// Builds the findings and the suspected causes of unexplained residuals. Returns `None` if nothing is missing.
+/// Builds the findings and the suspected causes of unexplained residuals. Returns `None` for a complete model.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let mut blocks = Vec::new();
     for (k, finding) in found.findings.iter().enumerate() {
@@ -32,7 +32,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .collect();
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
-    // If changed parameters are the only content, they supply the title of the section.
+    // If the section contains only changed parameters, they give the section its title.
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changes.is_empty();
     if !found.changes.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
@@ -132,7 +132,7 @@ fn rivals(caption: &str, rivals: &[Rival], words: &Words) -> Table {
     Table { caption: caption.to_owned(), columns, rows, sortable: false }
 }
 
-/// Formats the name of a changed parameter; a point of the FV curve includes its velocity.
+/// Formats the name of a changed parameter. For a point of the FV curve, the name includes the velocity.
 pub fn changed_name(change: &Change, words: &Words) -> String {
     let name = words.named(change.name);
     match change.velocity_m_s {

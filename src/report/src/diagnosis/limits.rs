@@ -1,11 +1,11 @@
-//! Limits of these records, tests that would resolve the open questions, and remarks.
+//! Open questions that these records leave, tests that would resolve them, and remarks.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// Builds the section of further tests and of the limits of these records.
+/// Builds the section of proposed tests and of the limits of these records.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if !found.next_tests.is_empty() {
@@ -27,7 +27,7 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
 
 /// Lists the remarks of reading and diagnosis. Returns `None` without remarks.
 pub fn remarks(found: &Diagnosis, reading: &[String], words: &Words) -> Option<Section> {
-    // The remark on the reference stands next to the verdict.
+    // Another section contains the remark on the reference, next to the verdict.
     let notes = found.notes.iter().filter(|note| Some(*note) != found.about_the_reference.as_ref());
     let remarks: Vec<String> = notes.map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
     (!remarks.is_empty()).then(|| Section::new("remarks", words.remarks, vec![Block::List(remarks)]))

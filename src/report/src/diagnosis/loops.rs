@@ -6,12 +6,11 @@ use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
-/// Number of tests shown of each kind.
+/// Number of fitted tests shown, and number of left-out tests shown.
 const SHOWN: usize = 3;
 
-/// Builds the loops of the worst left-out test, which the brief print includes, and the loops of the other tests.
-///
-/// If no test was left out, the first section shows the worst fitted test.
+/// Builds the loops of the worst left-out test and of other tests. The brief print includes only the first section. If no test was left
+/// out, the first section shows the worst fitted test.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
@@ -39,14 +38,13 @@ pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     sections
 }
 
-/// Finds the test of one kind with the largest disagreement relative to its force.
+/// Finds the left-out or fitted test with the largest disagreement relative to its force.
 pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
     worst(tests, held_out).first().map(|place| &tests[*place])
 }
 
-/// Sorts the indices of the tests of one kind by the gap between error and noise, largest first.
-///
-/// The gap is relative to the test's largest force. Tests without cycles, whose loops are unreadable, come last.
+/// Sorts the indices of the left-out or fitted tests by the gap between error and noise, largest first. The gap is relative to the test's
+/// largest force. Tests without cycles come last, because their loops are unreadable.
 fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     let gap = |test: &TestOutcome| {
         let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));

@@ -2,12 +2,12 @@
 //!
 //! | file | section |
 //! |---|---|
-//! | [`answer`] | the verdict, the error before and after, test by test |
+//! | [`answer`] | the verdict, and the error of every test before and after |
 //! | [`crate::inventory`] | every effect of the model with its force |
 //! | [`both_curves`] | FV curves of the damper and the reference |
 //! | [`findings`] | the added effects with parameters, intervals and alternatives |
 //! | [`loops`] | loops of the tests with the largest disagreement |
-//! | [`limits`] | limits of these records, tests that would resolve them, and remarks |
+//! | [`limits`] | limits of these records, tests that would resolve the open questions, and remarks |
 //! | [`places`] | regions of the disagreement, as text, figures and maps |
 //! | [`matrix`] | errors by amplitude and peak velocity, before and after |
 //! | [`tried`] | all tested hypotheses, by iteration |
@@ -42,17 +42,17 @@ use std::path::{Path, PathBuf};
 /// Contents of the report of a diagnosis.
 #[derive(Debug, Clone)]
 pub struct DiagnosisReport<'a> {
-    /// Name of the model file diagnosed.
+    /// Name of the diagnosed model file.
     pub model_file: String,
     /// Name of the data.
     pub data: String,
     /// Result of the diagnosis.
     pub found: &'a Diagnosis,
-    /// The records, which contain the motion of each test.
+    /// The records. They contain the motion of each test.
     pub records: &'a [&'a Record],
     /// Remarks on reading: the detected sign, and notes of the cleaning.
     pub reading: Vec<String>,
-    /// Errors over whole records, from `dashpot validate`, of the models in the diagnosis.
+    /// Errors of the models over whole records. `dashpot validate` reports the same errors.
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
@@ -83,10 +83,10 @@ impl DiagnosisReport<'_> {
         [self.words.diagnosis_title.to_owned(), subtitle]
     }
 
-    /// Writes the report. It replaces an older report only once the new one is complete.
+    /// Writes the report. An older report is replaced only when the new report is complete.
     ///
     /// # Errors
-    /// If the folder does not exist or is not writable; the older report then stays.
+    /// The folder does not exist or is not writable. The older report then stays.
     pub fn write(&self, path: &Path) -> anyhow::Result<()> {
         write_page(&self.render(), path)
     }
@@ -94,7 +94,7 @@ impl DiagnosisReport<'_> {
     /// Writes every figure as a file into a folder, and creates the folder if it is missing.
     ///
     /// # Errors
-    /// If the folder or a file is not writable.
+    /// The folder or a file is not writable.
     pub fn write_svgs(&self, folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
         write_figures(&self.sections(), folder)
     }

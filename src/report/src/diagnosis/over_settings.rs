@@ -1,5 +1,4 @@
-//! The report of one damper diagnosed at several settings: one table over the settings, then a collapsed part per
-//! setting.
+//! The report of one damper diagnosed at several settings: one table over the settings, then a collapsed part for each setting.
 
 use super::DiagnosisReport;
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -16,7 +15,7 @@ use dashpot_records::setting_in_words;
 /// Contents of the report.
 #[derive(Debug, Clone)]
 pub struct SettingsReport<'a> {
-    /// Name of the model file diagnosed.
+    /// Name of the diagnosed model file.
     pub model_file: String,
     /// Name of the data.
     pub data: String,
@@ -189,7 +188,7 @@ fn merged(id: &str, title: String, sections: Vec<Section>) -> Section {
         other => other,
     };
     let mut blocks = Vec::new();
-    // The whole report contains the section on its origin once.
+    // The section on the origin appears only once in the whole report.
     for section in sections.into_iter().filter(|section| section.id != made::ID) {
         blocks.push(Block::Heading(section.title));
         blocks.extend(section.blocks.into_iter().map(own));

@@ -13,12 +13,12 @@ use dashpot_simulation::prediction::at_velocities;
 
 /// Size of the first figure, px, for the full width of a printed page.
 const WIDE: [f64; 2] = [880.0, 400.0];
-/// Points of a line over the setting.
+/// Number of points of a line over the setting.
 const POINTS: usize = 61;
 /// Velocities of the lines over the setting, as fractions of the velocity range of the tests.
 const FRACTIONS: [f64; 3] = [1.0, 0.5, 0.1];
 
-/// Series whose names come from the data and not from the report's texts.
+/// Series with names that come from the data instead of the report's texts.
 #[derive(Default)]
 struct Named {
     series: Vec<Series>,
@@ -44,7 +44,7 @@ impl Named {
     }
 }
 
-/// Draws the force at constant velocity for each setting, with the measured peaks in the color of their setting.
+/// Draws the force at constant velocity for each setting. The measured peaks have the color of their setting.
 pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
     let line = |setting: f64| -> Vec<[f64; 2]> {
         let Ok(model) = Model::new(&damper.params_at(setting)) else { return Vec::new() };
@@ -56,7 +56,7 @@ pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -
         let place = grid.iter().position(|value| dashpot_records::is_same_setting(*value, of.setting));
         let role = place.map_or(Role::Before, |k| Role::Group(k as u8));
         let own = of.places.iter().filter_map(|place| validation.tests.get(*place)).flat_map(|test| &test.peaks);
-        // The line of equal color supplies the name.
+        // The line with this color already has the name in the legend.
         all.add(role, String::new(), own.map(measured).collect(), Marks::Dots);
     }
     for (k, setting) in grid.iter().enumerate() {
@@ -74,10 +74,10 @@ fn measured(peak: &PeakForce) -> [f64; 2] {
     [1e3 * peak.velocity_m_s, peak.force_n.measured]
 }
 
-/// Draws the force over the setting, and over velocity the ratio of the stiffest to the softest setting.
+/// Draws the force over the setting, and the ratio of the stiffest to the softest setting over velocity.
 pub fn over_setting(damper: &Definition, validation: &Validation, words: &Words) -> Vec<Figure> {
     let peaks: Vec<f64> = validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s).collect();
-    // The slowest and the fastest peak of one direction; 0 without peaks.
+    // Slowest and fastest peak of one direction, or 0 without peaks.
     let reach = |is_own: fn(&f64) -> bool| {
         let own = || peaks.iter().copied().filter(is_own);
         let slowest = own().reduce(|a, b| if b.abs() < a.abs() { b } else { a }).unwrap_or(0.0);
@@ -114,15 +114,14 @@ fn force_over_setting(damper: &Definition, [low, high]: [f64; 2], words: &Words)
     Some(Figure::new("force-over-setting", svg).saying(words.over_setting_caption))
 }
 
-/// Returns the damper at a setting without its static gas force, which would distort a ratio of damping forces.
+/// Returns the damper at a setting without its static gas force. That force would distort a ratio of damping forces.
 fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
     let mut params = damper.params_at(setting);
     params.enable(element!("gas_preload"), false);
     Model::new(&params).ok()
 }
 
-/// Draws the ratio from the slowest to the fastest peak of each direction. Below that range no test determines both
-/// forces.
+/// Draws the ratio from the slowest to the fastest peak of each direction. Below that range, no test determines both forces.
 fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Words) -> Option<Figure> {
     let strength = |setting: f64| -> Option<f64> {
         let model = without_gas(damper, setting)?;
@@ -140,7 +139,7 @@ fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Wor
         let [soft, hard] = [&of_soft, &of_hard].map(|model| at_velocities(model, &velocities));
         let points = soft.iter().zip(&hard).filter(|(a, b)| a[0] == b[0] && a[0] != 0.0);
         let ratios = points.map(|(soft, hard)| [1e3 * soft[0].abs(), hard[1] / soft[1]]).filter(|p| p[1].is_finite());
-        // Tests of one velocity give a point.
+        // If all tests have one velocity, they give a single point.
         let marks = if from == to { Marks::Dots } else { Marks::Line };
         all.add(Role::Group(role), name.to_owned(), ratios.collect(), marks);
     }
@@ -158,7 +157,7 @@ mod tests {
     use dashpot_core::family::Axis as SettingAxis;
     use dashpot_core::{list, number};
 
-    /// Makes a damper whose force at every velocity is proportional to 1 + the setting.
+    /// Makes a damper whose force at every velocity is proportional to one plus the setting.
     pub fn damper() -> Definition {
         let mut params = Params::new();
         params.disable_all();
@@ -178,7 +177,7 @@ mod tests {
     #[test]
     fn the_gas_is_no_part_of_the_ratio() {
         let figure = ratio(&damper(), [[-0.1, -1.0], [0.1, 1.0]], &crate::words::EN).unwrap();
-        // The ratio is 3 at all velocities, so the axis surrounds a single value.
+        // The ratio is 3 at all velocities, so the range of the axis encloses a single value.
         assert!(figure.caption.contains('2') && figure.svg.contains("data-plane"), "{}", figure.caption);
         let model = without_gas(&damper(), 2.0).unwrap();
         assert!((at_velocities(&model, &[0.5])[0][1] - 1500.0).abs() < 1e-6);

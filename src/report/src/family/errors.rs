@@ -44,7 +44,7 @@ pub fn between(fit: &FamilyFit, words: &Words) -> Option<String> {
     Some(words.fill(text, &[("at", &at), ("error", error), ("percent", percent), ("ratio", ratio)]))
 }
 
-/// Compares the errors of an ordinary fit, of the family, and of the family fitted without the setting.
+/// Compares the errors of an ordinary fit, of the family, and of the family that was fitted without the setting.
 pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
     let pair = |of: Option<&SettingError>| match of {
         Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],

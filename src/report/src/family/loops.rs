@@ -10,7 +10,7 @@ use crate::words::Words;
 use dashpot_core::family::Definition;
 use dashpot_identification::validation::{Compared, Validation};
 
-/// Largest relative difference of amplitude and peak velocity between settings for which the motion counts as equal.
+/// Largest relative difference of amplitude and peak velocity between tests with the same motion.
 const SAME_MOTION: f64 = 0.1;
 
 /// Builds the section. Returns `None` without settings.
@@ -53,7 +53,7 @@ pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'
     Some(Section::new("setting-loops", words.family_loops_section, blocks))
 }
 
-/// Selects for each setting its test of the fastest motion that most settings share. Returns `None` without settings.
+/// Selects one test for each setting, with the fastest motion that most settings share. Returns `None` without settings.
 fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
     let alike = |a: usize, b: usize| {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs().max(b.abs());
@@ -73,7 +73,7 @@ fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
         .map(|(all, _)| all)
 }
 
-/// Draws the loops of one motion at all settings, model over measurement.
+/// Draws the loops of one motion at all settings. The model lies over the measurement.
 fn together(
     damper: &Definition,
     validation: &Validation,
@@ -87,7 +87,7 @@ fn together(
         common.iter().enumerate().filter_map(|(k, place)| Some((k, tests.get((*place)?)?))).collect();
     let lines = |compared: &Compared<'_>, force: &[f64]| -> Vec<Vec<[f64; 2]>> {
         let x = over(compared);
-        // One loop is enough where several loops coincide.
+        // Several loops coincide, so one loop is enough.
         let last = of_test::shown(compared).pop();
         last.into_iter().map(|range| range.map(|i| [1e3 * x[i], force[i]]).collect()).collect()
     };

@@ -1,4 +1,4 @@
-//! The report of an adjustable damper: first curves, then errors, then loops. The caller collapses all other sections.
+//! The report of an adjustable damper: curves, errors and loops, in this order. The caller collapses all other sections.
 //!
 //! | module | contents |
 //! |---|---|
@@ -27,7 +27,7 @@ use dashpot_records::setting_in_words;
 pub struct FamilyReport<'a> {
     /// The model file.
     pub model: &'a ModelFile,
-    /// Its fit, if this run made one.
+    /// Its fit, if this run included a fit.
     pub fit: Option<&'a FamilyFit>,
 }
 

@@ -13,7 +13,7 @@ use dashpot_core::parameter::{self, Number, Row};
 use dashpot_identification::family::{FamilyFit, FamilyItem, ForceAtSetting};
 use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
 
-/// Friction levels and the gas force, whose figures appear even if they do not depend on the setting.
+/// Friction levels and the gas force. They have figures even if they do not depend on the setting.
 const ALWAYS: [Number; 5] = [
     number!("coulomb_force"),
     number!("stribeck_coulomb_force"),
@@ -21,7 +21,7 @@ const ALWAYS: [Number; 5] = [
     number!("presliding_force"),
     number!("gas_force"),
 ];
-/// Points of a line over the setting.
+/// Number of points of a line over the setting.
 const POINTS: usize = 61;
 
 /// Draws a figure for each parameter that depends on the setting, and for friction and gas.

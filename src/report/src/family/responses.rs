@@ -1,4 +1,4 @@
-//! Responses to steps of the setting: one step up and one down, their times, actuator parameters and hysteresis.
+//! Responses to steps of the setting up and down, their times, actuator parameters and hysteresis.
 
 use super::{FamilyReport, axis_title, named};
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -15,9 +15,9 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
-/// Points of one branch over the setting.
+/// Number of points of one branch over the setting.
 const POINTS: usize = 61;
-/// Fraction of the largest velocity of the tests at which hysteresis is drawn.
+/// Fraction of the tests' largest velocity at which hysteresis is drawn.
 const VELOCITY: f64 = 0.5;
 
 /// Builds the section. Returns `None` if the damper has no actuator and no test contains a step.
@@ -59,7 +59,7 @@ fn step_name(damper: &Definition, of: &StepResponse, words: &Words) -> String {
     format!("{} → {}", named(damper, of.from, words), named(damper, of.to, words))
 }
 
-/// Draws one kind of step, model over measurement.
+/// Draws one kind of step. The model lies over the measurement.
 fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: &Words) -> Figure {
     let line = |response: &[f64]| -> Vec<[f64; 2]> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|p| p[1].is_finite()).collect()
@@ -121,7 +121,7 @@ fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
     let rows: Vec<Vec<Cell>> = actuator_numbers(&model.axis, &model.identification)
         .into_iter()
         .map(|number| {
-            // Response times stand in ms in the table of the steps, too.
+            // The table of the steps has response times in ms too.
             let (unit, factor) = if number.unit == "s" { ("ms".to_owned(), 1e3) } else { (number.unit, 1.0) };
             let known =
                 |end: usize| number.interval.map_or_else(Cell::none, |ends| Cell::digits(factor * ends[end], 3));
@@ -159,7 +159,7 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
     let peaks = validation.tests.iter().map(|test| test.peak_velocity_m_s);
     let velocity = VELOCITY * peaks.fold(0.0, f64::max);
     let (low, high) = damper.axis.range();
-    // The sweep is slow: the valve is in equilibrium at each command.
+    // The setting changes slowly, so the valve is in equilibrium at each command.
     let still = Actuator { hysteresis: actuator.hysteresis, ..Actuator::NONE };
     let mut stand = Stand { lagged: low, turned: 0.0 };
     let mut way = |is_up: bool| -> Vec<[f64; 2]> {
@@ -173,7 +173,7 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
         }
         points
     };
-    // A preceding cycle brings the hysteresis to its steady state.
+    // This cycle brings the hysteresis to its steady state before the drawn cycle.
     let _ = (way(true), way(false));
     let lines = [way(true), way(false)];
     let names = [words.way_up.to_owned(), words.way_down.to_owned()];

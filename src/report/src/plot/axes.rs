@@ -7,8 +7,8 @@ use crate::words::Words;
 
 /// Size of a plane figure, px.
 pub const SIZE: [f64; 2] = [460.0, 330.0];
-/// Largest number of points of a series' lines. With 260 a report of 55 tests stays below 3 MB; with 450 it has 3.8 MB
-/// without visible improvement.
+/// Largest number of points of a series' lines. With 260, a report of 55 tests stays below 3 MB. With 450, the report has 3.8 MB without
+/// visible improvement.
 pub const LINE_LIMIT: usize = 260;
 
 /// Size of the title, px.
@@ -18,14 +18,14 @@ pub const LABEL: f64 = 12.0;
 /// Size of tick labels, px.
 pub const TICK: f64 = 11.0;
 
-/// One axis: its title with unit, and the range shown.
+/// One axis: its title with unit, and its visible range.
 #[derive(Debug, Clone)]
 pub struct Axis {
     /// Title with unit.
     pub label: String,
-    /// Smallest value shown.
+    /// Smallest visible value.
     pub low: f64,
-    /// Largest value shown.
+    /// Largest visible value.
     pub high: f64,
     /// Scale of the values.
     pub scale: Scale,
@@ -38,12 +38,12 @@ pub enum Scale {
     Linear,
     /// Logarithmic, for positive values.
     Logarithmic,
-    /// Signed square root: it magnifies the neighborhood of zero and keeps the sign.
+    /// Signed square root: magnifies the neighborhood of zero and keeps the sign.
     Root,
 }
 
 impl Scale {
-    /// Returns the name for the page's script, which applies the same scale when a reader zooms.
+    /// Returns the name for the page's script. The script applies the same scale when a reader zooms.
     fn name(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -72,8 +72,8 @@ impl Scale {
 }
 
 impl Axis {
-    /// Makes an axis that shows all values with a margin. Constant or missing values get a range of their own
-    /// magnitude.
+    /// Makes an axis that shows all values with a margin. If all values are equal, the margin is half their magnitude. Without values, the
+    /// range is about −1 to 1.
     pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = values.into_iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
@@ -88,7 +88,7 @@ impl Axis {
         Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 
-    /// Makes an axis that ends exactly at the extreme values (time).
+    /// Makes an axis that ends exactly at the extreme values, such as a time axis.
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
         if high > low {
             Self { label: label.into(), low, high, scale: Scale::Linear }
@@ -114,7 +114,7 @@ impl Axis {
     }
 }
 
-/// Lines of one role in data units; each inner list is one unbroken line.
+/// Lines of one role in data units. Each inner list is one unbroken line.
 #[derive(Debug, Clone)]
 pub struct Series {
     /// Role, which selects the color.
@@ -127,16 +127,16 @@ pub struct Series {
     pub marks: Marks,
 }
 
-/// Display of the points of a series.
+/// Display style of the points of a series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marks {
-    /// Joined by a line.
+    /// Points joined by a line.
     Line,
-    /// Joined and marked individually, for a curve of few points.
+    /// Points joined and marked individually, for a curve of few points.
     Both,
-    /// Marked only: each point is a separate result.
+    /// Marks only, because each point is a separate result.
     Dots,
-    /// A larger dot, which stays visible under dots on top.
+    /// Larger dots, which stay visible under dots on top.
     LargeDots,
 }
 
@@ -149,16 +149,16 @@ pub struct Plane {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Lines in drawing order; the legend follows it.
+    /// Lines in drawing order. The legend has the same order.
     pub series: Vec<Series>,
 }
 
 /// Method of drawing the lines of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Drawn {
-    /// As lines with at most this number of points.
+    /// Lines with at most this number of points.
     Lines(usize),
-    /// As the area that the lines cover.
+    /// The area that the lines cover.
     Traces,
 }
 
@@ -183,7 +183,7 @@ impl Plane {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, &[])
     }
 
-    /// Draws the figure at another size; the names of its series come from the data and not from the report's texts.
+    /// Draws the figure at another size, px. The names of its series come from the data instead of the report's texts.
     pub fn draw_named(&self, names: &[String], size: [f64; 2], words: &Words) -> String {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, names)
     }
@@ -205,7 +205,7 @@ impl Plane {
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
         let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
         let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
-        // A series with an empty name uses the legend entry of another series.
+        // A series with an empty name shares the legend entry of another series.
         let named = self.series.iter().zip(&labels).filter(|(_, label)| names.is_empty() || !label.is_empty());
         let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);
@@ -270,8 +270,8 @@ pub enum Mark {
     Dot,
 }
 
-/// Draws the title and, below it, the legend: a mark and a name for each series. Text too wide for the figure gets a
-/// smaller font.
+/// Draws the title and, below the title, the legend: a mark and a name for each series. Text that is too wide for the figure gets a smaller
+/// font.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mark)]) {
     let room = svg.width() - left - 4.0;
     let size = TITLE * (room / (BOLD * text_width(title, TITLE))).min(1.0);
@@ -290,13 +290,11 @@ pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mar
     }
 }
 
-/// Width of bold letters relative to regular letters.
+/// Ratio of the widths of bold and regular letters.
 const BOLD: f64 = 1.08;
 
-/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans; Chinese letters are as wide
-/// as high).
-///
-/// A narrower font leaves a small gap; an estimate from a narrow font would cut labels off.
+/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans). Chinese letters are as wide as high. A narrower
+/// font leaves a small gap. An estimate from a narrow font would truncate labels.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let letter = |c: char| if ('\u{2e80}'..='\u{ffef}').contains(&c) { 1.02 } else { 0.64 };
     size * text.chars().map(letter).sum::<f64>()

@@ -11,7 +11,7 @@ use dashpot_diagnosis::TestOutcome;
 /// Smallest error that the figure distinguishes from zero, N.
 const FLOOR: f64 = 0.01;
 
-/// Returns the name of every test; the segments of a long test are numbered.
+/// Returns the name of every test, with numbers for the segments of a long test.
 pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
     let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.left_out == b.left_out;
     tests
@@ -30,8 +30,8 @@ pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
         .collect()
 }
 
-/// Draws the root mean square error of every test before and after the diagnosis, with the noise. Fitted tests are on
-/// the left, left-out tests on the right.
+/// Draws the root mean square error of every test before and after the diagnosis, with the noise. Fitted tests are on the left, left-out
+/// tests on the right.
 pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let fitted = tests.iter().filter(|t| !t.left_out).count();
     let groups = usize::from(fitted > 0) + usize::from(fitted < tests.len());
@@ -46,7 +46,7 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
     let legend = [(Role::Before, words.before, Mark::Dot), (Role::Model, words.after, Mark::Dot)];
     heading(&mut svg, title, left, &legend);
-    // The noise entry stands to the right of the legend, which is wider in some languages than in English.
+    // The noise entry stands to the right of the legend. In some languages, the legend is wider than in English.
     let wide: f64 = legend.iter().map(|(_, label, _)| 41.0 + text_width(label, LABEL)).sum();
     let noise = left + wide.max(175.0);
     svg.frame(&[[[noise, 33.0], [noise + 12.0, 33.0]]], 1.6);
@@ -119,7 +119,7 @@ pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     plane([words.plot_left_velocity, words.axis_velocity, words.axis_residual], series, words)
 }
 
-/// Returns the indices along the curve; a cycle returns to its start.
+/// Returns the indices along the curve. For a cycle, the first index follows the last.
 fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
     let count = test.curves.measured.len();
     (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))
@@ -149,13 +149,13 @@ fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String
 }
 
 #[cfg(test)]
-/// Tests, and test data shared with other figures.
+/// Tests, and test data that other figures use too.
 pub mod tests {
     use super::*;
     use crate::words::EN;
     use dashpot_diagnosis::Curves;
 
-    /// Makes a sine test whose model lacks 20 N of friction before the diagnosis and 1 N after.
+    /// Makes a sine test. Its model lacks 20 N of friction before the diagnosis and 1 N after it.
     pub fn outcome(name: &str, held_out: bool) -> TestOutcome {
         let phase = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / 100.0;
         let over = |f: &dyn Fn(f64) -> f64| (0..100).map(|i| f(phase(i))).collect::<Vec<f64>>();

@@ -38,9 +38,8 @@ pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     draw([words.plot_error_space, words.axis_error], compared, &series, words)
 }
 
-/// Projects a point of the box, each coordinate from 0 to 1, into the figure.
-///
-/// Velocity points right and toward the reader, displacement right and away, force up.
+/// Projects a point of the box into the figure. Each coordinate of the point is from 0 to 1. Velocity points right and toward the reader,
+/// displacement points right and away, force points up.
 fn project(at: [f64; 3]) -> Point {
     let (turn, elevation) = (TURN.to_radians(), ELEVATION.to_radians());
     let [u, w, z] = [0, 1, 2].map(|i| (at[i] - 0.5) * BOX[i]);
@@ -169,7 +168,7 @@ mod tests {
 
     #[test]
     fn the_back_walls_are_behind_the_box() {
-        // The center of each drawn wall must lie behind the opposite one: its depth is larger.
+        // The center of each drawn wall must lie behind the center of the opposite wall: its depth is larger.
         let depth = |at: [f64; 3]| {
             let turn = TURN.to_radians();
             (at[1] - 0.5) * BOX[1] * libm::cos(turn) - (at[0] - 0.5) * BOX[0] * libm::sin(turn)

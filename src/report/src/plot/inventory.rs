@@ -7,12 +7,11 @@ use crate::numbers::{digits, error};
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// Number of effects with a distinct hue; the palette has eight, of which the last one stands for all smaller effects.
+/// Number of effects with a distinct hue. One further layer combines all smaller effects, if there are several.
 const SHOWN: usize = 7;
-/// Largest number of bands of one kind, so that both kinds fit half a printed page.
+/// Largest number of bands of one kind. With it, both kinds fit on half a printed page.
 const BANDS: usize = 6;
-/// Ratio of neighboring values above which a band may end. Rigs control an amplitude within 5 %, and test matrices step
-/// by 20 % or more.
+/// Ratio of neighboring values that may separate two bands. Rigs control an amplitude within 5 %, and test matrices step by 20 % or more.
 const APART: f64 = 1.15;
 /// Width of the figure, px, for the full width of a printed page.
 const WIDTH: f64 = 880.0;
@@ -47,7 +46,7 @@ fn bands(values: &[f64]) -> Vec<Band> {
 }
 
 impl Band {
-    /// Formats the values in mm or mm/s: one value, or a range.
+    /// Formats the values of the band in mm or mm/s: one value, or a range.
     fn label(&self, words: &Words) -> String {
         let text = |si: f64| digits(1e3 * si, 2);
         if self.high < APART * self.low {
@@ -70,9 +69,8 @@ struct Layer {
     by_test: Vec<f64>,
 }
 
-/// Returns the effects of the most probable model, largest force first.
-///
-/// The last layer combines all effects without a hue of their own, by the root of their summed squares.
+/// Returns the effects of the most probable model. The largest force comes first. The last layer combines all effects without a distinct
+/// hue, with the root of their summed squares.
 fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     let is_drawn = |item: &&InventoryItem| {
         matches!(item.status, Status::Kept | Status::Added)
@@ -99,7 +97,7 @@ fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     all
 }
 
-/// Draws the figure. Returns `None` if no effect carries a force in a fitted test.
+/// Draws the figure. Returns `None` if no effect has a force in a fitted test.
 pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<String> {
     let fitted: Vec<&TestOutcome> = tests.iter().filter(|test| !test.left_out).collect();
     let layers = layers(items, fitted.len(), words);
@@ -167,7 +165,7 @@ pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(svg.finish())
 }
 
-/// Positions the names in as few lines as possible, and returns the lower edge of the last line.
+/// Positions the names in as few lines as possible. Returns the lower edge of the last line.
 fn legend(layers: &[Layer], left: f64, right: f64) -> (Vec<[f64; 2]>, f64) {
     let [mut x, mut y] = [left, 37.0];
     let mut all = Vec::new();
@@ -227,8 +225,7 @@ mod tests {
         ];
         let text = stacked(&items, &tests, &EN).unwrap();
         assert!(!text.contains("NaN") && !text.contains("inf"));
-        // There is one band of amplitude and one of velocity, because both tests have the same motion. 40 and 0 N are
-        // 28.3 N rms.
+        // There is one band of amplitude and one of velocity, because both tests have the same motion. The rms of 40 and 0 N is 28.3 N.
         assert_eq!(text.matches("<title>air in the oil: 28.3 N</title>").count(), 2, "{text}");
         assert_eq!(text.matches("<title>dry friction: 20.0 N</title>").count(), 2);
         assert!(!text.contains("rubber bush") && !text.contains("gas spring"));

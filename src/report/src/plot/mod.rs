@@ -1,7 +1,7 @@
-//! Figures as SVG text: one function per figure, each returning a complete SVG document.
+//! Figures as SVG text, with one function per figure. Each function returns a complete SVG document.
 //!
-//! The crate has its own SVG writer, because engineers read the shape of the loops. Coordinates keep a tenth of a
-//! pixel, and thinning a path moves it invisibly.
+//! The crate has its own SVG writer, because engineers read the shape of the loops. Coordinates have a resolution of a tenth of a pixel,
+//! and thinning does not change a path visibly.
 //!
 //! | file | figures |
 //! |---|---|
@@ -13,9 +13,9 @@
 //! | [`inventory`] | force of every effect by amplitude and peak velocity |
 //! | [`residual`], [`residual_map`] | residual over velocity, time since reversal and displacement |
 //!
-//! In every figure the measurement is blue, the model red, the force–velocity curve green and dashed, and a model
-//! before its improvement gray and dashed. Each mark has a color for a light background and a class, so that a page can
-//! recolor the figure for a dark background ([`palette::page_css`]).
+//! In every figure the measurement is blue, the model red, and the force–velocity curve green and dashed. A model before its improvement is
+//! gray and dashed. Each mark has a color for a light background, and a class. With the class, a page can recolor the figure for a dark
+//! background ([`palette::page_css`]).
 
 pub mod axes;
 pub mod before_after;

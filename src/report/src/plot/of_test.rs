@@ -1,6 +1,6 @@
 //! Plane figures of one test.
 //!
-//! Loops show the last two whole cycles, where the model is in steady state; a test without cycles is shown whole.
+//! Loops show the last two whole cycles, where the model is in steady state. Figures of a test without cycles show the whole test.
 //! Displacement is in mm, velocity in mm/s, force in N.
 
 use super::axes::{Axis, Marks, Plane, Series};
@@ -9,7 +9,7 @@ use crate::words::Words;
 use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
-/// Whole cycles shown in a loop.
+/// Number of whole cycles in a loop.
 pub const CYCLES_SHOWN: usize = 2;
 
 /// Draws force over velocity.
@@ -44,7 +44,7 @@ pub fn force_displacement(compared: &Compared<'_>, words: &Words) -> String {
     plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
-/// Draws force over time, from the start of the cycles shown.
+/// Draws force over time, from the start of the visible cycles.
 pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     let time = &compared.record.time;
     let shown = shown(compared);
@@ -92,8 +92,7 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     plane([words.plot_gap, words.axis_velocity, words.axis_gap], series, words)
 }
 
-/// Returns the non-empty ranges of samples in a loop. Each includes the first sample of the next cycle, so that loops
-/// close.
+/// Returns the non-empty ranges of samples in a loop. Each range includes the first sample of the next cycle, so that loops close.
 pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     let cycles = &compared.record.cycles;
     let samples = compared.record.force.len();
@@ -103,7 +102,7 @@ pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
 
-/// Returns measurement, curve and model over a quantity, in drawing order: the model on top.
+/// Returns measurement, curve and model over a quantity, in drawing order. The model is on top.
 fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
     [
         (Role::Measured, words.measured, &compared.record.force),
@@ -146,13 +145,13 @@ fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String
 }
 
 #[cfg(test)]
-/// Tests, and test data shared with other figures.
+/// Tests, and test data that other figures use too.
 pub mod tests {
     use super::*;
     use crate::words::EN;
     use dashpot_records::Record;
 
-    /// Makes a sine test of `cycles` cycles with 400 samples each. The record contains the cycles only if `marked`.
+    /// Makes a sine test of `cycles` cycles with 400 samples each. If `marked` is set, the record contains the ranges of the cycles.
     pub fn record(cycles: usize, marked: bool) -> Record {
         let mut record = Record {
             name: "50 mm <5 Hz>".into(),
@@ -174,7 +173,7 @@ pub mod tests {
         record
     }
 
-    /// Compares the record with a model that is 5 N too high and a curve without the loop.
+    /// Compares the record with a model that is 5 N too high, and with a curve without the loop.
     pub fn compared(record: &Record) -> Compared<'_> {
         Compared {
             record,

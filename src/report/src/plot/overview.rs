@@ -10,8 +10,7 @@ use dashpot_identification::validation::{Errors, Validation};
 /// Longest test name that is not shortened, characters.
 const NAME: usize = 28;
 
-/// Draws the relative error of every test in the given order, on a logarithmic scale: model against force–velocity
-/// curve.
+/// Draws the relative errors of model and force–velocity curve for every test, on a logarithmic scale. Keeps the given order of tests.
 pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let tests = &validation.tests;
     let pitch = (880.0 / tests.len() as f64).clamp(14.0, 60.0);
@@ -24,7 +23,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let mut svg = Svg::new(right.max(380.0) + 14.0, bottom + longest + 20.0, title);
     heading(&mut svg, title, left, &[(Role::Model, words.model, Mark::Dot), (Role::FvOnly, words.fv_curve, Mark::Dot)]);
 
-    // An exact fit has no logarithm, so the plot shows it at this lower bound.
+    // A zero error has no logarithm, so the plot shows it at this lower bound.
     const FLOOR: f64 = 0.01;
     let percents = tests.iter().flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
@@ -52,10 +51,8 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     svg.finish()
 }
 
-/// Draws the relative error by amplitude (rows) and peak velocity (columns); the curve's error stands below the
-/// model's.
-///
-/// Returns `None` if the campaign has no periodic tests.
+/// Draws the relative error by amplitude (rows) and peak velocity (columns). The curve's error stands below the model's error. Returns
+/// `None` if the campaign has no periodic tests.
 pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     let note = words.fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
     let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
@@ -138,7 +135,7 @@ fn percent(value: f64) -> String {
     )
 }
 
-/// Shortens a name to fit below the axis. The end distinguishes tests, so the middle is omitted.
+/// Shortens a name to fit below the axis. Omits the middle, because the end distinguishes tests.
 pub fn shorten(name: &str) -> String {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= NAME {

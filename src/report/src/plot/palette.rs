@@ -1,7 +1,7 @@
 //! Colors of the figures.
 //!
-//! Deuteranopes and protanopes can distinguish the three hues (blue, vermilion and bluish green, after Okabe & Ito,
-//! *Color Universal Design*, 2008). The green is also dashed, so that it stays distinct in a gray print.
+//! Deuteranopes and protanopes can distinguish the three hues: blue, vermilion and bluish green. Their source is Okabe & Ito, *Color
+//! Universal Design*, 2008. The green is also dashed, so that it stays distinct in a gray print.
 
 use std::fmt::Write as _;
 
@@ -14,17 +14,17 @@ pub enum Role {
     Model,
     /// The force–velocity curve alone.
     FvOnly,
-    /// The model before the improvement, in comparison with the improved model.
+    /// The model before its improvement.
     Before,
     /// Projections and other background marks.
     Shadow,
     /// Limits of a specification.
     Limit,
-    /// One of many dampers, by one of eight hues.
+    /// One of many dampers, with one of eight hues.
     Group(u8),
 }
 
-/// Hues of many dampers, on light and on dark background, also after Okabe & Ito.
+/// Hues of many dampers, on light and on dark background. Their source is Okabe & Ito too.
 const GROUPS: [[&str; 2]; 8] = [
     ["#d43d0f", "#ff7f52"],
     ["#0067a5", "#5cb8f2"],
@@ -38,11 +38,11 @@ const GROUPS: [[&str; 2]; 8] = [
 /// CSS classes of the hues.
 const GROUP_CLASSES: [&str; 8] = ["g0", "g1", "g2", "g3", "g4", "g5", "g6", "g7"];
 
-/// All other roles, for the page's style sheet.
+/// All roles except `Group`, for the page's style sheet.
 const ROLES: [Role; 6] = [Role::Measured, Role::Model, Role::FvOnly, Role::Before, Role::Shadow, Role::Limit];
 
 impl Role {
-    /// Returns the class of the mark in SVG and page.
+    /// Returns the CSS class of the role in SVG and page.
     pub fn class(self) -> &'static str {
         match self {
             Self::Measured => "measured",
@@ -84,7 +84,7 @@ impl Role {
     /// Returns the line width, px.
     pub fn width(self) -> f64 {
         match self {
-            // The line is wide, so that both its edges stay visible under a coincident model.
+            // The line is wide, so that both its edges stay visible if the model coincides with it.
             Self::Measured => 2.8,
             Self::Model => 1.1,
             Self::FvOnly | Self::Before => 1.3,
@@ -109,7 +109,7 @@ pub const GRID: &str = "#e3e6e9";
 /// Background of a figure.
 pub const PAPER: &str = "#ffffff";
 
-/// Returns style rules that recolor inline figures if the reader prefers a dark page; print stays light.
+/// Returns style rules that recolor inline figures if the reader prefers a dark page. Printed figures stay light.
 pub fn page_css() -> String {
     let mut css = String::from("@media screen and (prefers-color-scheme: dark) {\n");
     for role in ROLES.into_iter().chain((0..GROUPS.len() as u8).map(Role::Group)) {
@@ -127,9 +127,8 @@ pub fn page_css() -> String {
     css
 }
 
-/// Returns the fill of a heat-map cell for an error in percent, and whether black text (else white) is readable on it.
-///
-/// One hue runs from pale to deep, logarithmic from 0.5 % to 50 %.
+/// Returns the fill of a heat-map cell for an error in percent, and whether black text is readable on it. Otherwise the text is white. One
+/// hue runs from pale to deep, logarithmic from 0.5 % to 50 %.
 pub fn heat(percent: f64) -> (String, bool) {
     const PALE: [f64; 3] = [253.0, 244.0, 232.0];
     const MIDDLE: [f64; 3] = [240.0, 140.0, 70.0];
@@ -140,10 +139,8 @@ pub fn heat(percent: f64) -> (String, bool) {
     (format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)), place < 0.72)
 }
 
-/// Returns the fill of a map cell for a signed value, −1..1 of the scale's end: orange above zero, purple below, white
-/// at zero.
-///
-/// Neither hue is used for a force, and color-blind readers can distinguish the two.
+/// Returns the fill of a map cell for a signed value, relative to the end of the scale (−1..1). Positive values are orange, negative values
+/// purple, zero is white. No force has one of these hues, and color-blind readers can distinguish the two.
 pub fn signed(place: f64) -> String {
     const ZERO: [f64; 3] = [247.0, 247.0, 247.0];
     const ABOVE: [[f64; 3]; 2] = [[244.0, 165.0, 85.0], [166.0, 76.0, 4.0]];

@@ -51,7 +51,7 @@ fn draw(
             .filter(|l| l.quantity == Quantity::Force)
             .filter_map(|l| {
                 let v = 1e3 * l.velocity_m_s?;
-                // A one-sided window ends at the edge of the figure.
+                // A one-sided limit extends to the edge of the figure.
                 Some([v, l.low.unwrap_or(y.low), l.high.unwrap_or(y.high)])
             })
             .collect();

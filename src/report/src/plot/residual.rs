@@ -1,15 +1,15 @@
-//! Residuals of the force, averaged over all tests: over velocity and over the time since the last reversal of motion.
+//! Residuals of the force, averaged over all tests, over velocity and over the time since the last reversal of motion.
 
 use super::axes::{Axis, Marks, Plane, Scale, Series};
 use super::palette::Role;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Number of velocity bins, over both directions.
+/// Number of velocity bins of both directions together.
 const VELOCITY_BINS: usize = 30;
-/// Bins per decade of time.
+/// Number of bins per decade of time.
 const PER_DECADE: f64 = 5.0;
-/// Smallest number of samples for which a mean is shown.
+/// Smallest number of samples in a bin whose mean is shown.
 const FEWEST: usize = 8;
 
 /// One sample of a test.
@@ -88,7 +88,7 @@ struct Bin {
     noise: f64,
 }
 
-/// Averages three quantities over bins of a fourth, with equal widths on the axis's scale. Bins with too few samples
+/// Averages three quantities over bins of a fourth quantity. The bins have equal widths on the scale of the axis. Bins with too few samples
 /// are omitted.
 fn binned(
     samples: &[Sample],
@@ -161,11 +161,11 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
 
 /// Draws the mean residual over the time since the last change of the velocity's sign. Returns `None` without cycles.
 ///
-/// The residual is positive if the damper resists more than computed.
+/// The residual is positive if the damper resists more than the model.
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    // Closer to the reversal than 0.1 ms even the fastest tests have no samples.
+    // At less than 0.1 ms from the reversal, even the fastest tests have no samples.
     let low = low.max(0.1);
     if low * 1.001 >= high {
         return None;

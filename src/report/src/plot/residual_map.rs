@@ -1,4 +1,4 @@
-//! Maps of the residual over velocity and displacement, before and after, with one color scale.
+//! Maps of the residual over velocity and displacement, before and after the improvement, with one color scale.
 
 use super::axes::{Axis, LABEL, Scale, TICK, TITLE};
 use super::palette::signed;
@@ -42,7 +42,7 @@ fn displacement_axis(samples: &[Sample], words: &Words) -> Axis {
     Axis { scale: Scale::Root, ..Axis::exactly(words.axis_displacement, -top, top) }
 }
 
-/// Averages a quantity in every cell, row by row from the lowest displacement. `None` marks cells without samples.
+/// Averages a quantity in every cell, row by row from the lowest displacement. Cells without samples are `None`.
 fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> Vec<Option<f64>> {
     let mut sums = vec![(0.0, 0usize); CELLS[0] * CELLS[1]];
     for sample in samples {
@@ -55,7 +55,7 @@ fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> V
     sums.iter().map(|(sum, count)| (*count > 0).then(|| sum / *count as f64)).collect()
 }
 
-/// Rounds up to the next of 1, 2 or 5 times a power of ten.
+/// Rounds up to 1, 2 or 5 times a power of ten.
 fn round_up(value: f64) -> f64 {
     let decade = libm::pow(10f64, libm::log10(value.max(1e-3)).floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= 0.999 * value).unwrap_or(value)
@@ -132,7 +132,7 @@ mod tests {
     fn both_maps_share_one_scale_and_the_smaller_rest_is_paler() {
         let all = samples(&[outcome("a", false)]);
         let text = maps(&all, &EN).unwrap();
-        // The largest residual before, 20 N, is the end of the scale; 1 N after is a twentieth of it.
+        // The largest residual before, 20 N, is the end of the scale. The residual after, 1 N, is a twentieth of it.
         let count = |place: f64| text.matches(&signed(place)).count();
         assert!(count(1.0) > 10 && count(-1.0) > 10, "{} {}", count(1.0), count(-1.0));
         assert!(count(0.05) > 10 && count(-0.05) > 10);

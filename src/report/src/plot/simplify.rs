@@ -3,7 +3,7 @@
 /// A point of the figure, px.
 pub type Point = [f64; 2];
 
-/// Largest deviation of a thinned path that still fits into the limit of points, px.
+/// Largest invisible deviation of a thinned path, px.
 const INVISIBLE: f64 = 0.2;
 
 /// Deviation above which a thinned path is called rough, px.
@@ -12,21 +12,20 @@ const ROUGH: f64 = 1.0;
 /// A thinned path.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Thinned {
-    /// The points kept.
+    /// The remaining points.
     pub points: Vec<Point>,
-    /// Whether the path is too noisy for its limit of points: its envelope is right, its detail is not.
+    /// Whether the path is too noisy for its limit of points. Its envelope is then correct, but its details are not.
     pub rough: bool,
 }
 
 /// Thins a path (Douglas & Peucker 1973) without a visible change.
 ///
-/// Points closer together than a fraction of a pixel merge. Points within 0.2 px of the line between kept points are
-/// dropped. If more than `limit` points remain, as in a noisy measurement, the tolerance increases until the path fits;
-/// the result then has `rough` set.
+/// Points closer together than a fraction of a pixel merge. Points within 0.2 px of the line between remaining points are removed. If more
+/// than `limit` points remain, as in a noisy measurement, the tolerance increases until the path fits. The result then has `rough` set.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;
     let mut merged = merge(path, near);
-    // A path of this density is noise on the scale of pixels; merging first limits the work below.
+    // A path of this density is noise on the scale of pixels. Merging first limits the work below.
     while merged.len() > 50 * limit.max(2) {
         near *= 1.5;
         merged = merge(path, near);
@@ -40,7 +39,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     Thinned { points: kept.collect(), rough: tolerance > ROUGH }
 }
 
-/// Drops points closer than `near` to the last kept point; the ends stay.
+/// Removes points closer than `near` to the preceding remaining point. Keeps both ends.
 fn merge(path: &[Point], near: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
     for (i, point) in path.iter().enumerate() {
@@ -52,10 +51,9 @@ fn merge(path: &[Point], near: f64) -> Vec<Point> {
     kept
 }
 
-/// Returns for each point the largest tolerance, px, at which it is kept.
-///
-/// The ends are always kept. A point in between is kept if its distance from the line between kept points exceeds the
-/// tolerance. The farthest point does not depend on the tolerance, so one pass serves all tolerances.
+/// Returns for each point the largest tolerance, px, at which it remains. The ends always remain. Another point remains if its distance
+/// from the line between remaining points exceeds the tolerance. The farthest point does not depend on the tolerance, so one pass serves
+/// all tolerances.
 fn strays(path: &[Point]) -> Vec<f64> {
     let mut strays = vec![0.0; path.len()];
     let mut open = Vec::new();

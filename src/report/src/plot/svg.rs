@@ -1,4 +1,4 @@
-//! The SVG writer: a few marks, each with a class for the page and a light-background color for all other viewers.
+//! The SVG writer. Each mark has a class for the page, and a color for a light background in all other viewers.
 
 use super::palette::{FAINT_INK, GRID, INK, PAPER, Role};
 use super::simplify::{Point, Thinned, simplify};
@@ -50,7 +50,7 @@ impl TextStyle {
 #[derive(Debug)]
 pub struct Svg {
     body: String,
-    /// Attributes of the document beyond its size.
+    /// Attributes of the document in addition to its size.
     about: String,
     width: f64,
     height: f64,
@@ -58,7 +58,7 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// Starts a document of a size in px; a screen reader reads `title`.
+    /// Starts a document of a size in px. Screen readers read `title`.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
         Self { body: String::new(), about: String::new(), width, height, title: title.to_owned() }
     }
@@ -87,7 +87,7 @@ impl Svg {
         let _ = write!(self.about, " data-{name}=\"{}\"", escape(value));
     }
 
-    /// Begins an area that clips its marks at its edges (left, top, right, bottom) and in which the page can zoom.
+    /// Begins an area (left, top, right, bottom) that clips its marks at its edges. The page can zoom in the area.
     pub fn open_area(&mut self, edges: [f64; 4]) {
         let [left, top, right, bottom] = edges;
         let [x, y, width, height] = [left, top, right - left, bottom - top].map(px);
@@ -113,7 +113,7 @@ impl Svg {
         self.body.push_str("</g>");
     }
 
-    /// Draws round points of a role that keep their size when the page zooms: zero-length lines with round ends.
+    /// Draws round points of a role that keep their size when the page zooms. They are zero-length lines with round ends.
     pub fn points(&mut self, role: Role, at: &[Point], radius: f64) {
         if at.is_empty() {
             return;
@@ -128,8 +128,8 @@ impl Svg {
         );
     }
 
-    /// Draws a line of a role through points, thinned to at most `limit` points. A noisy line is thin, so that lines in
-    /// its middle stay visible.
+    /// Draws a line of a role through points, thinned to at most `limit` points. A noisy line is thin, so that other lines inside it stay
+    /// visible.
     pub fn path(&mut self, role: Role, points: &[Point], limit: usize) {
         let Thinned { points, rough } = simplify(points, limit);
         if points.len() < 2 {
@@ -148,9 +148,8 @@ impl Svg {
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
     }
 
-    /// Draws the area that a line of a role covers, as small squares.
-    ///
-    /// A line with hundreds of self-intersections then needs only the space of its area, without thinning.
+    /// Draws the area that a line of a role covers, as small squares. The file size of a line with hundreds of self-intersections then
+    /// depends only on its area, without thinning.
     pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
         let bars = bars(lines, square);
         if bars.is_empty() {
@@ -229,7 +228,7 @@ impl Svg {
         }
     }
 
-    /// Draws a filled rectangle of a fixed color, also on a dark page (a heat-map cell).
+    /// Draws a filled rectangle of a heat map. Its color stays the same on a dark page.
     pub fn cell(&mut self, corner: Point, size: Point, fill: &str) {
         let [x, y] = corner.map(px);
         let [width, height] = size.map(px);
@@ -239,7 +238,7 @@ impl Svg {
         );
     }
 
-    /// Draws one of many seamless cells (a map) in a fixed color, also on a dark page.
+    /// Draws one of many seamless cells of a map. Its color stays the same on a dark page.
     pub fn tile(&mut self, corner: Point, size: Point, fill: &str) {
         let [x, y] = corner.map(px);
         // The tile is slightly larger than the cell, so that rounding leaves no gap.
@@ -247,7 +246,7 @@ impl Svg {
         let _ = write!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>");
     }
 
-    /// Embeds a complete document.
+    /// Embeds another complete document.
     pub fn inside(&mut self, corner: Point, document: &str) {
         let place = format!("<svg x=\"{}\" y=\"{}\" ", px(corner[0]), px(corner[1]));
         self.body.push_str(&document.replacen("<svg ", &place, 1));
@@ -259,8 +258,7 @@ impl Svg {
         self.text_in(at, text, style, class, colour);
     }
 
-    /// Draws many secondary texts of one kind in a group with a class for the page's script. The group holds their
-    /// common attributes.
+    /// Draws many secondary texts of one kind in a group with a class for the page's script. The group contains their common attributes.
     pub fn labels<'t>(
         &mut self,
         class: &str,
@@ -285,7 +283,7 @@ impl Svg {
         self.body.push_str("</g>");
     }
 
-    /// Draws a text on a [`Svg::cell`], dark or light to match its fill, also on a dark page.
+    /// Draws a text on a [`Svg::cell`]. The text is dark or light to match the fill, on a dark page too.
     pub fn cell_text(&mut self, at: Point, text: &str, style: TextStyle, dark: bool) {
         self.text_in(at, text, style, "fixed", if dark { "#000000" } else { "#ffffff" });
     }
@@ -312,7 +310,7 @@ impl Svg {
     }
 }
 
-/// Returns the squares that lines cross, as bars: row, first column, column after the last.
+/// Returns the squares that lines cross, merged to bars: row, first column, column after the last.
 fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     let mut passed = BTreeSet::new();
     for line in lines {
@@ -340,8 +338,8 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     bars
 }
 
-/// Writes path data through points to a tenth of a pixel, in relative steps, which are shorter. Each step starts from
-/// the rounded position, so that rounding errors do not accumulate.
+/// Writes path data through points to a tenth of a pixel. Relative steps make it shorter. Each step starts from the rounded position, so
+/// that rounding errors do not accumulate.
 fn path_data(points: &[Point]) -> String {
     let tenths = |value: f64| (value * 10.0).round() as i64;
     let mut data = String::with_capacity(8 * points.len());
@@ -368,7 +366,7 @@ fn path_data(points: &[Point]) -> String {
     data
 }
 
-/// Writes a number of tenths as the shortest decimal.
+/// Writes an integer number of tenths as the shortest decimal.
 fn push_tenths(into: &mut String, tenths: i64) {
     let sign = if tenths < 0 { "-" } else { "" };
     let (whole, part) = (tenths.abs() / 10, tenths.abs() % 10);
@@ -386,7 +384,7 @@ fn px(value: f64) -> String {
     text
 }
 
-/// Escapes text for XML and HTML, attributes included. Drops control characters, which XML forbids.
+/// Escapes text for XML and HTML, including attributes. Removes control characters, which XML forbids.
 pub fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {

@@ -5,7 +5,7 @@ use crate::words::Words;
 /// Ticks of an axis with their labels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ticks {
-    /// Position in the axis's unit, and label.
+    /// Position in the axis's unit, and label, of each tick.
     pub at: Vec<(f64, String)>,
 }
 
@@ -28,8 +28,8 @@ impl Ticks {
         Self { at: (first..=last).map(|i| (i as f64 * step, number(i as f64 * step, decimals))).collect() }
     }
 
-    /// Returns ticks of a logarithmic axis inside `low..=high`, both positive: decades, and for short ranges 2 and 5
-    /// between them.
+    /// Returns the ticks of a logarithmic axis inside `low..=high`, which must be positive. They are decades. For short ranges, 2 and 5
+    /// times a decade are included.
     pub fn logarithmic(low: f64, high: f64) -> Self {
         let factors: &[f64] = if high / low > 2e3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let mut at = Vec::new();
@@ -58,7 +58,7 @@ impl Ticks {
             at.push((0.0, number(0.0, 0)));
         }
         for (sign, end) in [(1.0, high), (-1.0, -low)] {
-            // Proceed from the end inward, so that the widest range has the best ticks.
+            // Proceed from the ends inward, so that the widest range has the best ticks.
             let mut last = f64::INFINITY;
             let mut exponent = libm::log10(end.max(f64::MIN_POSITIVE)).floor() as i32;
             while place(10f64.powi(exponent + 1)) >= 0.8 * room {

@@ -16,7 +16,7 @@ pub struct Sine {
 }
 
 impl Sine {
-    /// Returns displacement and velocity over time, starting at rest at the lower end.
+    /// Returns displacement and velocity over time. The motion starts at rest at the lower end.
     pub fn motion(self) -> impl Fn(f64) -> (f64, f64) {
         let (a, w) = (self.amplitude, TAU * self.frequency);
         move |t| (-a * libm::cos(w * t), a * w * libm::sin(w * t))
@@ -32,7 +32,7 @@ pub enum HostInput {
     Velocity,
 }
 
-/// Errors of one test, relative to its largest force.
+/// Errors of one test relative to its largest force.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
     /// Root mean square.
@@ -78,10 +78,10 @@ pub struct References {
     dt: f64,
 }
 
-/// Number of Radau steps in the finest interval. Twice the number changes the reference by less than a thousandth of the errors measured
-/// with it (see the tests).
+/// Number of Radau steps in the finest interval. Twice the number changes the reference by less than a thousandth of the measured errors
+/// (see the tests).
 const PARTS: usize = 4;
-/// Number of cycles of each test; slow tests are truncated to [`LONGEST`], s.
+/// Number of cycles of each test. Slow tests are truncated to [`LONGEST`], s.
 const CYCLES: f64 = 2.0;
 const LONGEST: f64 = 8.0;
 
@@ -105,7 +105,7 @@ impl References {
         self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
     }
 
-    /// Computes the errors of the model's own step at `dt` for each test. `dt` is a multiple of the reference step.
+    /// Computes the errors of the model's own step at `dt` for each test. `dt` must be a multiple of the reference step.
     pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests

@@ -1,7 +1,7 @@
-//! An independent integrator for references: Radau IIA of order 5 on the continuous equations.
+//! Independent integrator for references: Radau IIA of order 5 on the continuous equations.
 //!
 //! It shares only [`dashpot_core::evaluate()`] with the kernel's step. The motion is exact, and Newton's method solves all three stages
-//! together to rounding. The caller halves the step until the result is unchanged.
+//! together to rounding. Callers halve the step until the result does not change.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Input, Model, State, evaluate};
@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Imposed motion: displacement and velocity at a time.
 pub trait Motion {
-    /// Displacement, m, and velocity, m/s, at time `t`.
+    /// Returns displacement, m, and velocity, m/s, at time `t`.
     fn evaluate(&self, t: f64) -> (f64, f64);
 }
 
@@ -19,7 +19,7 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
     }
 }
 
-/// Runs the model from the steady state and returns the force at each multiple of `dt`, `steps + 1` values.
+/// Runs the model from the steady state. Returns the force at each multiple of `dt`: `steps + 1` values.
 ///
 /// Every interval is divided into `parts` Radau steps.
 pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {

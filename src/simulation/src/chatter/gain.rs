@@ -6,9 +6,10 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Output, Params};
 use dashpot_core::{element, list, number};
 
-/// Amplitudes of the motions, m, and their peak velocities, m/s, from standstill to a pothole.
+/// Amplitudes of the motions, m, and their peak velocities, m/s. The range is from standstill to a pothole.
 ///
-/// Outside the reference situation only medium motions are evaluated. The others differ little there and cost most of the time.
+/// Outside the reference situation, only medium motions are evaluated. The results of other motions differ little there and take most of
+/// the time.
 const AMPLITUDES: [f64; 4] = [2e-4, 1e-3, 5e-3, 0.02];
 const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
 /// Amplitude, m, and peak velocity, m/s, of a stroke through most of the travel, which can open a void.
@@ -19,7 +20,7 @@ pub(super) const STEPS: usize = 4000;
 const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
 /// Positions on a segment of the FV curve, as fractions of its length. A monotone cubic is steepest in its middle or at an end.
 const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
-/// Evaluated motion: a sine from its middle.
+/// Evaluated motion: a sine that starts at its middle.
 #[derive(Clone, Copy)]
 pub(super) struct Sine {
     situation: Situation,
@@ -49,7 +50,7 @@ pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = 
         .filter(move |sine| sine.omega * host.step <= 0.5)
 }
 
-/// Largest gain, with the motion and force at which it occurs.
+/// Largest gain, and its motion and force.
 pub(super) struct Largest {
     pub gain: f64,
     pub velocity: f64,
@@ -69,7 +70,7 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
         let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {
             let to = input(k);
-            // At the reversal itself a void or a gap may close, between two samples of the motion.
+            // Evaluate the reversal itself too, because a void or a gap may close between two samples of the motion.
             if to.velocity * input(k - 1).velocity <= 0.0 {
                 for velocity in AT_THE_TURN {
                     let turned = Input { velocity, ..to };
@@ -90,8 +91,7 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
     most
 }
 
-/// Returns the largest gain at steady velocities on every segment of the FV curve. The samples of every motion may miss a narrow steep
-/// segment.
+/// Returns the largest gain at steady velocities on every segment of the FV curve. A motion may have no sample on a narrow steep segment.
 pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Largest {
     let knots = if params.number(number!("fv_form")) == 0.0 {
         params.list(list!("fv_velocity")).to_vec()

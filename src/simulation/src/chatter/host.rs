@@ -10,8 +10,8 @@ pub struct Host {
 }
 
 impl Host {
-    /// Real-time host with the lightest mass that a damper of a car moves.
+    /// Real-time host with the lightest mass that a car damper moves.
     ///
-    /// The mass is that of wheel, hub and half the links of a small car's front corner.
+    /// The mass consists of wheel, hub and half the links of a small car's front corner.
     pub const TYPICAL: Host = Host { step: 1e-3, mass: 40.0 };
 }

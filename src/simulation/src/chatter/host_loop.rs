@@ -1,5 +1,5 @@
-//! Simulation of a loop like that of the host: its mass on a tire, moved by a road.
-//! Derivatives at one instant do not show the effect of a mass or a void in the damper on the next steps. The loop shows it.
+//! Simulation of a typical host loop: the host's mass on a tire, moved by a road. Derivatives at one instant do not show how a mass or a
+//! void in the damper affects the next steps. The loop shows it.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -9,44 +9,45 @@ use dashpot_core::{element, number};
 
 /// Stiffness of the tire under the host's mass in the loop, N/m (a car's).
 ///
-/// The tire is softer if the step could not resolve the mass on it: the phase advances by at most `FOLLOWS`, rad, in a step.
+/// If the step cannot resolve the mass on this tire, the tire is softer. In a step, the phase advances by at most `FOLLOWS`, rad.
 const TYRE: f64 = 2e5;
 const FOLLOWS: f64 = 0.3;
-/// Velocity, m/s, above which the loop counts as diverged. No damper moves so fast.
+/// Velocity, m/s, above which the loop counts as diverged. Dampers are always slower.
 const BEYOND: f64 = 100.0;
-/// Initial velocity of the loop, m/s: 10 m/s² during a millisecond.
+/// Initial velocity of the loop, m/s. An acceleration of 10 m/s² gives it in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Alternating part of the force, N, that is visible in a vehicle's signals.
+/// Smallest alternating part of the force, N, that is visible in a vehicle's signals.
 ///
 /// `TURNS` is the smallest number of reversals of the force in the last 24 steps. A single impact (a gap, a stop, dry friction at a
-/// reversal) causes three or four. A mass whose period is not a multiple of the step reverses the force in most steps, not in all.
+/// reversal) causes three or four. The period of a mass may not be a multiple of the step. Then the force reverses in most steps, but not
+/// in all.
 const SEEN: f64 = 5.0;
 const TURNS: u32 = 9;
 const WINDOW: u32 = (1 << 24) - 1;
 /// Largest number of steps of the loop over one road.
 const LOOP: usize = 3000;
-/// Heights of the roads, m; situations other than the reference use the first one. The waves have a fraction of the height and a frequency,
-/// Hz: body, axle and between.
+/// Heights of the roads, m. Situations other than the reference use the first height. Each wave has a fraction of the height and a
+/// frequency, Hz: body, between body and axle, and axle.
 const ROADS: [f64; 3] = [0.005, 0.02, 0.05];
 const WAVES: [(f64, f64); 4] = [(0.5, 1.3), (0.25, 3.1), (0.12, 9.7), (0.06, 14.0)];
 /// Ratio of the mass of the body to that of the wheel.
 const BODY: f64 = 10.0;
-/// Largest number of halvings of the step that are tried.
+/// Largest number of times that the step is halved.
 pub(super) const HALVINGS: i32 = 6;
-/// Fractions of the critical damping of the internal mass that are tried.
+/// Tried fractions of the critical damping of the internal mass.
 const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
 /// Result of a host loop whose force reverses at every step.
 ///
 /// The loop is the host's mass on a tire, moved by a road.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
-    /// Largest alternating part of the force, N; infinite if the motion diverges.
+    /// Largest alternating part of the force, N, or infinity if the motion diverges.
     pub force: f64,
-    /// Number of steps in which the force reverses; if the motion diverges, the number of steps until then.
+    /// Number of steps in which the force reverses. If the motion diverges, number of steps before the divergence.
     pub steps: usize,
     /// Height of the road, m.
     pub height: f64,
-    /// Situation in which this occurs.
+    /// Situation in which the force reverses.
     pub situation: Situation,
 }
 
@@ -73,15 +74,15 @@ impl Turning {
     }
 }
 
-/// Simulates the loop on the roads of a situation. Returns `None` if it is quiet.
+/// Simulates the loop on the roads of a situation. Returns `None` if it does not chatter.
 pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
-    // In a stop a high road would exceed every realistic force.
+    // In a stop, a high road would cause unrealistic forces.
     let roads = if situation == Situation::REFERENCE { &ROADS[..] } else { &ROADS[..1] };
     let found = roads.iter().filter_map(|height| loop_like_the_hosts(model, situation, *height, host));
     found.max_by(|a, b| a.force.total_cmp(&b.force))
 }
 
-/// Returns the displacement of a rough road of a height, m.
+/// Returns the displacement, m, of a rough road with a given height.
 fn road(height: f64, time: f64) -> f64 {
     height * WAVES.iter().map(|(share, hertz)| share * libm::sin(std::f64::consts::TAU * hertz * time)).sum::<f64>()
 }
@@ -97,14 +98,14 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let at_rest = step(model, &state, &rest, 0.0).1.force;
     let (mut x, mut v) = (0.0, KNOCK);
     let mut force = [at_rest; 3];
-    // Each bit stands for one of the last steps, and is set if the force reversed.
+    // Each bit represents one of the last steps. It is set if the force reversed in that step.
     let (mut turned, mut last, mut most, mut found) = (0u32, 0.0, 0.0f64, None::<f64>);
     let mut count = 0;
     let turning = |force: f64, steps: usize| Turning { force, steps, height, situation };
     let pace = h.min(FOLLOWS / (std::f64::consts::TAU * WAVES[WAVES.len() - 1].1));
     for k in 1..=LOOP {
         let under = road(height, pace * k as f64);
-        // Semi-implicit Euler, as in MuJoCo and game engines.
+        // Use semi-implicit Euler, like MuJoCo and game engines.
         v += h / mass * (tyre * (under - x) - (force[2] - at_rest));
         x += h * v;
         if !(v.abs() < BEYOND) {
@@ -127,15 +128,15 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     found.map(|force| turning(force, count + TURNS as usize - 1))
 }
 
-/// Returns the longest step, s, halved repeatedly from the host's step, at which the loop is quiet.
+/// Halves the host's step until the loop does not chatter. Returns that step, s.
 pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Option<f64> {
     let shorter = (1..=HALVINGS).map(|halved| Host { step: host.step * 0.5f64.powi(halved), ..host });
     shorter.into_iter().find(|shorter| turning(model, situation, *shorter).is_none()).map(|shorter| shorter.step)
 }
 
-/// Returns a damping of the series path, N s/m, at which the loop is quiet, if the path has none.
+/// Returns a series damping, N s/m, with which the loop does not chatter. Applies only to an undamped series path.
 ///
-/// Without damping the mass rings on its spring.
+/// Without damping, the mass oscillates on its spring.
 pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
     let [stiffness, mass, damping] =
         [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));

@@ -13,35 +13,35 @@ pub const RINGS: f64 = 1.0;
 /// Gain above which a disturbance grows.
 pub const GROWS: f64 = 2.0;
 
-/// Smallest fraction of the gain that must disappear without an element for the element to be at fault.
+/// Smallest fraction of the gain that must disappear without an element if that element is the cause.
 pub(super) const ITS_DOING: f64 = 0.3;
 /// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
     /// The largest gain.
     pub gain: f64,
-    /// Velocity at which the largest gain occurs, m/s.
+    /// Velocity at the largest gain, m/s.
     pub velocity: f64,
-    /// ∂F/∂v there, N s/m.
+    /// ∂F/∂v at the largest gain, N s/m.
     pub d_force_d_velocity: f64,
-    /// ∂F/∂x there, N/m.
+    /// ∂F/∂x at the largest gain, N/m.
     pub d_force_d_displacement: f64,
-    /// Situation in which the largest gain occurs.
+    /// Situation with the largest gain.
     pub situation: Situation,
-    /// Longest step at which no disturbance changes sign, s; `None` if none was found.
+    /// Longest step at which no disturbance changes sign, s, or `None` if none was found.
     pub quiet_step: Option<f64>,
-    /// Element that causes most of the gain, and the gain without it; `None` if no single element does.
+    /// Element that causes most of the gain, and the gain without this element. `None` if no single element is the cause.
     pub element: Option<(Element, f64)>,
-    /// Result of the host loop, if the loop is not quiet.
+    /// Result of the host loop if the loop chatters.
     pub turning: Option<Turning>,
-    /// Damping of the series path, N s/m, at which the loop would be quiet, if the path has none.
+    /// Damping of an undamped series path, N s/m, with which the loop would not chatter.
     pub calming: Option<f64>,
 }
 
-/// Checks a damper in a host: over its stroke, and under side force and in the cold if these matter.
+/// Checks a damper in a host over its stroke. Also checks it under side force and in the cold, if these affect the damper.
 ///
 /// # Errors
-/// Parameters that form no valid model.
+/// The parameters do not form a valid model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let model = Model::new(params)?;
     let usual = largest(&model, Situation::REFERENCE, host);
@@ -69,7 +69,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
         .filter(|(_, left)| *left < (1.0 - ITS_DOING) * gain)
         .or_else(|| {
             let turning = turning.filter(|_| gain < RINGS)?;
-            // Without the series path no mass is left inside, so this comparison shows nothing.
+            // Without the series path there is no internal mass, so a comparison without that element would be meaningless.
             let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
             let is_quiet = |element: &Element| {
                 let mut less = *params;
@@ -79,7 +79,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
             };
             on.filter(is_quiet).find_map(without)
         });
-    // g = (h c + h² k)/m = 1, solved for h.
+    // Solve g = (h c + h² k)/m = 1 for h.
     let (c, k) = (output.d_force_d_velocity.max(0.0), output.d_force_d_displacement.max(0.0));
     let quiet_step =
         if k > 0.0 { 2.0 * host.mass / (c + (c * c + 4.0 * k * host.mass).sqrt()) } else { host.mass / c.max(1e-9) };

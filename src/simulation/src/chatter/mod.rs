@@ -7,9 +7,9 @@
 //! ```
 //!
 //! multiplies a small disturbance of the velocity by 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). For g below 1 the disturbance decays smoothly.
-//! From 1 on it changes sign at every step. Beyond 2 it grows until something bounds it: friction then alternates between its two levels
-//! forever.
-//! The derivatives are those of the damper's own step of length h, so a series spring and presliding friction reduce them.
+//! For g from 1 to 2 it changes sign at every step and decays. Beyond 2 it grows until a nonlinearity limits it. Friction, for example,
+//! then alternates between its two levels forever. The derivatives are those of the damper's own step of length h. Thus, a series spring
+//! and presliding friction reduce them.
 //!
 //! | module | what |
 //! |---|---|
@@ -17,7 +17,7 @@
 //! | [`Situation`] | position, side force and temperature of a check |
 //! | `gain` | gain over motions and over the FV curve |
 //! | [`Turning`] | result of the simulated host loop |
-//! | [`chatter`] | full check of one damper, and the element at fault |
+//! | [`chatter`] | full check of one damper, and the element that causes chatter |
 //! | [`mod@softened`] | damper that does not chatter |
 //! | [`Ready`] | damper checked in a host and prepared for it |
 //! | `told` | messages |
@@ -42,9 +42,9 @@ pub use softened::{Softened, Softer, softened};
 
 use dashpot_core::Params;
 
-/// Returns the remarks that belong to an export of a damper.
+/// Returns the remarks for an export of a damper.
 ///
-/// They describe chatter in that host, and a mass inside whose oscillation the step does not resolve.
+/// They report chatter in this host, and an internal mass whose oscillation the step does not resolve.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
     Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

@@ -9,10 +9,10 @@ use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared};
 use serde::Serialize;
 
-/// Error of the check of a damper in a host.
+/// Reason why a damper cannot be checked in a host.
 #[derive(Debug, thiserror::Error)]
 pub enum HostError {
-    /// The step is not that of a host.
+    /// The step is outside the range of hosts.
     #[error("{name} is in s and lies between 1e-6 and 0.1, not {step}")]
     Step {
         /// Name of the option.
@@ -20,7 +20,7 @@ pub enum HostError {
         /// Given step, s.
         step: f64,
     },
-    /// The mass is not one that a damper moves.
+    /// The mass is outside the range of masses that a damper moves.
     #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {0}")]
     Mass(f64),
     /// The parameters do not form a valid model.
@@ -29,12 +29,12 @@ pub enum HostError {
     /// The kernel rejects the parameters.
     #[error("{0}")]
     Rejected(&'static str),
-    /// Friction that chatters, in a damper over a setting.
+    /// In a damper over a setting, friction chatters.
     #[error(
         "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
     )]
     OverSetting {
-        /// Setting at which it chatters.
+        /// Setting at which the friction chatters.
         setting: f64,
         /// Element that chatters.
         element: &'static str,
@@ -51,7 +51,7 @@ pub struct Ready {
     pub chatter: Chatter,
     /// Elements that were replaced for this host.
     pub softened: Option<Softened>,
-    /// Whether replacement was requested.
+    /// Whether the user requested the replacement.
     asked: bool,
 }
 
@@ -85,10 +85,10 @@ pub struct Figures {
 }
 
 impl Ready {
-    /// Checks the damper in a host with this step, s, and mass, kg. With `for_step` it replaces friction that chatters at that step.
+    /// Checks the damper in a host with this step, s, and mass, kg. With `for_step`, replaces friction that chatters at that step.
     ///
     /// # Errors
-    /// [`HostError`].
+    /// The damper cannot be checked: [`HostError`].
     pub fn prepare(
         params: &Params,
         host_step: f64,
@@ -111,11 +111,11 @@ impl Ready {
         Ok(Ready { params, host, chatter, softened: soft, asked: for_step.is_some() })
     }
 
-    /// Checks the damper at each value of its setting; an ordinary damper once.
+    /// Checks the damper at each value of its setting, or once if it is an ordinary damper.
     ///
     /// # Errors
-    /// The errors of [`Ready::prepare`]. [`HostError::OverSetting`] if friction would have to be replaced at a setting, because its numbers
-    /// over the setting would be lost.
+    /// The errors of [`Ready::prepare`]. [`HostError::OverSetting`] if friction would have to be replaced at a setting. The replacement
+    /// would lose its numbers over the setting.
     pub fn prepare_at_settings(
         definition: &Definition,
         host_step: f64,
@@ -150,13 +150,13 @@ impl Ready {
         self.softened.iter().map(Softened::describe).collect()
     }
 
-    /// Describes chatter, and a mass whose oscillation the step does not resolve, if present.
+    /// Describes chatter, and an internal mass whose oscillation the step does not resolve, if present.
     pub fn remarks(&self) -> Vec<String> {
         let chatters = self.chatter.rings().then(|| self.chatter.describe(self.host, self.asked));
         chatters.into_iter().chain(self.unfollowed()).collect()
     }
 
-    /// Describes the replacements and the remarks that belong to an export.
+    /// Describes the replacements and the remarks for an export.
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
             Some(_) => self.messages(),
@@ -164,7 +164,7 @@ impl Ready {
         }
     }
 
-    /// Describes a mass whose oscillation the step does not resolve.
+    /// Describes an internal mass whose oscillation the step does not resolve.
     fn unfollowed(&self) -> Option<String> {
         prepared(&self.params).ok().and_then(|model| followed::remark(&model, self.host.step))
     }
@@ -172,7 +172,7 @@ impl Ready {
     /// Describes the stiffness of the states for hosts that integrate them. Returns `None` if explicit steps of 1 ms are stable.
     ///
     /// # Errors
-    /// Parameters that form no valid model.
+    /// The parameters do not form a valid model.
     pub fn stiffness(&self) -> Result<Option<String>, NoModel> {
         Ok(stiffness::remark(&prepared(&self.params)?))
     }
@@ -180,7 +180,7 @@ impl Ready {
     /// Returns the figures of the check.
     ///
     /// # Errors
-    /// Parameters that form no valid model.
+    /// The parameters do not form a valid model.
     pub fn figures(&self) -> Result<Figures, NoModel> {
         let (chatter, softened) = (&self.chatter, self.softened.as_ref());
         let model = prepared(&self.params)?;

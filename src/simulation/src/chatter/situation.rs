@@ -1,19 +1,19 @@
-//! Operating conditions at which a damper is checked: position in the stroke, side force and temperature.
+//! Operating conditions for the check of a damper: position in the stroke, side force and temperature.
 
 use dashpot_core::element;
 use dashpot_core::{Input, Model, Params};
 
-/// Side force, N, at which a damper with side-force friction is checked.
+/// Side force, N, for the check of a damper with side-force friction.
 ///
 /// It occurs in a strut of a car during cornering or braking.
 pub(super) const SIDE_FORCE: f64 = 2000.0;
-/// Force, N, up to which a stop is checked: a front corner in a pothole.
+/// Largest force, N, for the check of a stop: a front corner in a pothole.
 pub(super) const STOP_FORCE: f64 = 1e4;
-/// Temperature, °C, at which a damper with temperature-dependent oil is checked: a winter morning.
+/// Temperature, °C, for the check of a damper with temperature-dependent oil: a winter morning.
 pub(super) const COLD: f64 = -20.0;
 /// Positions in the stroke, m, for a damper with position-dependent damping.
 pub(super) const PLACES: [f64; 8] = [-0.08, -0.06, -0.04, -0.02, 0.02, 0.04, 0.06, 0.08];
-/// Largest displacement, m, at which a stop is searched.
+/// Largest displacement, m, of the search for a stop.
 const FURTHEST: f64 = 0.3;
 /// Operating conditions of a damper: position in the stroke, side force and temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +72,7 @@ impl Situation {
     }
 }
 
-/// Returns the displacement at which the stop of a side reaches [`STOP_FORCE`].
+/// Returns the displacement at which the stop of one side reaches [`STOP_FORCE`].
 fn in_the_stop(model: &Model, side: f64) -> f64 {
     let force = |depth: f64| model.static_output(&Input::motion(side * depth, 0.0)).stop_force.abs();
     let (mut low, mut high) = (0.0, FURTHEST);

@@ -9,7 +9,7 @@ use dashpot_core::step::step;
 use dashpot_core::{Fault, Model, Params};
 use dashpot_core::{element, number};
 
-/// Elements that [`softened`] can replace, with their friction force.
+/// Elements that [`softened`] can replace, with the parameter of their friction force.
 pub(super) const FRICTION: [(Element, Number); 2] = [
     (element!("coulomb_friction"), number!("coulomb_force")),
     (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
@@ -37,12 +37,13 @@ pub enum Softer {
     Replaced {
         /// The element.
         element: Element,
-        /// Force of the presliding friction, N, for all elements that it replaces.
+        /// Force of the presliding friction, N. It covers all elements that the presliding friction replaces.
         force: f64,
         /// Length over which the presliding friction reverses, m.
         length: f64,
     },
-    /// Side-force friction changes sign less steeply, s/m. Its force depends on the host, so it cannot be replaced.
+    /// Smaller steepness of side-force friction at the change of its sign, s/m. Its force depends on the host, so presliding friction
+    /// cannot replace it.
     LessSteep {
         /// Steepness before.
         before: f64,
@@ -65,7 +66,7 @@ impl Softer {
         all
     }
 
-    /// Returns the element that was changed.
+    /// Returns the changed element.
     pub fn element(&self) -> Element {
         match self {
             Softer::Replaced { element, .. } => *element,
@@ -76,22 +77,22 @@ impl Softer {
 
 /// Typical length over which presliding friction of seals reverses, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimeter).
 ///
-/// No longer length is tried. Shorter lengths are closer to friction that reverses instantaneously, so the shortest with a gain up to
-/// `QUIET` is chosen.
+/// It is the longest tried length. Shorter lengths are closer to friction that reverses instantaneously. So the shortest length with a gain
+/// up to `QUIET` is chosen.
 const LENGTH: f64 = 2e-4;
 const QUIET: f64 = 0.3;
-/// Longest step at which both dampers are compared, s.
+/// Longest step for the comparison of both dampers, s.
 const FINE: f64 = 1e-4;
 /// Largest number of elements that reverse instantaneously in a damper.
 const MOST: usize = FRICTION.len() + 1;
 
-/// Replaces steep friction by presliding friction and flattens side-force friction; `None` if that would not help.
+/// Replaces steep friction by presliding friction, and flattens side-force friction.
 ///
-/// Presliding friction acts like a stiff spring, while the replaced friction jumps. The result is also `None` if no steep friction
-/// chatters.
+/// Returns `None` if that does not help, or if no steep friction chatters. Presliding friction acts like a stiff spring, while the replaced
+/// friction jumps.
 ///
 /// # Errors
-/// Parameters that form no valid model.
+/// The parameters do not form a valid model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let mut soft = *params;
     for _ in 0..MOST {
@@ -120,7 +121,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
             (a, b) = (next_a, next_b);
-            // The first half turn builds up the friction after a start at rest.
+            // Skip the first half turn, which builds up the friction after a start at rest.
             if omega * dt * k as f64 > 0.5 * std::f64::consts::TAU {
                 squares += (to.force - from.force).powi(2);
                 count += 1.0;
@@ -132,7 +133,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     Ok(Some(Softened { params: soft, softer, rms_error, largest_error, gain: found.gain }))
 }
 
-/// Finds a steep friction that rings in a situation, and that situation. Other elements (a stop, the FV curve) may ring in other
+/// Finds a steep friction that chatters, and the situation in which it chatters. Other elements (a stop, the FV curve) may chatter in other
 /// situations.
 fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, Situation)>, Fault> {
     let model = Model::new(params)?;
@@ -171,7 +172,7 @@ fn presliding_instead(
     soft.enable(element, false);
     soft.enable(presliding, true);
     soft.set(number!("presliding_force"), force)?;
-    // Existing presliding friction keeps its length if that is quiet.
+    // Existing presliding friction keeps its length if it does not chatter with that length.
     if has && gain(soft)? <= QUIET {
         return Ok(());
     }
@@ -190,7 +191,7 @@ fn presliding_instead(
     Ok(())
 }
 
-/// Halves the steepness of side-force friction until it is quiet in a situation. Returns whether this succeeded.
+/// Halves the steepness of side-force friction until it does not chatter in a situation. Returns whether this succeeded.
 fn less_steep(soft: &mut Params, situation: Situation, host: Host) -> Result<bool, Fault> {
     let steepness = number!("side_force_steepness");
     let mut without = *soft;

@@ -7,7 +7,7 @@ use dashpot_core::{element, list, number};
 
 fn steep() -> Params {
     let mut params = Params::new();
-    // Without gas force the equilibrium of the mass depends only on its spring.
+    // Without gas force, the equilibrium of the mass depends only on its spring.
     for off in [element!("stribeck_friction"), element!("series_compliance"), element!("gas_preload")] {
         params.enable(off, false);
     }
@@ -19,7 +19,7 @@ fn steep() -> Params {
 
 const HOST: Host = Host { step: 1e-3, mass: 40.0 };
 
-/// Simulates a mass on the damper and a spring like such a host does. Returns the largest change of velocity in the last steps.
+/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of velocity in the last steps.
 fn swings(params: &Params, host: Host) -> f64 {
     swings_under(params, host, 0.0)
 }
@@ -55,7 +55,7 @@ fn what_is_said_is_what_a_held_force_does() {
     let soft = softened(&steep, HOST).unwrap().unwrap();
     assert!(soft.gain < RINGS && soft.softer[0].element() == element!("coulomb_friction"));
     assert!(swings(&soft.params, HOST) < 0.05, "{}", swings(&soft.params, HOST));
-    // At the step that is reported as quiet, the steep damper is quiet too.
+    // At the reported step without chatter, the steep damper does not chatter.
     let quiet = Host { step: 0.9 * found.quiet_step.unwrap(), ..HOST };
     assert!(chatter(&steep, quiet).unwrap().gain < RINGS);
     assert!(swings(&steep, quiet) < 0.5, "{}", swings(&steep, quiet));

@@ -9,7 +9,7 @@ use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
-    /// Returns whether a disturbance changes sign at every step, by the derivatives or in the host loop.
+    /// Returns whether a disturbance changes sign at every step, according to the derivatives or the host loop.
     pub fn rings(&self) -> bool {
         self.gain >= RINGS || self.turning.is_some()
     }
@@ -19,7 +19,7 @@ impl Chatter {
         self.gain >= GROWS || self.turning.is_some()
     }
 
-    /// Describes the chatter; `softened` if `--for-step` was already given.
+    /// Describes the chatter. `softened` states whether `--for-step` was given.
     pub fn describe(&self, host: Host, softened: bool) -> String {
         let Host { step, mass } = host;
         let head = format!(

@@ -1,7 +1,7 @@
-//! Masses, springs, tyres and their equations of motion.
+//! Masses, springs and tires of a vehicle, and their equations of motion.
 //!
-//! Axes: x forward, y to the left, z up. Corners in the order L1, R1, L2, R2. All heights are from the static position, all
-//! suspension forces from the static ones, so that the vehicle starts in equilibrium.
+//! Axes: x forward, y to the left, z up. The order of the corners is L1, R1, L2, R2. All heights are relative to the static position, and
+//! all suspension forces are relative to the static forces. So the vehicle starts in equilibrium.
 
 /// A vehicle.
 #[derive(Clone, Copy, Debug)]
@@ -12,7 +12,7 @@ pub struct Car {
     pub unsprung_mass: f64,
     /// Roll, pitch and yaw inertia, kg m².
     pub inertia: [f64; 3],
-    /// Distance of the front and of the rear axle from the center of gravity, m.
+    /// Distances of the front axle and the rear axle from the center of gravity, m.
     pub axle: [f64; 2],
     /// Track, m.
     pub track: f64,
@@ -20,13 +20,13 @@ pub struct Car {
     pub roll_arm: f64,
     /// Spring rate at the wheel, front and rear, N/m.
     pub spring: [f64; 2],
-    /// Anti-roll rate at the wheel, front and rear, N/m of difference in stroke.
+    /// Anti-roll rate at the wheel, front and rear, N/m. It refers to the difference of the strokes.
     pub anti_roll: [f64; 2],
     /// Vertical tire stiffness, N/m.
     pub tyre: f64,
     /// Cornering stiffness of a tire, N/rad.
     pub cornering: f64,
-    /// Friction of the tire on the road.
+    /// Friction coefficient between tire and road.
     pub grip: f64,
     /// Ratio of damper travel to wheel travel.
     pub motion_ratio: f64,
@@ -35,49 +35,49 @@ pub struct Car {
 /// One number of a vehicle, for files and reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarValue {
-    /// Its name in a file.
+    /// Name of the number in a file.
     pub name: &'static str,
-    /// Its value, in `unit`.
+    /// Value of the number, in `unit`.
     pub value: f64,
     /// Unit.
     pub unit: &'static str,
 }
 
-/// Error of a file that describes no vehicle.
+/// Reason why a file does not describe a vehicle.
 #[derive(Debug, thiserror::Error)]
 pub enum CarError {
     /// The file is not TOML, or a value is not a number.
     #[error("{0}")]
     Toml(String),
-    /// A name that a vehicle does not have.
+    /// A name does not belong to a vehicle.
     #[error("line {line}: a vehicle has no {name:?}; it has {}", Car::default().values().map(|v| v.name).join(", "))]
     Unknown {
         /// The name.
         name: String,
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
     },
-    /// A value out of range.
+    /// A value is out of range.
     #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
     Range {
         /// The name.
         name: &'static str,
-        /// Its value.
+        /// Value of the number.
         value: f64,
-        /// Its unit.
+        /// Unit of the number.
         unit: &'static str,
         /// Allowed range.
         least: &'static str,
-        /// Line, from 1.
+        /// Line number, from 1.
         line: usize,
     },
 }
 
 impl Car {
-    /// Reads a vehicle from a file of `name = number` lines in SI units. Numbers that the file omits are those of the passenger car.
+    /// Reads a vehicle from a file of `name = number` lines in SI units. The passenger car supplies the numbers that the file omits.
     ///
     /// # Errors
-    /// [`CarError`] with the line.
+    /// Returns a [`CarError`] with the line.
     pub fn read(text: &str) -> Result<Car, CarError> {
         let table: toml::Table =
             toml::from_str(text).map_err(|e| CarError::Toml(e.to_string().trim_end().to_owned()))?;
@@ -128,7 +128,7 @@ impl Car {
         units.map(|(name, unit)| CarValue { name, value: *car.place_of(name), unit })
     }
 
-    /// Returns a reference to the number of this name.
+    /// Returns a reference to the number with this name.
     fn place_of(&mut self, name: &str) -> &mut f64 {
         match name {
             "sprung_mass" => &mut self.sprung_mass,
@@ -214,17 +214,17 @@ impl Car {
         [above(&body.position) - body.wheel[corner], above(&body.velocity) - body.wheel_velocity[corner]]
     }
 
-    /// Makes one step of `dt` at a forward speed and a steering angle, with these road heights under the wheels.
+    /// Makes one step of `dt` with a forward speed, a steering angle, and road heights under the wheels.
     ///
-    /// The damper forces are differences from the static ones, at the wheel, tension positive. The step is semi-implicit: velocities first,
-    /// then positions.
+    /// The damper forces are relative to the static forces, at the wheel, tension positive. The step is semi-implicit: it updates
+    /// velocities first, then positions.
     pub fn step(&self, body: &mut Body, dt: f64, speed: f64, steer: f64, road: [f64; 4], damper: [f64; 4]) {
         let stroke: [f64; 4] = std::array::from_fn(|i| self.stroke(body, i)[0]);
         let (mut heave, mut roll, mut pitch, mut side, mut yaw) = (0.0, 0.0, 0.0, 0.0, 0.0);
         let mut wheel = [0.0; 4];
         for i in 0..4 {
             let ([x, y], axle, other) = (self.place(i), i / 2, i ^ 1);
-            // Force that lifts the body and presses the wheel down.
+            // This force lifts the body and presses the wheel down.
             let lift = -self.spring[axle] * stroke[i] - self.anti_roll[axle] * (stroke[i] - stroke[other]) - damper[i];
             let load = (self.load(i) + self.tyre * (road[i] - body.wheel[i])).max(0.0);
             wheel[i] = (load - self.load(i) - lift) / self.unsprung_mass;
@@ -281,7 +281,7 @@ impl Car {
 mod tests {
     use super::*;
 
-    /// Free oscillations lose the energy that the dampers absorb, up to the order of the step.
+    /// Free oscillations lose the energy that the dampers absorb, up to an error of the order of the step.
     #[test]
     fn energy_goes_where_the_dampers_take_it() {
         let car = Car::default();
@@ -292,7 +292,7 @@ mod tests {
             for _ in 0..(1.0 / dt) as usize {
                 let rate: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
                 let force = rate.map(|v| 1500.0 * v);
-                // At this speed the side forces of the tires hardly matter and cause no roll.
+                // At this speed the side forces of the tires are negligible and cause no roll.
                 car.step(&mut body, dt, 1e9, 0.0, [0.0; 4], force);
                 let after: [f64; 4] = std::array::from_fn(|i| car.stroke(&body, i)[1]);
                 taken += dt * (0..4).map(|i| force[i] * 0.5 * (rate[i] + after[i])).sum::<f64>();
@@ -312,7 +312,7 @@ mod tests {
         assert!(body.position.iter().chain(&body.wheel).all(|x| x.abs() < 1e-12), "{body:?}");
     }
 
-    /// Steady cornering has the yaw rate of the linear single-track model, with roll to the outside.
+    /// In steady cornering, the yaw rate is that of the linear single-track model, and the body rolls outward.
     #[test]
     fn steady_cornering_is_that_of_the_single_track_model() {
         let (car, mut body) = (Car::default(), Body::default());

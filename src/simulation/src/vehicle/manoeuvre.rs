@@ -3,17 +3,17 @@
 /// Maneuver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manoeuvre {
-    /// Both axles over a bump of 40 mm and 0.5 m length at 30 km/h.
+    /// Drive both axles over a bump of 40 mm height and 0.5 m length at 30 km/h.
     Bump,
     /// Steering angle of 2 degrees at the wheels, ramped in 0.15 s, at 90 km/h.
     StepSteer,
     /// Sine steering of 1.5 degrees at 0.7 Hz at 90 km/h.
     SineSteer,
-    /// A section of track at 110 km/h: a rough road and a run of bends.
+    /// Drive a section of track at 110 km/h: a rough road and a series of bends.
     Track,
 }
 
-/// Surface of the track: waves of an ISO 8608 road between class B and C, different left and right.
+/// Surface of the track: waves of an ISO 8608 road between class B and C, different on the left and on the right.
 #[derive(Clone, Debug)]
 pub struct Road {
     /// Angular wave number (rad/m), amplitude (m), and phase on the left and on the right of each wave.
@@ -24,7 +24,7 @@ pub struct Road {
 const UNEVENNESS: f64 = 100e-6;
 
 impl Road {
-    /// Makes a random road. A seed always yields the same road.
+    /// Makes a random road. Equal seeds give equal roads.
     pub fn new(seed: u64) -> Road {
         let mut state = seed;
         let mut uniform = || {
@@ -44,7 +44,7 @@ impl Road {
                 let n = from + uniform() * (to - from);
                 let amplitude = (2.0 * UNEVENNESS * (n / 0.1).powi(-2) * (to - from)).sqrt();
                 let phase = std::f64::consts::TAU * uniform();
-                // Long waves are equal on both sides, short ones are not.
+                // Long waves are equal on both sides, short waves differ.
                 let apart = std::f64::consts::TAU * (uniform() - 0.5) * (n / 0.3).min(1.0);
                 [std::f64::consts::TAU * n, amplitude, phase, phase + apart]
             })
@@ -52,7 +52,7 @@ impl Road {
         Road { waves }
     }
 
-    /// Returns the height under a wheel, m; `side` 0 is left.
+    /// Returns the height under a wheel, m. Side 0 is left.
     pub fn height(&self, distance: f64, side: usize) -> f64 {
         self.waves.iter().map(|w| w[1] * libm::sin(w[0] * distance + w[2 + side])).sum()
     }
@@ -103,7 +103,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Returns the height of the road, m, under a wheel `ahead` of the center of gravity; `side` 0 is left.
+    /// Returns the height of the road, m, under a wheel `ahead` of the center of gravity. Side 0 is left.
     pub fn road(self, road: &Road, time: f64, ahead: f64, side: usize) -> f64 {
         let distance = self.speed() * time + ahead;
         match self {
@@ -116,7 +116,7 @@ impl Manoeuvre {
                 }
             }
             Manoeuvre::Track => {
-                // The road fades in, so that the vehicle starts at rest.
+                // The height of the road increases gradually, so that the vehicle starts at rest.
                 road.height(distance, side) * (time / 2.0).min(1.0)
             }
             Manoeuvre::StepSteer | Manoeuvre::SineSteer => 0.0,

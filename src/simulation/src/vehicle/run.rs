@@ -35,21 +35,21 @@ pub struct Sample {
 /// Results of a maneuver.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Samples of every host step.
+    /// Samples at every host step.
     pub samples: Vec<Sample>,
-    /// Largest coupling ratio c h/m: slope of the damper at the wheel times step over unsprung mass. An explicit host is unstable above 2;
-    /// with one more step of delay above 1.
+    /// Largest coupling ratio c h/m: slope of the damper at the wheel times step divided by unsprung mass. An explicit host is unstable
+    /// above 2. With one more step of delay, it is unstable above 1.
     pub coupling: f64,
     /// Largest coupling ratio at damper velocities above [`SLOW`].
     ///
-    /// Below that velocity friction determines the slope. Its force is bounded, so the coupling chatters there but does not grow.
+    /// Below that velocity, friction determines the slope. The friction force is bounded, so the coupling chatters there but does not grow.
     pub coupling_moving: f64,
 }
 
 /// Damper velocity below which friction determines the slope, m/s.
 pub const SLOW: f64 = 0.02;
 
-/// Error of a maneuver.
+/// Reason why a maneuver failed.
 #[derive(Debug, thiserror::Error)]
 pub enum VehicleError {
     /// The step is outside the range of real-time simulators.
@@ -60,13 +60,15 @@ pub enum VehicleError {
     Unstable(f64, TooFast),
 }
 
-/// Four dampers behind the interface of a simulator: motion in at each step, force out. Extension and tension are positive.
+/// Four dampers behind the interface of a simulator, which receives a motion and returns a force at each step. Extension and tension are
+/// positive.
 pub trait Dampers {
-    /// Sets all dampers to equilibrium at displacement 0 and returns their static forces, N.
+    /// Sets all dampers to equilibrium at displacement 0. Returns their static forces, N.
     fn rest(&mut self) -> [f64; 4];
     /// Advances by `dt` to these displacements and velocities.
     ///
-    /// Returns the force, N, and its total derivative with respect to velocity, N s/m. The displacement changes with the velocity by `dt`.
+    /// Returns the force, N, and its total derivative with respect to velocity, N s/m. The total derivative includes the change of
+    /// displacement, which is `dt` times the change of velocity.
     fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
 }
 
@@ -100,18 +102,18 @@ impl Dampers for Kernels<'_> {
     }
 }
 
-/// Simulates a maneuver with the dampers L1, R1, L2, R2 of these models at a fixed step.
+/// Simulates a maneuver at a fixed step with the dampers L1, R1, L2, R2 of these models.
 ///
 /// # Errors
-/// A step out of range, or an unstable run.
+/// The step is out of range, or the vehicle becomes unstable.
 pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
     run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
 
-/// Simulates a maneuver with dampers of any kind, such as those behind the simulator bridge.
+/// Simulates a maneuver with dampers of any kind, such as the dampers behind the simulator bridge.
 ///
 /// # Errors
-/// A step out of range, or an unstable run.
+/// The step is out of range, or the vehicle becomes unstable.
 pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
     if !(SHORTEST_STEP..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
@@ -119,7 +121,7 @@ pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt:
     told_every(1, car, manoeuvre, dampers, dt)
 }
 
-/// Simulates a maneuver and stores a sample after `every` steps of `dt`.
+/// Simulates a maneuver. Stores a sample after every `every` steps of `dt`.
 fn told_every(
     every: usize,
     car: &Car,
@@ -142,7 +144,7 @@ fn told_every(
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
         let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
         if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-            // Use the slope at moving dampers: the slope of friction is steeper, but its force is bounded.
+            // Use the slope of moving dampers. The slope of friction is steeper, but the friction force is bounded.
             let slope = coupling_moving * car.unsprung_mass / dt;
             return Err(VehicleError::Unstable(time, too_fast(car, slope, dt)));
         }
@@ -166,7 +168,7 @@ fn told_every(
     Ok(Run { samples, coupling, coupling_moving })
 }
 
-/// Runs of two sets of dampers in one maneuver, with steps so short that the coupling of force and motion does not chatter.
+/// Runs of two sets of dampers in one maneuver. Their steps are so short that the coupling of force and motion does not chatter.
 #[derive(Clone, Debug)]
 pub struct Quiet {
     /// Step, s.
@@ -175,17 +177,17 @@ pub struct Quiet {
     pub runs: [Run; 2],
 }
 
-/// Coupling ratio c h/m that the shorter step aims at. With it an oscillation decays within a few steps.
+/// Target of the coupling ratio c h/m for the shorter step. With this ratio, an oscillation decays within a few steps.
 const QUIET: f64 = 0.5;
 /// Largest number of substeps of a host step. A curve that still chatters contains a jump, for which no step is short enough.
 const MOST_PARTS: f64 = 64.0;
 
-/// Simulates the sets of dampers in shorter steps, if one of the `runs` at `dt` chatters.
+/// Simulates the sets of dampers in shorter steps if one of the `runs` at `dt` chatters.
 ///
-/// The difference between the runs is then due to the dampers and not to the coupling step.
+/// The difference between the runs then comes from the dampers and not from the coupling step.
 ///
 /// # Errors
-/// An unstable run.
+/// The vehicle becomes unstable.
 pub fn without_chatter(
     car: &Car,
     manoeuvre: Manoeuvre,
@@ -224,7 +226,7 @@ mod tests {
         a.iter().zip(&b).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs())) / peak
     }
 
-    /// Runs with steps from 2 to 0.25 ms agree, the better the shorter the steps.
+    /// Runs with steps from 2 to 0.25 ms agree. Shorter steps agree better.
     #[test]
     fn runs_converge_with_the_step() {
         for manoeuvre in [Manoeuvre::Bump, Manoeuvre::Track] {
@@ -255,7 +257,8 @@ mod tests {
         assert!(last.corner[0].displacement > 0.005 && last.corner[1].displacement < -0.005);
     }
 
-    /// Friction determines the largest slope, and the curve the slope in motion: its steepest slope times the step over the wheel mass.
+    /// Friction determines the largest slope. The curve determines the slope in motion: its steepest slope times the step divided by the
+    /// wheel mass.
     #[test]
     fn the_slope_in_motion_is_that_of_the_curve() {
         let run = drive(Manoeuvre::Track, 1e-3);
@@ -273,9 +276,9 @@ mod tests {
         }
     }
 
-    /// A curve that contains friction as a jump chatters in steps of a millisecond.
+    /// A curve with a friction jump chatters in steps of a millisecond.
     ///
-    /// In short steps it does not, and both runs have samples at the same instants.
+    /// In short steps it does not chatter, and both runs have samples at the same instants.
     #[test]
     fn a_steep_curve_is_driven_without_its_chatter() {
         let mut steep = Params::new();
@@ -286,7 +289,7 @@ mod tests {
         let (steep, smooth) = (Model::new(&steep).unwrap(), Model::new(&Params::new()).unwrap());
         let car = Car::default();
         let drive = |model: &Model| run(&car, Manoeuvre::StepSteer, [model; 4], 1e-3).unwrap();
-        // Mean change of a wheel's damper force from step to step once the vehicle is at rest.
+        // Computes the mean change per step of a wheel's damper force after the vehicle has come to rest.
         let restless = |run: &Run| {
             let force: Vec<f64> = run.samples.iter().rev().take(400).map(|s| s.corner[0].force).collect();
             force.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() / 399.0

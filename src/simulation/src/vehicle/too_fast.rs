@@ -1,16 +1,17 @@
 //! Search for the cause if a vehicle becomes unstable with a step.
 //!
-//! The cause is a part of the vehicle whose frequency is too high for the step, or a damper that is too steep for it.
+//! The cause is a part of the vehicle with too high a frequency for the step, or a damper that is too steep.
 //!
-//! Consider a mass m on a stiffness k, moved by semi-implicit steps h. The force of its damper of slope c is that of the step before. The
-//! motion
+//! Consider a mass m on a stiffness k in semi-implicit steps h. The force of its damper with slope c is the force of the preceding step.
+//! The motion
 //!
 //! ```text
 //! v' = v − (h/m)(k x + c v),   x' = x + h v'
 //! ```
 //!
-//! grows if 2 c h/m + k h²/m > 4. The two terms give the fractions of damper and springs. The longest stable step is found by simulation of
-//! the whole vehicle. Its masses are coupled, and the effective mass of each is smaller than alone.
+//! grows if 2 c h/m + k h²/m > 4. The first term is the contribution of the damper, the second term that of the springs. The longest stable
+//! step is found by simulation of the whole vehicle, because its masses are coupled. The effective mass of each part is smaller than its own
+//! mass.
 
 use super::{Body, Car};
 use std::fmt;
@@ -22,17 +23,17 @@ pub enum Blame {
     Part {
         /// Name in a file and value of the oscillating mass or inertia.
         mass: (&'static str, f64),
-        /// Name in a file and value, N/m, of the stiffest spring at the mass.
+        /// Name in a file and value, N/m, of the stiffest spring on that mass.
         spring: (&'static str, f64),
     },
     /// The delayed coupling of damper force and motion.
     Damper {
-        /// Its damping at the wheel, N s/m.
+        /// Damping of the damper at the wheel, N s/m.
         damping: f64,
         /// Name in a file and value of the mass that the damper moves.
         mass: (&'static str, f64),
     },
-    /// Neither of them: the motion follows from the vehicle's parameters.
+    /// Neither part nor damper: the motion follows from the vehicle's parameters.
     Neither,
 }
 
@@ -43,14 +44,14 @@ pub struct TooFast {
     pub blame: Blame,
     /// Step of the run, s.
     pub step: f64,
-    /// Longest step that is safely stable, s; the step of the run if it is not the cause.
+    /// Longest step that is safely stable, s. If the step is not the cause, this is the step of the run.
     pub longest: f64,
 }
 
-/// Ratio of the reported step to the longest stable one.
+/// Ratio of the reported step to the longest stable step.
 ///
-/// Near the stability limit a wheel that lifts off and lands gains energy. With tires of 1e8 to 1e9 N/m and dampers of 20 to 1500 N s/m no
-/// maneuver became unstable up to a ratio of 0.7. Some did from 0.8 on.
+/// Near the stability limit, a wheel that lifts off and lands gains energy. With tires of 1e8 to 1e9 N/m and dampers of 20 to 1500 N s/m,
+/// no maneuver became unstable up to a ratio of 0.7. From 0.8 on, some maneuvers became unstable.
 const ROOM: f64 = 0.7;
 
 /// Shortest allowed step of a vehicle, s.
@@ -76,7 +77,7 @@ impl Car {
     ///
     /// `slope` is the derivative of the dampers at the wheel, N s/m. Their force has a zero-order hold over a step.
     fn swings_up(&self, slope: f64, step: f64) -> bool {
-        // The disturbance is small enough to keep every tire on the road, and excites all modes.
+        // The disturbance excites all modes. It is so small that every tire stays on the road.
         let mut body = Body { position: [1e-9, 2e-9, 3e-9], wheel: [1e-9, -2e-9, 3e-9, -5e-9], ..Body::default() };
         let begin = self.energy(&body);
         for _ in 0..3000 {
@@ -91,7 +92,7 @@ impl Car {
         false
     }
 
-    /// Returns all oscillation modes, with dampers of this slope at the wheel, N s/m.
+    /// Returns all oscillation modes for dampers with this slope at the wheel, N s/m.
     fn ways(&self, slope: f64) -> Vec<Way> {
         const SPRING: [&str; 2] = ["front_spring", "rear_spring"];
         const ANTI_ROLL: [&str; 2] = ["front_anti_roll", "rear_anti_roll"];
@@ -103,7 +104,7 @@ impl Car {
         };
         let mut ways = Vec::new();
         for axle in 0..2 {
-            // If both wheels of an axle move in opposite directions, they deflect its anti-roll bar twice.
+            // Opposite motions of both wheels of an axle deflect its anti-roll bar twice.
             let on: [Spring; 3] = [
                 ("tyre", self.tyre, 1.0),
                 (SPRING[axle], self.spring[axle], 1.0),
@@ -113,7 +114,7 @@ impl Car {
             let stiffness = on.iter().map(|(_, value, times)| value * times).sum();
             ways.push(Way { mass: ("unsprung_mass", self.unsprung_mass), stiffness, slope, spring });
         }
-        // Body modes: heave, roll and pitch, each with the springs of the corners at their lever arms.
+        // Body modes are heave, roll and pitch. In each, the springs of the corners act at their lever arms.
         let arms = |axle: usize| [1.0, 0.5 * self.track, self.axle[axle]];
         let masses =
             [("sprung_mass", self.sprung_mass), ("roll_inertia", self.inertia[0]), ("pitch_inertia", self.inertia[1])];
@@ -138,7 +139,7 @@ impl Car {
 
 /// Finds the cause if a vehicle becomes unstable in steps of this length.
 ///
-/// `slope` is the steepest derivative of its dampers at the wheel, N s/m.
+/// `slope` is the steepest derivative of the vehicle's dampers at the wheel, N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     if !car.swings_up(slope, step) {
         return TooFast { blame: Blame::Neither, step, longest: step };
@@ -209,7 +210,7 @@ mod tests {
     use super::*;
     use dashpot_core::{Model, Params, element, list};
 
-    /// Makes a damper of constant slope, N s/m.
+    /// Makes a damper with a constant slope, N s/m.
     fn straight(slope: f64) -> Model {
         let mut params = Params::new();
         params.disable_all();
@@ -227,9 +228,9 @@ mod tests {
         }
     }
 
-    /// The reported part is the one that was made too fast.
+    /// The reported part is the part that the test made too fast.
     ///
-    /// In the reported step the vehicle is stable. At a slightly longer step a disturbance grows.
+    /// With the reported step, the vehicle is stable. With a slightly longer step, a disturbance grows.
     #[test]
     fn the_part_that_is_too_fast_is_named_with_the_longest_step() {
         let usual = Car::default();

@@ -14,18 +14,18 @@ use dashpot_report::ReportInput;
 use dashpot_rig::{Campaign, Matrix, Options};
 use std::path::PathBuf;
 
-/// Measure a virtual damper, identify it, validate the model; then find what another damper hides
+/// Measure a virtual damper, identify it and validate the model; then find an injected effect in another damper
 ///
-/// Leaves records, model files and reports in one folder. Three rows of the test matrix are kept from the fit, so the
-/// report shows errors on tests that the model never saw. The second damper has an effect in it that the model lacks: the
-/// diagnosis names it, adds it, and shows the gap close.
+/// Writes records, model files and reports to one folder. The fit does not use three rows of the test matrix, so the report shows errors on
+/// tests that are new to the model. The second damper has an effect that the model lacks. The diagnosis names the effect, adds it, and
+/// reports the reduction of the error.
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot demo -o demo")]
 pub struct Args {
-    /// Folder for everything
+    /// Folder for all results
     #[arg(short, long, value_name = "DIR", default_value = "demo")]
     output: PathBuf,
-    /// Which virtual damper
+    /// Seed of the virtual damper
     #[arg(long, default_value_t = 0)]
     seed: u64,
 }

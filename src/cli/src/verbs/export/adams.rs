@@ -11,20 +11,20 @@ use dashpot_report::replace_file;
 use dashpot_rig::{Matrix, TestPoint};
 use std::path::{Path, PathBuf};
 
-/// Write everything that a run folder of Adams needs: model file, library, commands, a test rig
+/// Write the files of an Adams run folder: model file, library, commands, a test rig
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot export adams damper.toml -o run --length 412.5")]
 pub struct Args {
     /// Model file
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// Folder to write to; made if it is not there
+    /// Folder to write to; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
     /// Distance of the damper's markers at zero displacement, in mm, or with its unit: 412.5, 412.5mm, 0.4125m
     #[arg(long, value_name = "MM", default_value = "400", value_parser = in_millimetres, allow_negative_numbers = true)]
     length: f64,
-    /// The library to hand out; if not given, those that this command holds (Linux and Windows), or the one beside it
+    /// Library to copy. If not given, the libraries embedded in this command (Linux and Windows), or the one in its folder
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
     #[command(flatten)]

@@ -4,7 +4,7 @@ use dashpot_hosts::adams::replaced::{Named, replaced};
 use dashpot_hosts::damper_length;
 use std::path::PathBuf;
 
-/// Replace dampers in a compiled Adams Car model by the model, leaving every other byte alone
+/// Replace dampers in a compiled Adams Car model by the model, without changing any other byte
 #[derive(clap::Args)]
 #[command(
     after_help = "Example:\n  dashpot export adm car.adm -o car_dashpot.adm --model-file damper.toml --damper dal_ride_damper.force=412.5 --damper dar_ride_damper.force=412.5\n  dashpot export adm car.adm -o car_dashpot.adm --damper SFORCE/12=412.5,front.toml --damper SFORCE/14=388,rear.toml"
@@ -16,14 +16,14 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.adm")]
     output: PathBuf,
-    /// Name of the damper's SFORCE, or SFORCE/id, its length at zero displacement, and its model file where that is not --model-file.
-    /// The length is in the unit of the model (UNITS) or has its own (412.5mm, 0.4125m). Repeat for more
+    /// Name of the damper's SFORCE, or SFORCE/id, and its length at zero displacement. Add its model file if it differs from --model-file.
+    /// The length is in the unit of the model (UNITS) or has its own unit (412.5mm, 0.4125m). Repeat for more dampers
     #[arg(long = "damper", value_name = "NAME=LENGTH[,PATH]", required = true, value_parser = damper)]
     dampers: Vec<Named>,
-    /// Path of the model file as the solver will find it
+    /// Path at which the solver will find the model file
     #[arg(long, value_name = "PATH", default_value = "damper.toml")]
     model_file: String,
-    /// Replace also a force at rest (a constant beside the spline): the model file holds it as its gas force
+    /// Also replace a force at rest, which is a constant added to the spline. Requires that the model file contains it as gas force
     #[arg(long)]
     replace_preload: bool,
 }
@@ -31,7 +31,7 @@ pub struct Args {
 fn damper(text: &str) -> Result<Named, String> {
     let (name, length) = text.split_once('=').ok_or("say NAME=LENGTH")?;
     let (length, model_file) = length.split_once(',').unwrap_or((length, ""));
-    // Otherwise 412,5 would be parsed as 412 and a model file named 5.
+    // Otherwise, `412,5` would mean length 412 and a model file with the name 5.
     let next = model_file.split(',').next().unwrap_or_default().trim();
     if !next.is_empty() && next.bytes().all(|b| b.is_ascii_digit()) {
         return Err(format!(

@@ -9,10 +9,11 @@ use std::path::PathBuf;
 
 /// Write the FV curve of a damper as an Adams Car damper property file
 ///
-/// A property file holds a curve alone; hysteresis, springs and series stiffness need the routines of `dashpot export adams`. So it gets the
-/// plain FV curve that `dashpot fit` has fitted to the same tests and left in the model file (fv_only), the best that a curve can do: friction is
-/// in it. A model file without one, or whose numbers were changed since, gives the model's own curve, without friction. A file name that ends in
-/// .xml gets the XML form, which holds the gas preload too. Whose curve it is and what is left out stands in the file as a comment and is said.
+/// A property file contains only a curve. Hysteresis, springs and series stiffness need the routines of `dashpot export adams`. The file
+/// contains the plain FV curve (fv_only) that `dashpot fit` fitted to the same tests and stored in the model file. It is the best possible
+/// curve, and it includes friction. If the model file has no such curve, or if numbers of the model were changed, the file contains the
+/// model's own curve. That curve has no friction. A file name that ends in .xml gives the XML form, which also contains the gas preload. A
+/// comment in the file and a message state the origin of the curve and the omitted elements.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot export dpr damper.toml -o damper.dpr\n  dashpot export dpr damper.toml -o valves.dpr --model-curve"
@@ -24,7 +25,7 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "OUT.dpr")]
     output: PathBuf,
-    /// The model's own curve, which is that of its valves without friction, also where the file has the plain curve of a fit
+    /// Write the model's own curve, which is that of its valves without friction, even if the model file has the plain curve of a fit
     #[arg(long)]
     model_curve: bool,
 }

@@ -15,13 +15,13 @@ use dashpot_report::replace_file;
 use dashpot_simulation::stiffness;
 use std::path::{Path, PathBuf};
 
-/// A functional mock-up unit: co-simulation and model exchange in one file
+/// Write a functional mock-up unit: co-simulation and model exchange in one file
 ///
-/// One model file makes an FMU of one damper (displacement and velocity in extension, force in tension). Two (front and
-/// rear) or four (L1, R1, L2, R2) make a vehicle's: Damper_Jounce_L1 and Damper_Jounce_Rate_L1 in compression,
-/// Damper_Force_L1 positive where the damper pushes. Signs, units, motion ratio and the distance between the rig's zero and the
-/// vehicle's are parameters of the FMU. No compiler is needed: the FMU holds a runtime that reads the model from its resources,
-/// and the sources of it all.
+/// One model file gives an FMU of one damper (displacement and velocity in extension, force in tension). Two files (front and rear) or four
+/// (L1, R1, L2, R2) give the FMU of a vehicle. Its inputs, such as Damper_Jounce_L1 and Damper_Jounce_Rate_L1, are positive in compression.
+/// Its outputs, such as Damper_Force_L1, are positive if the damper pushes. Signs, units, motion ratio and the distance between the zeros
+/// of rig and vehicle are parameters of the FMU. No compiler is needed: the FMU contains a runtime that reads the model from its resources,
+/// and the sources of runtime and kernel.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot export fmu damper.toml -o damper.fmu\n  dashpot export fmu front.toml rear.toml -o car.fmu\n  \
@@ -37,48 +37,48 @@ pub struct Args {
     /// FMI version
     #[arg(long, value_name = "N", default_value = "2", value_parser = ["2", "3"])]
     fmi: String,
-    /// Four corners from a single model file
+    /// Use a single model file for four corners
     #[arg(long)]
     four: bool,
-    /// Damper extension in m per unit of the host's motion, such as 0.001 for mm.
-    /// The FMU declares that unit, and none where a motion ratio is in it [default: 1 for one damper, -1 for a vehicle]
+    /// Damper extension in m per unit of the host's motion, such as 0.001 for mm. The FMU declares the unit of this factor, or no unit if
+    /// the factor includes a motion ratio [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     motion_scale: Option<f64>,
-    /// The host's force per N of tension, such as 0.001 for kN.
-    /// The FMU declares that unit, and none where a motion ratio is in it [default: 1 for one damper, -1 for a vehicle]
+    /// The host's force per N of tension, such as 0.001 for kN. The FMU declares the unit of this factor, or no unit if the factor includes
+    /// a motion ratio [default: 1 for one damper, -1 for a vehicle]
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     force_scale: Option<f64>,
-    /// Damper extension from the rig's zero, in m, where the host's displacement is 0
+    /// Damper extension from the rig's zero, in m, at zero displacement of the host
     #[arg(long, value_name = "M", value_parser = metres, default_value_t = 0.0, allow_negative_numbers = true)]
     position_offset: f64,
-    /// When your importer sets the inputs of a co-simulation step: at its beginning or its end.
-    /// FMPy and most masters set what they know at the beginning; the FMU then extrapolates, and the force is in time
-    /// [default: held, which makes the force of the former one step late]
+    /// Instant at which your importer sets the inputs of a co-simulation step: its beginning or its end. FMPy and most masters set the
+    /// inputs at the beginning of a step. The FMU then extrapolates, which avoids a delay of one step [default: zero-order hold, which
+    /// delays the force by one step for such masters]
     #[arg(long, value_name = "INSTANT", value_parser = ["begin", "end"])]
     inputs: Option<String>,
-    /// For IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the .pluginfo file by which it takes it. LENGTH is that of
-    /// the damper at which the displacement in the records was 0, in m, or with its unit: 0.4125, 0.4125m, 412.5mm
+    /// For IPG CarMaker: signs and zero of the model class Susp_Damper. Also writes the .pluginfo file with which CarMaker loads the FMU.
+    /// LENGTH is the damper length at zero displacement of the records, in m or with its unit: 0.4125, 0.4125m, 412.5mm
     #[arg(long, value_name = "LENGTH", value_parser = in_metres, allow_negative_numbers = true, conflicts_with_all = ["four", "motion_scale", "force_scale", "position_offset"])]
     carmaker: Option<f64>,
-    /// With --carmaker: the model's own curve, without friction, for the damper of CarMaker's equilibrium search.
-    /// It is used also where the model file has the plain FV curve that was fitted to the same tests
+    /// With --carmaker: the model's own curve, without friction, for the damper of CarMaker's equilibrium search. Takes precedence over the
+    /// plain FV curve that the fit stored in the model file
     #[arg(long, requires = "carmaker")]
     model_curve: bool,
-    /// Leave the sources of kernel and FMU out; the model itself stays readable in the FMU's resources
+    /// Omit the sources of kernel and FMU; the model itself stays readable in the FMU's resources
     #[arg(long)]
     no_sources: bool,
-    /// Hide the identified numbers: no parameter is a variable of the FMU, so that no host shows or changes one.
-    /// The model in its resources lies under a veil. That is no lock: whoever has the sources of dashpot can lift it, a host can save the state, which holds
-    /// them, and whoever runs the FMU can measure its forces and fit a model to them
+    /// Hide the identified numbers: the parameters are not variables of the FMU, so hosts neither show nor change them. The model in its
+    /// resources is obfuscated, not encrypted. Dashpot's sources can decode it, a saved state contains the numbers, and a model can be
+    /// fitted to the computed forces
     #[arg(long)]
     hide_parameters: bool,
-    /// Compile the binary here, for this computer alone, with the model inside it (needs a C compiler: cc, or CC)
+    /// Compile the binary with the model inside, for this computer only (needs a C compiler: cc, or CC)
     #[arg(long)]
     from_source: bool,
-    /// With --from-source: the static library of dashpot [default: libdashpot.a beside this command, or in ../lib]
+    /// With --from-source: the static library of dashpot [default: libdashpot.a in the folder of this command, or in ../lib]
     #[arg(long, value_name = "FILE", requires = "from_source")]
     library: Option<PathBuf>,
-    /// The binary for one more platform, such as darwin64, compiled from this FMU's own sources
+    /// Binary for one more platform, such as darwin64, compiled from this FMU's own sources
     #[arg(long, value_name = "PLATFORM=FILE")]
     binary: Vec<String>,
     #[command(flatten)]
@@ -97,7 +97,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Definition> = Vec::new();
-    // A model without a curve has none to show.
+    // A model without a curve has no curve to return.
     let mut curve = None;
     for path in &args.models {
         let file = model::read_family(path)?;
@@ -140,7 +140,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
-    // A command without a compiled runtime compiles one here, if possible.
+    // A command without an embedded runtime compiles one here, if possible.
     let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
     let compiles = args.from_source || !holds_one && library(None).is_ok();
     if compiles && !args.from_source {
@@ -166,7 +166,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             remarks: &remarks,
         },
     )?;
-    // The text is made before anything is written, because it may be rejected.
+    // The text is formatted before any file is written, because this can fail.
     let plug_info = plug_info.map(|path| -> anyhow::Result<_> {
         let name = args.output.file_stem().unwrap_or_default().to_string_lossy();
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
@@ -205,7 +205,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     Binary::read(platform, Path::new(file)).context("--binary")
 }
 
-/// Returns the static library: the given one, or the one that cargo or a package installed.
+/// Returns the static library: the given library, or the library that cargo or a package installed.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
     let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {

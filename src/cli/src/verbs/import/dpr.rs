@@ -3,7 +3,7 @@
 use dashpot_hosts::adams::imported::of_property_file;
 use std::path::PathBuf;
 
-/// Make a model file from an Adams Car damper property file, .dpr or .xml: the FV curve, and the gas force where it has one
+/// Make a model file from an Adams Car damper property file, .dpr or .xml: the FV curve and any gas force
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  dashpot import dpr mdi_0001.dpr -o damper.toml")]
 pub struct Args {

@@ -9,8 +9,10 @@ use std::path::{Path, PathBuf};
 
 /// Make a model file from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel
 ///
-/// Columns are velocity and force with their units, rebound positive and compression negative unless --positive says otherwise, or
-/// velocity with a column for rebound and one for compression; each of them may have a velocity of its own (Comp Vel, Comp Force, Reb Vel, Reb Force; V-C, C, V-R, R). Each is known by its words or its unit; what may be two things is asked for by name (--column). Gas force and friction, which such a table holds without naming them, are taken out where they are given.
+/// Columns are velocity and force with their units, rebound positive and compression negative unless --positive says otherwise. A table may
+/// instead have a velocity column, a rebound column and a compression column. Each stroke may have its own velocity (Comp Vel, Comp Force,
+/// Reb Vel, Reb Force; V-C, C, V-R, R). Columns are recognized by heading or unit. An ambiguous column must be named with --column. The
+/// forces of such a table include gas force and friction. If --gas-force and --friction are given, they are subtracted.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot import peaks pvp.csv -o damper.toml --gas-force 150 --friction 40\n  dashpot import peaks clicks.csv -o adjuster.toml --clicks family\n  dashpot import peaks dyno.csv -o damper.toml --unit velocity=in/s --unit force=lbf --column rebound_force=\"RO\"\n\nThe model is a start, to be drawn, run or exported; dashpot fit identifies one from records."
@@ -22,24 +24,24 @@ pub struct Args {
     /// Where to write; - for standard output
     #[arg(short, long, value_name = "MODEL")]
     output: PathBuf,
-    /// Which direction a table with signs counts positive; rebound if not given
+    /// Direction that is positive in a table with signs; rebound if not given
     #[arg(long, value_name = "rebound|compression")]
     positive: Option<Positive>,
-    /// Unit of velocity or force where the headings have none or a wrong one, such as force=lbf
+    /// Unit of velocity or force if the headings state none or a wrong one, such as force=lbf
     #[arg(long, value_name = "CHANNEL=UNIT")]
     unit: Vec<String>,
-    /// Heading of a column, with or without its unit, or its number from 1.
-    /// Columns are velocity and force, and of one stroke rebound_velocity, rebound_force, compression_velocity and compression_force
+    /// Heading of a column, with or without its unit, or its number from 1. The columns are velocity and force. For a single stroke they
+    /// are rebound_velocity, rebound_force, compression_velocity and compression_force
     #[arg(long, value_name = "COLUMN=HEADING")]
     column: Vec<String>,
-    /// Which click of an adjustable damper to read.
-    /// A number reads one, all makes a model of each, with the click behind its name, and family makes one model over the clicks
+    /// Click of an adjustable damper to read. A number reads one click. The word all makes a model of each click, with the click at the end
+    /// of its file name. The word family makes one model over the clicks
     #[arg(long, value_name = "N|all|family")]
     clicks: Option<String>,
-    /// Gas force in the table's forces, N
+    /// Gas force that the table's forces include, N
     #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
     gas_force: f64,
-    /// Friction in the table's forces, N
+    /// Friction that the table's forces include, N
     #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
     friction: f64,
 }

@@ -1,4 +1,4 @@
-//! Damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. In both formats, and here, rebound velocity and tension are positive.
+//! Damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. Rebound velocity and tension are positive, in both formats and here.
 
 mod teim_orbit;
 mod units;
@@ -17,8 +17,8 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Returns the points of the model's curve. For the form with slopes and knees these are the knees, and some points between and beyond
-    /// them.
+    /// Returns the points of the model's curve. A curve with slopes and knees gives its knees, and some points between and beyond the
+    /// knees.
     pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
         let velocities = if params.number(number!("fv_form")) == 0.0 {
@@ -50,18 +50,18 @@ impl Curve {
 pub struct Properties {
     /// The damper's curve.
     pub curve: Curve,
-    /// Whether the curve is linear between its points, as for a linear rate.
+    /// Whether the curve is linear between its points. A linear rate gives such a curve.
     pub linear: bool,
-    /// Constant gas force, N, positive where it pushes the rod out.
+    /// Constant gas force, N, positive if it pushes the rod out.
     pub gas_force: f64,
-    /// On reading: other contents, which this format does not represent. On writing: omitted elements and the origin of the file.
+    /// On reading: other contents, which these properties do not represent. On writing: omitted elements and the origin of the file.
     pub notes: Vec<String>,
 }
 
 /// Format of a property file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// `.dpr`; cannot represent a gas force.
+    /// `.dpr`. It cannot represent a gas force.
     TeimOrbit,
     /// `.xml`.
     Xml,
@@ -75,22 +75,22 @@ pub fn write(properties: &Properties, form: Form) -> String {
     }
 }
 
-/// Reads either format, regardless of the file name.
+/// Reads both formats, regardless of the file name.
 ///
 /// # Errors
-/// A file of another type, an unknown unit, or an invalid table, with the line.
+/// The file has another type, an unknown unit, or an invalid table. The message states the line.
 pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
-    // In property files Adams Car can also reference models of MTS Empirical Dynamics (.edd).
+    // Property files of Adams Car may also reference models of MTS Empirical Dynamics (.edd).
     if bytes.starts_with(b"EDM") {
         anyhow::bail!(
             "this is a binary model of MTS Empirical Dynamics; it holds no curve that could be read. Take the records it was made from"
         );
     }
-    // Property files are ASCII or Latin-1. A byte that is not UTF-8 is part of a comment or a name.
+    // Property files are ASCII or Latin-1. A byte that is not UTF-8 belongs to a comment or a name.
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let read = if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }?;
-    // A number may be finite in the units of the file, and overflow in SI or in the units of the next file.
+    // A number that is finite in the units of the file may overflow in SI or in the units of the next file.
     let numbers = read.curve.velocities.iter().chain(&read.curve.forces).chain([&read.gas_force]);
     if let Some(number) = numbers.into_iter().find(|n| !(n.abs() <= MOST)) {
         anyhow::bail!("a velocity or force of it becomes {number:e} in SI (m/s, N); look at its numbers and units");
@@ -98,18 +98,18 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     Ok(read)
 }
 
-/// Returns the size of a unit of length in meters, by its word in property files and models of Adams.
+/// Returns the size of a unit of length in meters. `word` is the name of the unit in property files and models of Adams.
 ///
 /// # Errors
-/// An unknown word.
+/// The word is unknown.
 pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
     units::length(word)
 }
 
-/// Formats a note for a comment.
+/// Formats a note as a comment.
 ///
-/// The result is one line of ASCII, which every host reads, without characters that either format forbids. The replacement is necessary
-/// because a note cites parts of a file from someone else.
+/// The result is one line of ASCII, which every host reads, without characters that either format forbids. The note may cite parts of
+/// another user's file, so characters are replaced.
 fn as_comment(note: &str) -> String {
     let ascii = |c: char| match c {
         '·' => '*',
@@ -120,10 +120,11 @@ fn as_comment(note: &str) -> String {
     note.chars().map(ascii).collect()
 }
 
-/// Largest velocity or force in SI. Numbers that extend a curve stay far below it. Without this limit a number could overflow in mm/s.
+/// Largest velocity or force in SI. Numbers that extend a curve stay far below this limit. Without the limit, a number could overflow in
+/// mm/s.
 const MOST: f64 = 1e12;
 
-/// Reads one row of a table. An error names `line`.
+/// Reads one row of a table. An error message states `line`.
 fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
     let number = |word: &str| word.replace(['D', 'd'], "e").parse::<f64>().ok().filter(|n| n.is_finite());
     let words = text.split([' ', '\t', ',']).filter(|w| !w.is_empty());
@@ -137,9 +138,10 @@ fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
 /// A row of a table with its line number.
 type Row = ([f64; 2], usize);
 
-/// Makes a curve from rows whose abscissae increase or decrease throughout.
+/// Makes a curve from rows whose abscissae increase throughout or decrease throughout.
 ///
-/// With `rises` the ordinates must not decrease. This holds for the curve of a damper, because a model cannot represent a decreasing one.
+/// If `rises` is set, the ordinates must not decrease. This applies to the curve of a damper, because a model cannot represent a decreasing
+/// curve.
 fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     let falls = rows.len() > 1 && rows[0].0[0] > rows[rows.len() - 1].0[0];
     if falls {
@@ -147,7 +149,7 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     }
     let mut curve = Curve::default();
     for (i, ([v, f], own)) in rows.iter().enumerate() {
-        // Line of the row that comes later in the file.
+        // Number of that row of the pair that comes later in the file.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
             anyhow::bail!(
@@ -187,7 +189,7 @@ mod tests {
         let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains("becomes inf in SI"), "{error}");
-        // The number is finite here, but overflows in the millimeters of the next file.
+        // The number is finite here, but would overflow in the millimeters of the next file.
         assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
         assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
     }

@@ -23,7 +23,7 @@ pub fn write(properties: &Properties) -> String {
     out
 }
 
-/// Removes the comment of a line, which begins outside quotes.
+/// Removes the comment of a line. A comment begins outside quotes.
 fn without_comment(line: &str) -> &str {
     let mut quoted = None;
     for (i, c) in line.char_indices() {
@@ -53,7 +53,7 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Returns whether a line in a comment sub-block is not a comment but `KEY = value`, outside quotes.
+/// Returns whether a line in a comment sub-block is `KEY = value` outside quotes, and thus not a comment.
 fn is_key(line: &str) -> bool {
     line.split_once('=').is_some_and(|(key, _)| {
         let key = key.trim();
@@ -66,7 +66,7 @@ fn is_key(line: &str) -> bool {
 /// # Errors
 /// The errors of [`super::read`].
 pub fn read(text: &str) -> anyhow::Result<Properties> {
-    // Format: blocks [..], sub-blocks (..) of a block, and the heading {..} of a table.
+    // The format has blocks [..], sub-blocks (..) of a block, and the heading {..} of a table.
     let (mut block, mut within, mut turned) = (String::new(), String::new(), false);
     let mut columns: Vec<String> = Vec::new();
     let (mut length, mut time, mut force) = (None, None, None);
@@ -94,7 +94,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             columns = words.split([' ', '\t', ',']).filter(|w| !w.is_empty()).map(str::to_owned).collect();
             let place = |what: &str| columns.iter().position(|c| c.starts_with(what));
             if let ("CURVE", Some(force), Some(velocity)) = (block.as_str(), place("force"), place("vel")) {
-                // The table begins here, so a comment sub-block before it has ended.
+                // The table begins here, so a preceding comment sub-block has ended.
                 (within, turned) = (String::new(), force < velocity);
             }
         } else if within == "COMMENTS" && !is_key(line) {
@@ -120,7 +120,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 );
             }
         } else if !within.is_empty() && within != "COMMENTS" {
-            // Lines of other sub-blocks were handled above.
+            // Lines of other sub-blocks are handled above.
         } else if let Some((key, value)) = line.split_once('=') {
             within.clear();
             let (key, value) = (key.trim().to_uppercase(), value.trim().trim_matches(['\'', '"']).trim());

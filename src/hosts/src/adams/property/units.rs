@@ -74,7 +74,7 @@ pub fn force(word: &str) -> anyhow::Result<f64> {
 mod tests {
     use super::*;
 
-    /// The makers of the format list these words.
+    /// The words come from the documentation of the format.
     #[test]
     fn every_word_of_the_format_is_known() {
         for word in ["mm", "m", "meter", "cm", "mile", "foot", "inch"] {

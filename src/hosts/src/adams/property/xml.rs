@@ -19,11 +19,11 @@ pub fn write(properties: &Properties) -> String {
         .replace("{rows}", rows.trim_end())
         .replace("{gas_method}", if gas == 0.0 { "none" } else { "constant" })
         .replace("{gas_force}", &format!("{gas:?}"))
-        // The notes are inserted last, because a note may contain any text.
+        // The notes are inserted last, because a note may contain any text, including a placeholder.
         .replace("{notes}", &notes)
 }
 
-/// Separates consecutive hyphens in a note, because they would end its comment.
+/// Separates consecutive hyphens in a note, because they would end the comment.
 fn apart(note: &str) -> String {
     let mut out = super::as_comment(note);
     while out.contains("--") {
@@ -106,7 +106,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             notes.push(format!("<{}> {name}", other.tag_name().name()));
         }
     }
-    // Both attributes occur. If a file has both, dampingMethod is the newer one.
+    // Files contain either attribute. If a file has both, dampingMethod is the newer one.
     let method = damper.attribute("dampingMethod").or(damper.attribute("method")).unwrap_or("non_linear");
     let (curve, straight) = match method {
         "linear" => {
