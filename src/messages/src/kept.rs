@@ -138,10 +138,10 @@ mod tests {
             let kept: Kept = serde_json::from_str(&json).unwrap();
             let english = sentence.to_string();
             assert_eq!(all.restore(&kept).as_ref().map(Kept::from), Some(Kept::from(&sentence)));
-            let found = all.find(&english, &[kept.clone()]);
+            let found = all.find(&english, std::slice::from_ref(&kept));
             assert_eq!((Kept::from(&found), found.to_string()), (Kept::from(&sentence), english.clone()));
             // A text that was changed by hand stays what it is, and so does one of another version.
-            assert_eq!(all.find("changed", &[kept.clone()]), Sentence::as_it_is("changed"));
+            assert_eq!(all.find("changed", std::slice::from_ref(&kept)), Sentence::as_it_is("changed"));
             assert_eq!(Restorer::new([]).find(&english, &[kept]).to_string(), english);
         }
         for damaged in ["{\"id\": \"other\", \"what\": \"1\"}", "[]", "\"\"", "{\"id\": []}"] {
