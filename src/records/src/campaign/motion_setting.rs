@@ -12,8 +12,8 @@ pub enum SettingSource {
     Column(String, Channel),
     /// The name of the file.
     Name {
-        /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may number the
-        /// motions.
+        /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may be the
+        /// number of the motion instead.
         is_sure: bool,
     },
     /// `campaign.toml` in the file's folder.
@@ -34,8 +34,8 @@ pub struct MotionSetting {
 }
 
 impl MotionSetting {
-    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Moves the
-    /// columns out of the samples.
+    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Removes
+    /// the setting columns from the samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();
         let constant = |setting: Setting, source| MotionSetting {

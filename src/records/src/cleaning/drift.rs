@@ -1,4 +1,4 @@
-//! Slow change of mean displacement and force over the cycles, which is reported but never removed.
+//! Reports slow changes of mean displacement and force over the cycles. No change is removed.
 
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;

@@ -230,7 +230,7 @@ impl<'a> Sheet<'a> {
             .filter(|c| c.channel != Channel::Time && !text_in(c))
             .filter_map(|c| row.get(c.index))
             .any(|cell| !is_empty(cell));
-        // A message of the acquisition between rows may have a time, but no other figure.
+        // A message of the acquisition system between rows may have a time, but no other number.
         let column = match time {
             Some(time) if figures => Some(time).filter(text_in),
             _ => columns.iter().find(text_in),
