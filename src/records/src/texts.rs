@@ -15,7 +15,8 @@ pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Returns every English text of messages about records once: words, and sentences with placeholders for values.
+/// Returns the English texts of messages about records without duplicates: words, and sentences with placeholders for
+/// values.
 pub fn texts() -> Vec<&'static str> {
     each_once(
         TEMPLATES,

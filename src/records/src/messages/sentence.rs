@@ -1,20 +1,20 @@
 //! Translatable sentences: an English text with placeholders, and the values of the placeholders.
 //!
 //! Scripts and the terminal get the English text. A user interface looks up the text in another language and inserts
-//! the same values. [`Reader`] recovers a sentence from a file in English with the templates from which it was made.
+//! the same values. [`Reader`] converts an English text back to the sentence and templates from which it was made.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 
-/// A text with a `{name}` for each value. Only [`phrases!`](super::phrases) makes templates, so that its list is
-/// complete.
+/// A text with a placeholder `{name}` for each value. Only [`phrases!`](super::phrases) makes templates, so that its
+/// list is complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Template(&'static str);
 
 impl Template {
-    /// Makes a template. Only [`phrases!`](super::phrases) may call this function, because a template outside its list
-    /// is in no test of the translations.
+    /// Makes a template. Only [`phrases!`](super::phrases) may call this function, because the test of the translations
+    /// covers only its list.
     #[doc(hidden)]
     pub const fn listed(english: &'static str) -> Template {
         Template(english)
@@ -34,9 +34,9 @@ struct Pieces {
     first: &'static str,
     /// Each placeholder with the text that follows it.
     places: Vec<(&'static str, &'static str)>,
-    /// Number of bytes of the template's own text. The more there are, the more certain is a match.
+    /// Number of bytes of the template's own text. A match is more certain if this number is larger.
     own: usize,
-    /// Whether the template contains a word of its own.
+    /// Whether the template's own text contains a word.
     speaks: bool,
 }
 
@@ -51,16 +51,16 @@ impl Pieces {
         Pieces { template, first, places, own, speaks }
     }
 
-    /// Returns whether a text begins and ends like this template.
+    /// Returns whether a text has the beginning and the end of this template.
     fn may_enclose(&self, text: &str) -> bool {
         text.starts_with(self.first) && self.places.last().is_none_or(|(_, behind)| text.ends_with(behind))
     }
 
-    /// Extracts the values of the placeholders from a text of this template.
+    /// Extracts the values of the placeholders from a text that was made with this template.
     ///
     /// If the text between two placeholders occurs several times, the first occurrence counts. Before the last
-    /// placeholder the last occurrence counts, so that in `{name} {figure}` the name may contain spaces. Without a text
-    /// between two placeholders, the second one begins at the start of another sentence (`begins`), or is empty.
+    /// placeholder, the last occurrence counts, so that the name in `{name} {figure}` may contain spaces. If there is
+    /// no text between two placeholders, the second value begins where another sentence begins (`begins`), or is empty.
     fn taken_apart<'t>(&self, text: &'t str, begins: &dyn Fn(&str) -> bool) -> Option<Vec<(&'static str, &'t str)>> {
         let Some((last, between)) = self.places.split_last() else {
             return (text == self.first).then(Vec::new);
@@ -94,17 +94,17 @@ macro_rules! phrases {
     };
 }
 
-/// Returns the English texts of templates, and words, each once.
+/// Returns the English texts of templates and the words, without duplicates.
 pub fn each_once(templates: &[Template], words: impl IntoIterator<Item = &'static str>) -> Vec<&'static str> {
     let mut known = BTreeSet::new();
     let all = templates.iter().map(|template| template.english()).chain(words);
     all.filter(|text| known.insert(*text)).collect()
 }
 
-/// A text without a translation.
+/// Template of a text without a translation.
 const AS_IT_IS: Template = Template("{text}");
 
-/// Placeholders of names. A name may look like a number: a test may be called 2.5.
+/// Placeholders of names. A name may look like a number: the name of a test may be 2.5.
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
@@ -130,7 +130,7 @@ const LONGEST_UNIT: usize = 10;
 enum Value {
     /// A number ([`is_number`]), a unit, or the name of a test or an effect. The text is equal in all languages.
     AsIs(String),
-    /// A word of this crate, such as a path. It stays untranslated if it is a name.
+    /// A word of this crate, which is translated, or a name such as a path, which is not.
     Word(String),
     /// A sentence within the sentence.
     Said(Sentence),
@@ -168,7 +168,7 @@ impl Sentence {
         self.and(name, Value::Said(sentence.into()))
     }
 
-    /// Adds another sentence if there is one. Otherwise the placeholder stays empty.
+    /// Adds another sentence if it is not `None`. Otherwise the placeholder stays empty.
     pub fn with_any(self, name: &'static str, sentence: Option<Sentence>) -> Self {
         match sentence {
             Some(sentence) => self.with_sentence(name, sentence),
@@ -215,8 +215,8 @@ impl Sentence {
 
     /// Formats the sentence in a language.
     ///
-    /// `translated` returns the translation of a text; unknown texts stay English. `value` formats a value, from its
-    /// name and the value itself. A placeholder without a value is left empty.
+    /// `translated` returns the translation of a text; unknown texts stay English. `value` formats a value. Its
+    /// arguments are the name and the value. A placeholder without a value is left empty.
     pub fn to_text(
         &self,
         translated: &dyn Fn(&str) -> Option<&'static str>,
@@ -255,15 +255,15 @@ impl Value {
     }
 }
 
-/// Parser of texts into the templates and words from which they were made.
+/// Parser that finds the templates and words from which a text was made.
 #[derive(Debug)]
 pub struct Reader {
     templates: Vec<Pieces>,
     words: HashSet<&'static str>,
     /// Possible separators between the values of a list.
     between: Vec<Template>,
-    /// Beginnings of sentences that may follow a value directly. Such a template begins with a separator, not with a
-    /// word.
+    /// Beginnings of sentences that may follow a value directly. Templates of such sentences begin with a separator,
+    /// not with a word.
     beginnings: Vec<&'static str>,
 }
 
@@ -277,8 +277,8 @@ impl Reader {
         Reader { templates, words: words.into_iter().collect(), between, beginnings }
     }
 
-    /// Splits a text as far as templates and words match. Other parts stay unchanged. The English text of the result
-    /// always equals the input.
+    /// Splits a text into the parts that match templates and words. Other parts stay unchanged. The English text of the
+    /// result always equals the input.
     pub fn read(&self, text: &str) -> Sentence {
         match self.value(text) {
             Value::Said(sentence) => sentence,
@@ -298,15 +298,15 @@ impl Reader {
         self.words.contains(value) || !value.chars().any(char::is_alphabetic)
     }
 
-    /// Returns whether a sentence that may follow a value directly begins here.
+    /// Returns whether a text begins with a sentence that may follow a value directly.
     fn begins(&self, text: &str) -> bool {
         self.beginnings.iter().any(|beginning| text.starts_with(beginning))
     }
 
-    /// Matches a text with the template that has the longest text of its own.
+    /// Matches a text with a template. If several match, the template with the longest own text has precedence.
     ///
-    /// A template without a word, such as `{name} {figure}`, matches many texts. It counts only if its values are known
-    /// words, figures or lists of these.
+    /// A template without a word, such as `{name} {figure}`, matches many texts. Such a match counts only if the values
+    /// are known words, numbers or lists of these.
     fn sentence(&self, text: &str) -> Option<Sentence> {
         let mut fitting: Vec<_> = self
             .templates
@@ -321,7 +321,7 @@ impl Reader {
         Some(self.made_of(pieces, values))
     }
 
-    /// Matches a list of sentences of one template whose values are words and figures.
+    /// Matches a list of sentences. All have one template, and their values are words and numbers.
     fn list(&self, text: &str) -> Option<Value> {
         let between = self.between.iter().filter(|between| text.contains(between.0));
         let lists = between.flat_map(|between| self.templates.iter().map(move |of| (between, of)));
@@ -419,7 +419,7 @@ mod tests {
     #[test]
     fn values_keep_their_places_in_every_language() {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
-        // A name with braces is no placeholder.
+        // A name with braces is not a placeholder.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
         assert_eq!(sentence.to_text(&german, &comma), "in Prüfstand: a und {place}");
         let noted = sentence.with_sentence("note", Sentence::from(NOTE).with("what", 3));

@@ -27,7 +27,7 @@ pub enum Channel {
     /// Current of an adjustable damper's valve.
     Current,
     /// Other setting of an adjustable damper: voltage, pressure, clicks. Only clicks are recognized by their heading.
-    /// The user names other columns.
+    /// The user must name other setting columns.
     Setting,
 }
 
@@ -58,11 +58,11 @@ impl Channel {
         }
     }
 
-    /// Returns the advice to leave out the channel, for messages, or `None` if a record needs the channel.
+    /// Returns the advice to leave out the channel, for messages. Returns `None` if a record requires the channel.
     pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
             Channel::Time | Channel::Force => None,
-            // The option takes the untranslated name.
+            // The value of the option is the untranslated name.
             _ => Some(Sentence::from(phrases::OR_IGNORE).with("channel", self)),
         }
     }
@@ -122,7 +122,7 @@ impl fmt::Display for Channel {
 /// Splits a command-line assignment such as `force=kN` or `force=Load Cell 1`.
 ///
 /// # Errors
-/// A sentence if there is no `=`, or the left side is no channel.
+/// A sentence if there is no `=`, or the left side is not a channel.
 pub fn assignment(text: &str) -> Result<(Channel, &str), String> {
     let (channel, value) =
         text.split_once('=').ok_or_else(|| format!("'{text}' should read channel=value, for example force=kN"))?;
