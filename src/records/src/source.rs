@@ -14,8 +14,8 @@ use crate::error::{Place, RecordError};
 /// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;
 /// Memory for the data that a reader makes of a file, bytes. It is a constant for any file, plus a multiple of the file
-/// size. 16-bit numbers become numbers of eight bytes, and compression reduces numbers to a third. Cleaning then uses
-/// up to three times the memory. A file of 10 MiB stays within 1 GiB.
+/// size. Numbers of 16 bits become eight bytes long, and compression reduces numbers to a third. Cleaning then uses up
+/// to three times the memory. A file of 10 MiB stays within 1 GiB.
 const MEMORY: (u64, u64) = (192 << 20, 10);
 /// Work for a file, in steps of about a nanosecond: a constant for any file, plus a number per byte. A text requires 30
 /// steps per byte.

@@ -541,8 +541,8 @@ pub(crate) mod options {
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const SAMPLE_RATES: (f64, f64) = (1e-3, 1e7);
 
-    /// Calibration factors that the options accept: a factor of 1000 of a unit, upward or downward, and a further
-    /// factor of ten for the error of a sensor.
+    /// Calibration factors that the options accept. They allow a unit wrong by a factor of 1000, and a further factor
+    /// of ten for a sensor error.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const GAINS: (f64, f64) = (1e-4, 1e4);

@@ -1,7 +1,7 @@
 //! Small files that are constructed to cost gigabytes or minutes.
 //!
-//! Examples are a part that is used many times, counts beyond the content of a file, and trees in which two paths lead
-//! to one node. Each file is read or rejected within a gibibyte and ten seconds of processor time.
+//! Examples are a part with many uses, counts beyond the content of a file, and trees in which two paths lead to one
+//! node. Each file is read or rejected within a gibibyte and ten seconds of processor time.
 //!
 //! If a reader requests more memory, a signal ends this process, and the test fails.
 
