@@ -17,8 +17,8 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Returns the velocities of the FV table that all settings share: from the tests of all settings, or from `of` if that
-/// structure has more points.
+/// Returns the velocities of the FV table that all settings share. They come from the tests of all settings, or from
+/// `of` if that structure has more points.
 pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     let segments: Vec<Segment> = settings.iter().flat_map(|s| &s.tests).map(|t| t.segment.clone()).collect();
     let plain = first_guess::velocities(&segments);

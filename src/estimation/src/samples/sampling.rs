@@ -6,8 +6,7 @@ use dashpot_core::Input;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Returns the input of the damper at a sample of a record: if temperature and side force were not measured, they are
-/// 20 °C and zero.
+/// Returns the input of the damper at a sample of a record. Unmeasured temperature and side force are 20 °C and zero.
 pub fn input_at(record: &Record, motion: &Motion, sample: usize) -> Input {
     Input {
         displacement: Some(motion.displacement[sample]),
