@@ -4,7 +4,7 @@ use super::effects::{CARDS, EFFECTS, meaning};
 use super::phrases::{FORMS, TEMPLATES};
 use dashpot_records::sentence::each_once;
 
-/// Returns every English text of a diagnosis, each once.
+/// Returns the English texts of a diagnosis, without duplicates.
 ///
 /// These are sentences with placeholders for their values, and the names of paths, families, effects and forms.
 pub fn texts() -> Vec<&'static str> {
