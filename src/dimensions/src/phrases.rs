@@ -1,4 +1,4 @@
-//! English texts of an explanation, in one place: a test finds texts that a translation lacks.
+//! English texts of an explanation, in one place. A test finds missing translations.
 
 use dashpot_records::sentence::each_once;
 
@@ -77,7 +77,7 @@ const WORDS: [&str; 5] = [
     "oil_stiffness or aeration_stroke",
 ];
 
-/// Returns every English text of an explanation, each once: templates with their placeholders, and words.
+/// Returns the English texts of an explanation without duplicates: templates with their placeholders, and words.
 pub fn texts() -> Vec<&'static str> {
     let quantities = QUANTITIES.iter().map(|(_, noun)| *noun);
     each_once(TEMPLATES, quantities.chain(NOUNS).chain(WORDS))

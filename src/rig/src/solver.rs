@@ -3,9 +3,9 @@
 //! Oil chambers and bristles have time constants below a millisecond, but a slow test lasts minutes. An explicit method
 //! would require millions of steps.
 //!
-//! The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third-order method, by
-//! Kennedy & Carpenter, *Additive Runge-Kutta schemes for convection-diffusion-reaction equations*, Appl. Numer. Math.
-//! 44 (2003), ARK4(3)6L\[2\]SA. A test verifies the coefficients by their order conditions.
+//! The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third order: Kennedy &
+//! Carpenter, *Additive Runge-Kutta schemes for convection-diffusion-reaction equations*, Appl. Numer. Math. 44 (2003),
+//! ARK4(3)6L\[2\]SA. A test verifies the coefficients by their order conditions.
 
 // Matrices and vectors of a few components are easiest to read with explicit indices.
 #![allow(clippy::needless_range_loop)]

@@ -12,7 +12,7 @@ pub(super) const EFFECT: Effect = Effect {
 /// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 
-/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin; it acts only in the laminar passages of the
+/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin. It acts only in the laminar passages of the
 /// valves.
 struct Andrade {
     kelvin: f64,
