@@ -269,7 +269,7 @@ mod tests {
         for (k, card) in CARDS.iter().enumerate() {
             assert!(!meaning(card.name).is_empty(), "{}", card.name);
             assert!(CARDS[..k].iter().all(|c| c.name != card.name), "{}", card.name);
-            // All effects of a family lie in one path.
+            // All effects of a family are in one path.
             assert!(CARDS.iter().all(|c| c.family != card.family || c.path == card.path), "{}", card.family);
         }
         assert_eq!(EFFECTS.len(), CARDS.len());

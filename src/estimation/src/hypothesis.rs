@@ -236,8 +236,8 @@ impl Hypothesis {
         }
     }
 
-    /// Computes the forces of one test at its scored samples; `place` is the index of the test, if the test is one of
-    /// the known tests.
+    /// Computes the forces of one test at its scored samples. `place` is the index of the test, if its heating is
+    /// known.
     fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
         self.measured_forces(test, place, theta, &|segment| forces(model, segment))
     }

@@ -1,8 +1,8 @@
 //! The virtual rig: a physical damper on a test rig, and the measured campaigns.
 //!
 //! It is an independent reference for identification and diagnosis, so its equations differ from those of the
-//! identified model. The damper has chambers with compressible oil instead of a spring, valves instead of a
-//! force-velocity table, and a bristle seal instead of a friction curve.
+//! identified model. It has compressible oil chambers instead of a spring, valves instead of a force-velocity table,
+//! and a bristle seal instead of a friction curve.
 //!
 //! A second, *neutral* damper with the model's own topology allows the injection of physical effects for a diagnosis:
 //! [`InjectedCase`].

@@ -1,6 +1,6 @@
 //! Bleed, leak and blow-off, from the FV curve of each stroke.
 //!
-//! Below the knee the force of the passages is a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems,
+//! Below the knee, the force of the passages is a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems,
 //! 1967, chapter 3). The coefficient b belongs to an orifice, and 1/a is proportional to the leak at very low speed. At
 //! the largest force, the flow in excess of the bleed flow passes the blow-off valve.
 

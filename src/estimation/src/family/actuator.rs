@@ -19,7 +19,7 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
-/// Directions of the valve for which a parameter holds.
+/// Directions of the valve to which a parameter applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ways {
     /// The parameter does not exist.

@@ -20,7 +20,7 @@ pub struct Component {
     pub fixed: Vec<(Number, f64)>,
     /// Parameters that the effect makes free.
     pub frees: Vec<Free>,
-    /// Number of free parameters, where weakly determined parameters count half.
+    /// Number of free parameters. Weakly determined parameters count half.
     pub numbers: f64,
 }
 

@@ -34,7 +34,7 @@ pub struct Evidence {
     pub mean_squares: Vec<f64>,
     /// Number of tests that each test represents.
     pub weights: Vec<f64>,
-    /// Number of free parameters, where weakly determined parameters count half.
+    /// Number of free parameters. Weakly determined parameters count half.
     pub numbers: f64,
     /// Negative log prior of the parameter values.
     pub negative_log_prior: f64,

@@ -58,7 +58,7 @@ fn log_prior_odds_of_change(name: &str) -> f64 {
 
 /// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// In a comparison with a reference, effects of every second damper count as rare: the reference already had them, or
+/// In a comparison with a reference, effects of every second damper count as rare. The reference already had them, or
 /// they were too weak for the records. With ordinary odds, such an effect would be reported instead of a changed
 /// parameter of the reference.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {

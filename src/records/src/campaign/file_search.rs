@@ -200,12 +200,12 @@ fn entries(
     let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // A profile that was read gets no message as a stray file.
+        // There is no message about a profile that was read.
         if is_passed_over(&name) || (has_profile && name == profile::FILE) {
             continue;
         }
         if entry.is_dir() {
-            // A subfolder that contains records gets its own message.
+            // Another message reports a subfolder with records.
             if records_below(&entry, DEEPEST) == 0 {
                 ignored.push(name);
             } else {

@@ -98,8 +98,8 @@ const PLACE: &str = "{}";
 /// The groups are the folders in the data (`folders`), parts of the test names (a pattern with `{}`), or entries of a
 /// list's column (`FILE.csv:COLUMN`).
 ///
-/// `read` reads the files of one campaign. All groups and their `reference` get the same positive direction if they
-/// come from one rig.
+/// `read` reads the files of one campaign. If all groups and their `reference` come from one rig, they have one common
+/// positive direction.
 ///
 /// # Errors
 /// A pattern without `{}`, data without folders, a list without the column or without any of the tests, or records that
@@ -182,7 +182,7 @@ fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign
     Ok(split)
 }
 
-/// Reads each folder as one campaign. All campaigns then get the same positive direction.
+/// Reads each folder as one campaign. Gives all campaigns one common positive direction.
 fn read_each<'a>(
     folders: impl Iterator<Item = &'a PathBuf>,
     read: &Read<'_>,

@@ -31,9 +31,9 @@ pub struct MotionRecord {
     pub setting: Option<MotionSetting>,
 }
 
-/// Reads a motion. `options` state units, columns and ignored channels, as for records. They state no signs. Extension
-/// is positive unless a profile in the file's folder states another direction. The force column is not read. The
-/// setting is recognized as in records.
+/// Reads a motion. `options` state units, columns and ignored channels, but no signs. Extension is positive unless a
+/// profile in the file's folder states another direction. The force column is not read. The setting is recognized as in
+/// records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not

@@ -357,7 +357,7 @@ mod tests {
         for course in [dwell, strokes, stairs, Course::new().rest(5.0).sine(10.0, 1.0, 5.0).rest(5.0)] {
             assert_eq!(course.names(), ["long"]);
         }
-        // The turning points of a slow sine are not standstills, regardless of where the sine ends.
+        // The turning points of a slow sine are not standstills, even if the sine ends at one of them.
         for (frequency, cycles) in [(0.01, 2.0), (0.0146, 3.0), (0.0096, 2.3), (0.004, 1.6), (0.02, 4.75)] {
             for amplitude in [10.0, 60.0] {
                 let course = Course::new().rest(2.0).sine(amplitude, frequency, cycles).rest(2.0);

@@ -62,8 +62,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     parts.map(|(k, (span, (cycles, stroke)))| part(&samples, span, (k, count), &cycles, stroke)).collect()
 }
 
-/// Returns the strokes between turning points. Two consecutive strokes meet at a turning point, which may lie between
-/// two samples.
+/// Returns the strokes between turning points. The turning point between two strokes may be between two samples.
 fn strokes(time: &[f64], x: &[f64]) -> Vec<Stroke> {
     let threshold = (STROKE * range(x)).max(10.0 * difference_noise(x));
     let turns = turning_points(x, threshold);

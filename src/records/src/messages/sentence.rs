@@ -1,6 +1,6 @@
 //! Translatable sentences: an English text with placeholders, and the values of the placeholders.
 //!
-//! Scripts and the terminal get the English text. A user interface looks up the text in another language and inserts
+//! Scripts and the terminal use the English text. A user interface looks up the text in another language and inserts
 //! the same values. [`Reader`] converts an English text back to the sentence and templates from which it was made.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -298,7 +298,7 @@ mod tests {
         let test = read(&text);
         assert!(test.len() == 21 && test.force[20] == 3.0, "{test:?}");
         assert!(told(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", told(&test));
-        // The position of a surplus number is unknown, so the table leaves the row out.
+        // The position of a surplus number is unknown, so the row is omitted.
         let test = read(&format!("{header}{}20,1,5,3,0,0,0\n", table(0, 20)));
         assert!(test.len() == 20 && told(&test).contains("these rows are left out (line 22)"), "{}", told(&test));
         // If most rows have too many fields, the table does not match its heading. A row with only some numbers is an
