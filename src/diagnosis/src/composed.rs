@@ -36,7 +36,7 @@ const LOST_STROKE: &str = "begins with a lost stroke";
 const DECIDED: f64 = 0.9;
 /// Largest number of names that a proposed test should distinguish.
 const UNDECIDED: usize = 3;
-/// Smallest gain of log posterior at which an unnamed error is reported. It represents the prior odds.
+/// Smallest gain of log posterior at which an unnamed error is reported. This threshold represents the prior odds.
 const UNNAMED: f64 = 1.0;
 /// Smallest mean square of a single test that a diagnosis without findings lists, relative to noise and curve error.
 const LOUD: f64 = 4.0;
@@ -92,7 +92,7 @@ impl Composed<'_> {
 
     /// Returns whether the force of an effect is large enough to name it.
     ///
-    /// In at least one test the force must exceed the noise of a sample and a fraction of the measured force.
+    /// In at least one test, the force must exceed the noise of a sample and a fraction of the measured force.
     fn is_material(&self, item: &InventoryItem) -> bool {
         let mut tests = item.test_forces_n.iter().zip(&self.fitted);
         let exceeds = |(force, test): (&f64, &Test)| {

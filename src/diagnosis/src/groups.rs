@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct GroupResult {
     /// Name of the group.
     pub group: String,
-    /// Name of the reference or group with which it was compared.
+    /// Name of the reference or group with which this group was compared.
     pub reference: String,
     /// Number of tests.
     pub tests: usize,
@@ -24,7 +24,7 @@ pub struct GroupResult {
     pub diagnosis: Diagnosis,
 }
 
-/// Diagnoses of all groups. `dashpot diagnose --group` writes its JSON form.
+/// Diagnoses of all groups. `dashpot diagnose --group` writes this value as JSON.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
     /// Name of the reference; in a chain, the reference of the first group.

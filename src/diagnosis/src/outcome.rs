@@ -89,7 +89,7 @@ pub struct Diagnosis {
     /// Estimates of the improved model's parameters.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,
-    /// Measurement errors in the file of the improved model. Readers of the file correct the same records by them.
+    /// Measurement errors in the file of the improved model. Readers of the file use them to correct these records.
     #[serde(skip)]
     pub measured: Vec<dashpot_identification::Measured>,
     /// Prior knowledge of the damper, in addition to its records.

@@ -23,7 +23,7 @@ pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
-/// Results of a search for effects outside its best structure.
+/// Results of a search, for effects that are not in the best structure.
 pub(super) struct Open<'a> {
     pub search: &'a StructureSearch,
     /// The given model, or the model that was fitted to the reference, after a refit.

@@ -9,8 +9,8 @@ pub fn clock_runs_on(records: &[&Record]) -> bool {
     apart(records.iter().filter_map(|record| record.span()).collect())
 }
 
-/// Returns the date and time at which that clock was zero, s since 1970 by the rig's own clock. Returns `None` if the
-/// records do not state a consistent time.
+/// Returns the date and time at which the common clock was zero, s since 1970 by the rig's own clock. Returns `None` if
+/// the records do not state a consistent time.
 pub fn clock_from(records: &[&Record]) -> Option<f64> {
     let mut from = records.iter().map(|record| Some(record.begins? - record.clock_s));
     let first = from.next()??;

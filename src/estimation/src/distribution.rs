@@ -53,7 +53,7 @@ impl Distribution {
         }
     }
 
-    /// Returns its center: median, mean or mode.
+    /// Returns the center of the distribution: median, mean or mode.
     pub fn center(self) -> f64 {
         match self {
             Distribution::Size(center, _)

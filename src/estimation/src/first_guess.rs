@@ -71,7 +71,8 @@ pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
     let limit = SLOW.max(1.5 * slowest);
     let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
-    // Use full speed if a test is slow, else samples near the reversals of the slowest tests.
+    // If a test is slow, use its samples near full speed. Otherwise, use samples near the reversals of the slowest
+    // tests.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
     let least = LEAST_FRICTION * size(segments).force();
     match strokes(slow, low, high) {

@@ -263,8 +263,8 @@ impl Hypothesis {
         self.forces_of(model, test, None, theta)
     }
 
-    /// Computes forces at the scored samples of all tests with the model's own steps; or returns `None` if the
-    /// parameters are not a valid model.
+    /// Computes forces at the scored samples of all tests with the model's own steps. Returns `None` if the parameters
+    /// are not a valid model.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }

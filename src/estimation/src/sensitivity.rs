@@ -354,8 +354,9 @@ impl Run {
         forces(&self.model, segment)
     }
 
-    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The derivatives of the
-    /// equilibrium at the first sample are neglected; they influence only samples before the scored ones.
+    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The
+    /// derivatives of the equilibrium at the first sample are neglected; they influence only samples before the scored
+    /// samples.
     pub fn jacobian(&self, segment: &Segment, unknowns: &Unknowns, theta: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
         let n = segment.force.len();
         let model = &self.model;

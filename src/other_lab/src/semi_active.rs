@@ -90,7 +90,7 @@ pub struct SemiActiveTest {
     pub name: String,
     /// Motion of the moving end.
     pub motion: Motion,
-    /// Cycles of a sine or triangle.
+    /// Number of cycles of a sine or triangle.
     pub cycles: f64,
     /// The command.
     pub command: Command,

@@ -205,7 +205,7 @@ pub(crate) mod force_offset {
     /// Largest ratio of a test's scatter to its offset at which the cause is a changed zero. A larger scatter indicates
     /// an effect of stroke or position.
     ///
-    /// The offset at the ends of the strokes may differ by the same fraction.
+    /// The offset at the ends of the strokes may differ by this fraction.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const CONSTANT: f64 = 0.3;
@@ -234,7 +234,7 @@ pub(crate) mod truncated_test {
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const MOVING: f64 = 0.3;
 
-    /// Number of last samples whose median velocity is the velocity at the end.
+    /// Number of last samples from which the median velocity at the end is computed.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const LAST: usize = 5;
@@ -494,7 +494,7 @@ pub(crate) mod unit_magnitude {
     /// Test: `a_frequency_that_no_rig_reaches_is_another_unit_of_time`.
     pub(crate) const FASTEST: f64 = 150.0;
 
-    /// Correlation of force and velocity above which the force depends on the velocity, in any unit.
+    /// Correlation of force and velocity above which the force depends on the velocity.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const FOLLOWS: f64 = 0.3;
@@ -732,8 +732,8 @@ pub(crate) mod clipped {
 
 /// Constants of `cleaning/gaps.rs`.
 pub(crate) mod gaps {
-    /// Ratio of a time step to the neighboring steps above which it is a gap. A change of the logging rate lasts for
-    /// many samples. Lost telegrams are only a few samples.
+    /// Ratio of a time step to the neighboring steps above which the step is a gap. A change of the logging rate lasts
+    /// for many samples. Lost telegrams are only a few samples.
     ///
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;

@@ -2,7 +2,7 @@
 //!
 //! The damper at constant settings is known. The free parameters are those of the actuator, and relative errors of the
 //! family's force. There is one error for each direction at each setting of the grid, and one midway between two
-//! settings. Without them, an error of the family would become a part of the response. The
+//! settings. Without these errors, an error of the family would become a part of the response. The
 //! [instant](super::command_time) within a sample at which the command changes is unknown. This uncertainty widens the
 //! intervals.
 

@@ -7,8 +7,8 @@
 
 /// Standard deviation of the instant within a sample, in samples: 1/√12.
 pub const SPREAD: f64 = 0.288_675_134_594_812_9;
-/// Step of the central difference with respect to the instant, in samples. The mean command of a step is linear in the instant up to half a
-/// sample. So any smaller step gives the same derivative, until rounding dominates.
+/// Step of the central difference with respect to the instant, in samples. The mean command of a step is linear in the
+/// instant up to half a sample. Therefore, any smaller step gives an equal derivative, until rounding dominates.
 pub const STEP: f64 = 0.1;
 
 /// Computes the commands of time steps `dt`, s, for a signal that is delayed by `later`, s. Each command is the mean of

@@ -69,7 +69,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the name of its parameter.
+    /// Returns the name of the error's parameter.
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "delay",
@@ -84,7 +84,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the unit of its parameter.
+    /// Returns the unit of the error's parameter.
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "s",

@@ -7,7 +7,7 @@ use crate::segment::Segment;
 const FORM: f64 = 0.002;
 /// Timing error as a fraction of a sample interval.
 ///
-/// The force error is that fraction of the change from sample to sample. If friction reverses within a sample, the
+/// The force error is this fraction of the change from sample to sample. If friction reverses within a sample, the
 /// force jumps, and this fraction of the samples is on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 

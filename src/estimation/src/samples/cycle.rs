@@ -18,7 +18,7 @@ const WINDOW: f64 = 1.0 / 400.0;
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
     let ahead = (mean - motion.displacement[index]) / motion.velocity[index];
-    // Near the crossing the displacement is almost linear. If the computed time is further away, it is not a crossing.
+    // Near the crossing, the displacement is almost linear. If the computed time is further away, it is not a crossing.
     if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
 }
 

@@ -58,7 +58,7 @@ impl Extent {
 pub struct Shortened {
     /// Number of roads that are not simulated whole.
     pub roads: usize,
-    /// Number of stretches of such a road.
+    /// Number of stretches of each of these roads.
     pub stretches: usize,
     /// Length of a stretch without its lead-in, s.
     pub seconds: f64,

@@ -124,7 +124,7 @@ pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
 
 /// Returns the largest number of tests at each of `settings` settings in the fit of an adjustable damper.
 ///
-/// The total is twice the number of an ordinary fit. A test matrix has some dozens of kinds of motion, and the limit
+/// The total is twice the number in an ordinary fit. A test matrix has some dozens of kinds of motion, and the limit
 /// retains them at each setting.
 pub fn most_at_setting(settings: usize) -> usize {
     2 * MOST_TESTS / settings.max(1)

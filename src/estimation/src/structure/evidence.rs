@@ -2,12 +2,12 @@
 //!
 //! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this
 //! error differs from test to test by orders of magnitude, but is similar in all samples of one test. The root mean
-//! square of a test's form error therefore counts as [`OBSERVATIONS`] observations. They are exponentially distributed
-//! with a scale that all tests share, estimated with the structure. The likelihood is that scale to the power of minus
-//! the number of observations. With a sum of squares, the worst test alone would determine the result. With a sum of
-//! logarithms, one test could have any error. Below [`FORM`], a smaller residual has no further effect. Each free
-//! parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its
-//! negative log prior.
+//! square of a test's form error therefore counts as [`OBSERVATIONS`] observations. The form errors are exponentially
+//! distributed with a scale that all tests share and that is estimated with the structure. The likelihood is this scale
+//! to the power of minus the number of observations. With a sum of squares, the worst test alone would determine the
+//! result. With a sum of logarithms, one test could have any error. Below [`FORM`], a smaller residual has no further
+//! effect. Each free parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a
+//! rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};

@@ -10,7 +10,7 @@ use dashpot_core::list;
 use dashpot_core::parameter;
 use dashpot_records::restrict;
 
-/// Returns the hypothesis at `theta` and a candidate at one of its starts.
+/// Returns the hypothesis with the parameters `theta`, extended by a candidate at one of the candidate's starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in candidate.elements {

@@ -52,7 +52,7 @@ const RISE: f64 = 0.5;
 /// rounding counts.
 const EXCHANGED: f64 = 0.05;
 /// Largest difference between the best log posterior of an expansion and that of a form at which the form is tried
-/// again later. It is tried after other effects were added.
+/// again later. The later trial follows the addition of other effects.
 ///
 /// A removal is refitted to convergence if its log posterior is within this difference below the best structure.
 const PROMISING: f64 = 25.0;
@@ -281,7 +281,8 @@ impl Temperatures {
     /// half of the names are lost.
     pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
     /// Divisors for a comparison with a reference. An error in the form of the laws affects both dampers equally, and a
-    /// change is likely if users compare. If the prior counted in full, a fifth of the correct names would be lost.
+    /// change is likely because users compare for a reason. If the prior counted in full, a fifth of the correct names
+    /// would be lost.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
 
     /// Returns the log weight of a structure relative to other structures.

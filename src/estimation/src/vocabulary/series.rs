@@ -121,7 +121,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     ));
     // Weight, gas and clamping increase or decrease the force at which the gap opens. The starts are about one and two
     // standard deviations of the load's prior away from zero. From there, the search converges to the optimum. Gap and
-    // spring are those of the middle start above.
+    // spring have the values of the middle start above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(

@@ -65,7 +65,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     }
     let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
-    // A profile states the signs of the files in its folder. Without a profile extension is positive.
+    // A profile states the signs of the files in its folder. Without a profile, extension is positive.
     if let Some(profile) = profile {
         let turned = profile.flip_motion != (profile.positive == Some(Positive::Compression));
         let sign = if turned { -1.0 } else { 1.0 };

@@ -117,7 +117,7 @@ pub fn load(
             tests
         })
         .collect();
-    // If the folder itself contains no readable record, the records are in its subfolders.
+    // If the folder contains no readable record, the records are in its subfolders.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());

@@ -8,7 +8,7 @@ use crate::quantities::setting_value::{Setting, SettingRules};
 /// Source of the setting of a motion.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SettingSource {
-    /// A column of the file: its heading, and the channel as which it was read.
+    /// A column of the file: its heading, and the channel that was assigned to it.
     Column(String, Channel),
     /// The name of the file.
     Name {

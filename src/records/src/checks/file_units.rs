@@ -205,8 +205,8 @@ impl<'a> Others<'a> {
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at its velocities, as logarithms. Its forces and velocities are
-    /// scaled by the given factors.
+    /// Returns the deviations of a test from the others at its velocities, as logarithms. The test's forces and
+    /// velocities are scaled by the given factors.
     fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);

@@ -5,7 +5,7 @@
 //! campaign is rejected.
 //!
 //! Second: are both positive in rebound or in compression? The energy does not depend on this. Gas pressure pushes the
-//! rod out, and most dampers resist rebound more than compression. Both are evidence, combined as odds.
+//! rod out, and most dampers resist rebound more than compression. Both facts are evidence, combined as odds.
 //!
 //! The asymmetry comes from the valves, so only the increase of the force with speed counts. Friction does not increase
 //! with speed and has no preferred direction. Gas and the zero of the load cell cancel in the increase.
@@ -584,7 +584,8 @@ mod tests {
         let cases = [
             (-1.0, 1.0, "--flip force", Options { flip_force: true, ..Options::default() }, Positive::Rebound),
             (1.0, -1.0, "--flip motion", Options { flip_motion: true, ..Options::default() }, Positive::Rebound),
-            // Reversing the motion also makes the signs consistent. Both are then positive in compression.
+            // A reversal of the motion also makes the signs consistent. Force and motion are then positive in
+            // compression.
             (-1.0, 1.0, "--flip force", Options { flip_motion: true, ..Options::default() }, Positive::Compression),
         ];
         for (force, motion, advice, cure, positive) in cases {
@@ -733,7 +734,7 @@ mod tests {
         assert!(notes.iter().any(|n| n.kind == "sign" && n.text.to_string().contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 
-        // Without a gas force only the asymmetry is evidence, which gives no certainty.
+        // Without a gas force, the only evidence is the asymmetry, so the direction is uncertain.
         let (weak, ..) = settled(campaign(1.0, 1.0, 0.0), &Options::default()).unwrap();
         assert!((0.5..0.93).contains(&weak.confidence) && weak.positive == Positive::Rebound, "{weak:?}");
         // The gas force contradicts the asymmetry.

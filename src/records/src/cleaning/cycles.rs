@@ -126,8 +126,8 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     cycles.len() < before
 }
 
-/// Moves the crossings to the mean of the cycles themselves. The first estimate is the mean between turning points,
-/// which run-up and run-down shift at the first and last crossing.
+/// Moves the crossings to the mean of the found cycles. The first estimate is the mean between turning points, which
+/// run-up and run-down shift at the first and last crossing.
 fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, x, c.start, c.end)).collect();
     let joined = |k: usize| k > 0 && k < cycles.len() && cycles[k - 1].end == cycles[k].start;
@@ -179,7 +179,7 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// Returns the median and its relative tolerance, at least `least`.
+/// Returns the median of a quantity and its relative tolerance, which is at least `least`.
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());

@@ -23,7 +23,7 @@ struct Moves {
     samples: Range<usize>,
     low: f64,
     high: f64,
-    /// Distance between turning points over the time it takes, m/s.
+    /// Distance between turning points divided by its duration, m/s.
     speed: f64,
     returns: bool,
     /// Whether the motion consists of strokes in one direction with standstills between the strokes.
@@ -169,7 +169,7 @@ impl Moves {
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
-    /// Returns whether a standstill is no longer than the apparent standstill of this motion at its turning points.
+    /// Returns whether a standstill is as short as the apparent standstill of this motion at its turning points.
     ///
     /// A sine of amplitude a and frequency f stays within d of its end for sqrt(2 d / a) / (pi f).
     fn only_turns(&self, rest: f64, still: f64) -> bool {

@@ -16,7 +16,7 @@ pub fn detect(heading: &str) -> u8 {
 
 /// Splits one line at a delimiter, with support for quotes.
 pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
-    // For a line without quotes the setup of a reader would take longer than the split.
+    // For a line without quotes, the setup of a reader would take longer than the split.
     if !line.is_empty() && !line.contains(['"', '\r', '\n']) {
         return line.split(char::from(delimiter)).map(str::to_owned).collect();
     }

@@ -320,7 +320,7 @@ const FILLERS: [&str; 58] = [
     "filtered",
     "gefiltert",
 ];
-/// Words that name a sensor or an input. A heading that is recognized without removing such words takes precedence.
+/// Words that name a sensor or an input. A heading that is recognized without removal of such words has precedence.
 const SENSORS: [&str; 15] = [
     "lvdt",
     "sensor",
@@ -429,7 +429,7 @@ pub(crate) fn heading(text: &str) -> Heading {
     }
 }
 
-/// Returns whether the heading is recognized without removing sensor names and numbers.
+/// Returns whether the heading is recognized without removal of sensor names and numbers.
 pub(crate) fn is_plain(text: &str) -> bool {
     text.len() <= LONGEST && strict(text) != Heading::Unknown
 }

@@ -465,7 +465,7 @@ pub(crate) struct Rows {
     budget: Budget,
     /// Date and time of the table's time zero, as [`Samples::begins`]. A column of dates has precedence.
     pub begins: Option<f64>,
-    /// Evidence for the order of day and month in its dates.
+    /// Evidence for the order of day and month in the table's dates.
     pub dates: Dates,
     /// Metadata of the tests that the file states.
     pub about: TestMetadata,

@@ -10,7 +10,7 @@ use crate::tuning::rig_frame::BEYOND;
 /// Transformation between displacements in the files and internal displacements, with the range of the tests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigFrame {
-    /// 1 if displacement in the files is positive in rebound, −1 if it is positive in compression.
+    /// Sign of displacement in the files: 1 if rebound is positive, −1 if compression is positive.
     pub turn: f64,
     /// Displacement in the files at internal displacement zero, m.
     pub zero_m: f64,

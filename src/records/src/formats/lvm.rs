@@ -29,14 +29,14 @@ struct Packet<'a> {
     /// Line of the column names, from 1.
     line: usize,
     names: Vec<String>,
-    /// Keys of its heading, each with one cell per column.
+    /// Keys of the packet's header, each with one cell per column.
     keys: Vec<Vec<String>>,
     /// Lines of figures with their numbers, from 1.
     rows: Vec<(usize, &'a str)>,
 }
 
 impl Packet<'_> {
-    /// Returns the entry of its heading for a key and a column.
+    /// Returns the entry of the packet's header for a key and a column.
     fn said(&self, key: &str, column: usize) -> &str {
         let found = self.keys.iter().find(|cells| cells[0].trim() == key);
         found.and_then(|cells| cells.get(column)).map_or("", |cell| cell.trim())
@@ -57,13 +57,13 @@ impl Packet<'_> {
         self.names[column].trim() == "X_Value"
     }
 
-    /// Returns the clock time of its start, s since 1970 or since midnight.
+    /// Returns the clock time at the start of the packet, s since 1970 or since midnight.
     fn clock(&self) -> Option<f64> {
         let column = (1..self.names.len()).find(|k| !self.said("Time", *k).is_empty())?;
         clock::seconds(&format!("{} {}", self.said("Date", column), self.said("Time", column)))
     }
 
-    /// Returns the evidence for the order of day and month in its date.
+    /// Returns the evidence for the order of day and month in the packet's date.
     fn dates(&self) -> Dates {
         let mut dates = Dates::default();
         (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));

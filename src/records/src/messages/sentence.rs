@@ -130,7 +130,7 @@ const LONGEST_UNIT: usize = 10;
 enum Value {
     /// A number ([`is_number`]), a unit, or the name of a test or an effect. The text is equal in all languages.
     AsIs(String),
-    /// A word of this crate, which is translated, or a name such as a path, which is not.
+    /// A word of this crate, which is translated, or a name such as a path, which stays unchanged.
     Word(String),
     /// A sentence within the sentence.
     Said(Sentence),

@@ -26,8 +26,8 @@ pub enum Channel {
     Temperature,
     /// Current of an adjustable damper's valve.
     Current,
-    /// Other setting of an adjustable damper: voltage, pressure, clicks. Only clicks are recognized by their heading.
-    /// The user must name other setting columns.
+    /// Setting of an adjustable damper other than the current: voltage, pressure, clicks. Only clicks are recognized by
+    /// their heading. The user must name other setting columns.
     Setting,
 }
 

@@ -180,8 +180,8 @@ pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterato
     true
 }
 
-/// Returns whether two values are the same setting. The resolution of supplies is a hundredth of an ampere. The
-/// resolution of other settings is at least a two-hundredth of the value.
+/// Returns whether two values are the same setting. The resolution of supplies is a hundredth of an ampere. Steps of
+/// other settings are larger than a two-hundredth of the value.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME.max(ALIKE * a.abs().max(b.abs()))
 }
@@ -257,7 +257,7 @@ mod tests {
         }
     }
 
-    /// A quarter of an ampere is not rounded to 0.26 A, nor 1245 psi to 1250.
+    /// A quarter of an ampere is not rounded to 0.26 A, and 1245 psi is not rounded to 1250 psi.
     #[test]
     fn a_measured_setting_is_the_value_that_was_set() {
         for (unit, measured, set) in [

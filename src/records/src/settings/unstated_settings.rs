@@ -156,8 +156,8 @@ impl Settings {
             alike.iter().map(part).collect()
         };
         let most = |parts: &[Vec<Vec<usize>>]| parts.iter().map(Vec::len).max().unwrap_or(0);
-        // Use the finest ratio with which all motions with enough tests show one number of settings, also shown by most
-        // motions. With a single motion, the finest ratio would only show scatter.
+        // Use the finest ratio at which all motions with enough tests show an equal number of settings. Most motions
+        // must show this number. With a single motion, the finest ratio would only show scatter.
         let several = alike.iter().filter(|group| group.len() > 1).count();
         let agrees = |parts: &Vec<Vec<Vec<usize>>>| {
             let most = most(parts);

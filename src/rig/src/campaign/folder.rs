@@ -163,7 +163,7 @@ impl Record {
     }
 }
 
-/// Lists the records of the earlier campaign in the folder; The list is empty if the folder is empty or missing.
+/// Lists the records of the earlier campaign in the folder. The list is empty if the folder is empty or missing.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),

@@ -19,7 +19,7 @@ pub struct Options {
     /// added.
     ///
     /// The other channels have the noise of their sensors: displacement 2 µm, velocity 0.1 % of the test's peak
-    /// velocity, side force 0.5 N. At 0 all sensors are ideal.
+    /// velocity, side force 0.5 N. If this value is 0, all sensors are ideal.
     pub noise_percent: f64,
     /// Samples per second of every test, Hz; `None` selects the rate from the frequency ([`default_sample_rate_hz`]).
     pub sample_rate_hz: Option<f64>,

@@ -11,7 +11,7 @@
 //!        actuator == tube
 //! ```
 //!
-//! Extension (rebound) positive; the force on the load cell is positive in tension.
+//! Extension (rebound) and tension at the load cell are positive.
 
 mod draw;
 mod gas;

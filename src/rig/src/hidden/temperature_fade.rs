@@ -1,5 +1,5 @@
-//! Oil becomes thinner with temperature. The laminar part of the force is proportional to viscosity, the other part to
-//! density.
+//! Oil becomes thinner with temperature. The laminar part of the force is proportional to the viscosity, the other part
+//! to the density.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

@@ -27,8 +27,8 @@ impl Matrix {
     /// `mean_displacement_mm`, `side_force_n`, `cycles`.
     ///
     /// Two of amplitude, frequency and peak velocity are required. The third follows from `Vp = 2 pi A f`. The other
-    /// columns may be missing or empty. Comma, semicolon or tab separates the columns (with decimal commas, only
-    /// semicolon or tab). Empty lines and lines that begin with `#` are skipped.
+    /// columns may be missing or empty. Comma, semicolon or tab separates the columns (only semicolon or tab in files
+    /// with decimal commas). Empty lines and lines that begin with `#` are skipped.
     ///
     /// # Errors
     /// [`RigError::Io`] if the file is not readable; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], with line
