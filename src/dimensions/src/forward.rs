@@ -132,7 +132,7 @@ const RULES: &[Rule] = &[
         states: &[Bore, Rod, ReboundChamber],
         design: None,
         formula: |x| oil::rebound_stiffness(modulus(x[0], x[1], x[4], x[5]), x[1], x[2], x[3]),
-        // Air that the model does not contain as an element softens the column.
+        // If the model has no element for the air, the air makes the column softer.
         form: 1.6,
         shape: Shape::Size,
         source: COLUMN,

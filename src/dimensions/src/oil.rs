@@ -51,8 +51,8 @@ pub fn compression_ratio(design: Design, bore: f64, rod: f64, [rebound, compress
 
 /// Computes the largest stroke by compression of free air, m, and the force at half of that stroke, N.
 ///
-/// Bubbles at the pressure p have constant V p. Under the force F on the area A they deflect by g F / (F + p A), where g is the largest
-/// stroke. The element `aeration` has this law.
+/// Bubbles at the pressure p have constant V p. Under the force F on the area A, they deflect by g F / (F + p A), where
+/// g is the largest stroke. The element `aeration` has this law.
 pub fn air_stroke(air: f64, pressure: f64, bore: f64, rod: f64, length: f64) -> (f64, f64) {
     (air * length * ATMOSPHERE / (BUBBLES * pressure), pressure * annulus(bore, rod))
 }

@@ -21,7 +21,7 @@ pub fn set_force(force: bool) {
 pub enum Target {
     /// A file, new or old, after all symbolic links. It is replaced as a whole.
     File(PathBuf),
-    /// A device or a pipe. Output goes to it, and it is never replaced.
+    /// A device or a pipe. The output goes to it, and it is never replaced.
     Stream(PathBuf),
 }
 

@@ -10,10 +10,10 @@ use std::path::Path;
 
 /// Prefix of the names of temporary files.
 const TEMPORARY: &str = ".dashpot-";
-/// Number of attempts. Another run may remove the temporary file because it takes this run for dead.
+/// Number of attempts. Another run may remove the temporary file by mistake, as a file of a dead run.
 const TRIES: usize = 5;
 
-/// Writes a file, and replaces an older one of the same kind through a temporary file in the same folder.
+/// Writes a file, and replaces an older file of the same kind through a temporary file in the same folder.
 ///
 /// Symbolic links remain and refer to the new file, which has the permissions and the owner of the older file. Output
 /// to a device or a pipe is direct.

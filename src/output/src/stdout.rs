@@ -17,10 +17,11 @@ mod at_start {
         CLOSED.store(rustix::io::fcntl_getfd(out).is_err(), Ordering::Relaxed);
     }
 
-    // Before `main` the language runtime opens the null device on closed standard descriptors. A closed output is then
+    // Before `main`, the language runtime opens the null device on closed standard descriptors. A closed output is then
     // indistinguishable from an output that the user redirected to the null device. Functions in this section run
-    // earlier. SAFETY: the section contains pointers to functions without arguments, which the loader calls once.
-    // `look` uses nothing that the runtime initializes later.
+    // earlier.
+    // SAFETY: the section contains pointers to functions without arguments, which the loader calls once. `look` uses
+    // nothing that the runtime initializes later.
     #[used]
     #[cfg_attr(target_os = "linux", unsafe(link_section = ".init_array"))]
     #[cfg_attr(target_os = "macos", unsafe(link_section = "__DATA,__mod_init_func"))]

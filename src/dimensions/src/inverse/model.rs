@@ -51,8 +51,8 @@ impl Identified<'_> {
         self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0
     }
 
-    /// Returns speeds and forces of one stroke, slowest first. Both are positive, and the force at zero velocity is
-    /// subtracted.
+    /// Returns speeds and forces of one stroke, slowest first. Speeds and forces are positive, and the force at zero
+    /// velocity is subtracted.
     pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
         let Identified(file) = self;
         let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));

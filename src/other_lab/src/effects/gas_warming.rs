@@ -18,7 +18,7 @@ const EXPANSION: f64 = 8e-4;
 /// An ideal gas behind a floating piston.
 ///
 /// Its pressure increases with its absolute temperature. It also increases because expanding oil reduces the gas volume
-/// (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression the gas volume is smaller.
+/// (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression, the gas volume is smaller.
 struct RoomTakenByOil {
     force: f64,
     /// Ratio of oil volume to gas volume.

@@ -29,7 +29,7 @@ pub struct Protocol {
     pub noise_colour: f64,
     /// Amplitude of 50 Hz hum on the force, N.
     pub hum_n: f64,
-    /// Bits of the converters of force and displacement; `None` means no rounding.
+    /// Number of bits of the force and displacement converters. `None` means no rounding.
     pub bits: Option<u32>,
     /// Delay of the force channel, s.
     pub force_delay_s: f64,
