@@ -1,4 +1,4 @@
-//! Calibration of the search's probabilities: names given with a confidence of 90 % are right in 90 % of cases.
+//! Calibration of the search's probabilities: names with a confidence of 90 % are correct in 90 % of cases.
 
 use serde::Deserialize;
 use std::sync::LazyLock;
@@ -13,16 +13,17 @@ struct Calibration {
 }
 
 static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
-    // The file is part of the program, so only a faulty build can fail here. The test below reads the file.
+    // The file is part of the program, so this fails only in a faulty build. The test below reads the file.
     toml::from_str(include_str!("calibration.toml")).expect("calibration.toml holds three numbers")
 });
 
-/// Log odds against a reference above which the confidence no longer grows.
+/// Log odds above which the confidence no longer increases, in a comparison with a reference.
 const MOST: f64 = 8.0;
 
-/// Returns the probability that a name is right if the search gives it `probability`.
+/// Returns the probability that a name is correct if the search computes `probability` for it.
 ///
-/// Names below one half are never given, so there is no calibration for them, and the probability of the search is returned.
+/// Effects with a probability below one half are never named, so there is no calibration for them. The function then
+/// returns the probability of the search.
 pub fn confidence(probability: f64, against_reference: bool) -> f64 {
     if probability <= 0.5 {
         return probability;
@@ -47,7 +48,7 @@ mod tests {
             let mut last = 0.0;
             for p in [0.05, 0.1, 0.5, 0.9, 0.99, 1.0] {
                 let here = confidence(p, against);
-                // Without a reference the last two values exceed the limit.
+                // Without a reference, the last two values exceed the limit.
                 let is_at_limit = !against && p == 1.0 && here == last;
                 assert!((here > last || is_at_limit) && here < 0.96, "{p}: {here}");
                 last = here;

@@ -1,4 +1,4 @@
-//! Changes against a reference: the sparse set of changes that explains the difference.
+//! Changes relative to a reference: the smallest set of changes that explains the difference.
 
 use super::phrases;
 use dashpot_core::{Params, list};
@@ -15,26 +15,28 @@ use serde::Serialize;
 pub struct Change {
     /// A parameter of the model, or a part of its FV curve.
     pub name: &'static str,
-    /// Value on the reference damper; for a part of the FV curve, the force at [`Change::velocity_m_s`].
+    /// Value of the reference damper. For a part of the FV curve, it is the force at [`Change::velocity_m_s`].
     pub reference: f64,
-    /// Value on this damper.
+    /// Value of this damper.
     pub value: f64,
-    /// Lower end of the 95 % interval of the value, with `reference` taken as exact. Minus `reference` it is the lower end of the change.
+    /// Lower end of the 95 % interval of the value, if `reference` is exact. The lower end of the change is this value
+    /// minus `reference`.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of that interval.
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// Velocity at which the forces of a part of the FV curve are given, m/s, rebound positive.
+    /// Velocity at which the forces of a part of the FV curve are stated, m/s, rebound positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocity_m_s: Option<f64>,
-    /// Probability that this number changed.
+    /// Probability that this parameter changed.
     pub probability: f64,
     /// Force of the change, N rms.
     pub force_n_rms: f64,
 }
 
-/// Returns the velocity at which the forces of a part of the FV curve are given: the geometric middle of its velocities, or the highest.
+/// Returns the velocity at which the forces of a part of the FV curve are stated: the geometric middle of its
+/// velocities, or the highest.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
     let is_rebound = part.side != Side::Compression;
@@ -56,9 +58,9 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// Lists the changes of a structure against its base. `ends` holds the intervals of its free numbers.
+/// Lists the changes of a structure relative to its base. `ends` contains the intervals of its free parameters.
 ///
-/// `probability` and `force` return the values of an effect by its name.
+/// `probability` and `force` return the probability and the force of an effect from its name.
 pub fn changes(
     structure: &Structure,
     ends: &[[f64; 2]],

@@ -33,13 +33,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Ending of the names of forms in which a stroke begins without force.
 const LOST_STROKE: &str = "begins with a lost stroke";
 
-/// Confidence above which a name needs no further test.
+/// Confidence above which a name requires no further test.
 const DECIDED: f64 = 0.9;
 /// Largest number of names that a proposed test should distinguish.
 const UNDECIDED: usize = 3;
-/// Gain of log posterior from which an unnamed error is reported. It represents the prior odds.
+/// Smallest gain of log posterior at which an unnamed error is reported. This threshold represents the prior odds.
 const UNNAMED: f64 = 1.0;
-/// Smallest mean square of a single test that is listed although nothing is missing, in units of noise and curve error.
+/// Smallest mean square of a single test that a diagnosis without findings lists, relative to noise and curve error.
 const LOUD: f64 = 4.0;
 
 /// Input of the outcome.
@@ -50,9 +50,9 @@ pub(super) struct Composed<'a> {
     pub fitted: Vec<Test>,
     pub left: Vec<Test>,
     pub search: StructureSearch,
-    /// The given model, or the one fitted to the reference, refitted.
+    /// The given model, or the model that was fitted to the reference, after a refit.
     pub start: Structure,
-    /// The most probable structure, refitted.
+    /// The most probable structure, after a refit.
     pub best: Structure,
     pub situation: Situation,
     /// The reference damper, if there is one.
@@ -72,7 +72,8 @@ struct Judged {
 }
 
 impl Composed<'_> {
-    /// Returns the probable effects that the given model lacks, most probable first: those to name, and those too small to name.
+    /// Returns the probable effects that are not in the given model, most probable first: effects to name, and effects
+    /// too small to name.
     fn named<'c>(
         &'c self,
         items: &[InventoryItem],
@@ -81,7 +82,7 @@ impl Composed<'_> {
         let is_new = |c: &&Component| !is_change(c) && self.start.components.iter().all(|own| own.effect != c.effect);
         let mut all: Vec<&Component> =
             self.best.components.iter().filter(is_new).filter(|c| probability(c.effect) >= NAMED).collect();
-        // Among names of equal confidence the one with the larger force comes first.
+        // Among names of equal confidence, the name with the larger force comes first.
         let force = |c: &Component| items.iter().find(|i| i.effect == c.effect).map_or(0.0, |item| item.force_n_rms);
         let order = |c: &Component| (probability(c.effect), force(c));
         all.sort_by(|a, b| order(b).0.total_cmp(&order(a).0).then(order(b).1.total_cmp(&order(a).1)));
@@ -92,7 +93,7 @@ impl Composed<'_> {
 
     /// Returns whether the force of an effect is large enough to name it.
     ///
-    /// In at least one test the force must exceed the noise of a sample and a fraction of the measured force.
+    /// In at least one test, the force must exceed the noise of a sample and a fraction of the measured force.
     fn is_material(&self, item: &InventoryItem) -> bool {
         let mut tests = item.test_forces_n.iter().zip(&self.fitted);
         let exceeds = |(force, test): (&f64, &Test)| {
@@ -102,7 +103,7 @@ impl Composed<'_> {
         item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
-    /// Removes effects that are not probable enough to be named from the best structure.
+    /// Removes from the best structure all effects that are not probable enough to be named.
     fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
         loop {
             let doubtful = self.best.components.iter().position(|c| {
@@ -129,7 +130,7 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies to given names. Effects that both models have are not calibrated.
+        // The calibration applies to added names. Effects in both models are not calibrated.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -357,7 +358,7 @@ impl Composed<'_> {
                 .map(|(test, square)| (test, square.sqrt()))
                 .collect();
             loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-            // A record in several sections is named once, with its worst section.
+            // A record that is divided into sections is named only once, with its worst section.
             let mut named = BTreeSet::new();
             loud.retain(|(test, _)| named.insert(test.record));
             if !loud.is_empty() {
@@ -403,7 +404,7 @@ impl Composed<'_> {
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
     }
 
-    /// Returns all forms that were tried in addition to the best structure, most probable first.
+    /// Returns all trials with one form in addition to the best structure, most probable first.
     fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Trial> {
         let before = &self.search.best.evidence;
         let of = |t: &dashpot_estimation::structure::expansion::Trial| {
@@ -496,7 +497,7 @@ impl Composed<'_> {
         names.iter().map(one).collect()
     }
 
-    /// Returns the length of the lost stroke in the longest stroke of the tests.
+    /// Returns the length of the lost stroke in the longest stroke of all tests.
     fn lost_stroke(&self, form: &str, parameters: &BTreeMap<&'static str, Value>) -> Option<Value> {
         let unfilled = parameters.get("cavitation_unfilled").filter(|_| form.ends_with(LOST_STROKE))?;
         let stroke = 2.0 * self.fitted.iter().map(|t| t.segment.amplitude).fold(0.0, f64::max);
@@ -509,7 +510,7 @@ impl Composed<'_> {
         })
     }
 
-    /// Returns the fraction of the gap that reopens without one effect, on left-out tests if there are any.
+    /// Returns the fraction of the gap that reopens without one effect. Uses the left-out tests if there are any.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
         let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
         let noise = noise_alone(tests);
@@ -521,8 +522,8 @@ impl Composed<'_> {
         (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
-    /// Returns the accuracy of the errors: full by default. Against a reference it is that of the refits, with which the form error was
-    /// found.
+    /// Returns the accuracy of the integration for the errors. A comparison with a reference uses that of the refits,
+    /// like its form error.
     fn accuracy(&self) -> Accuracy {
         if self.against.is_some() { Accuracy::Single } else { Accuracy::Full }
     }
@@ -537,7 +538,7 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Formats "nothing is missing" with the limits of this statement.
+    /// Formats the statement that nothing is missing, with its limits.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())
@@ -559,7 +560,7 @@ impl Composed<'_> {
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside).with_any("nearest", nearest))
     }
 
-    /// Returns the scalars of the given model that moved by more than three standard deviations.
+    /// Returns the scalar parameters of the given model that changed by more than three standard deviations.
     fn shifts(&self) -> Vec<Shift> {
         let (start, best) = (&self.start, &self.best);
         if start.key() == best.key() || self.against.is_some() {
@@ -584,7 +585,7 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Proposes tests that distinguish undecided names; none if everything is decided.
+    /// Proposes tests that distinguish undecided names. Returns none if all names are decided.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
         if judged.verdict.nothing_is_missing()
@@ -632,7 +633,7 @@ fn looks(unnamed: Unnamed) -> Template {
 /// Number of standard deviations from the prior above which a value is reported as rare.
 const RARE: f64 = 2.5;
 
-/// Returns whether such a value is typical of dampers.
+/// Returns whether the value of a parameter is within [`RARE`] standard deviations of its prior.
 fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
     hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
 }

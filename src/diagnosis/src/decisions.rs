@@ -1,6 +1,6 @@
-//! Thresholds that decide about a diagnosis, with their reasons.
+//! Thresholds of the decisions in a diagnosis, with their reasons.
 
-/// Smallest probability at which an effect is named. Below it the name is more likely wrong than right.
+/// Smallest probability at which an effect is named. Below it, the name is more likely wrong than correct.
 pub const NAMED: f64 = 0.5;
 
 /// Residual over the noise of the mean cycles beyond which a diagnosis without a finding states both.
@@ -10,12 +10,13 @@ pub const CLEARLY: f64 = 2.0;
 
 /// Largest root mean square residual at which nothing is missing, in units of noise and curve error.
 ///
-/// Beyond it the form error is larger than the noise.
+/// Beyond it, the form error is larger than the noise.
 pub const QUIET: f64 = 1.5;
 
-/// Gain of log likelihood that a structure with other effects needs over the given model. At a factor of e the records favor it.
+/// Smallest gain of log likelihood at which a structure with other effects is preferred to the given model. The value
+/// is a likelihood ratio of e.
 ///
-/// With a smaller value, an effect was named instead of another that fits as well.
+/// With a smaller value, the diagnosis named an effect instead of another effect with an equal fit.
 pub const NEEDED: f64 = 1.0;
 
 /// Smallest remaining fraction of the disagreement that is reported in addition to the names.
@@ -23,6 +24,7 @@ pub const UNEXPLAINED: f64 = 0.25;
 
 /// Smallest force of a named effect and of a reported change, as a fraction of the root mean square measured force.
 ///
-/// A smaller change appears only in the table. Dampers of one series differ as much, and force tolerances allow it. A name must also exceed
-/// the noise of a sample, in at least one test. The laboratory defines the effects of a damper in this way too (`true_set.rs`).
+/// A smaller change appears only in the table. Dampers of one series differ by this amount, and force tolerances allow
+/// it. The force of a named effect must also exceed the noise of a sample in at least one test. The laboratory uses
+/// this definition for the effects of a damper (`true_set.rs`).
 pub const MATERIAL: f64 = 0.005;

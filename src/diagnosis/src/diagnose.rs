@@ -19,9 +19,10 @@ use dashpot_identification::{describe_roads, select_tests};
 use dashpot_messages::Template;
 use dashpot_records::Record;
 
-/// Returns whether a diagnosis may use a candidate: it must be requested, and the records must be able to show it.
+/// Returns whether a diagnosis may use a candidate: the effect must be requested, and the records must be able to show
+/// it.
 ///
-/// A mass on the load cell is named as a moving mass, and only a fit identifies a gain drift.
+/// A mass on the load cell has the name of a moving mass, and only a fit identifies a gain drift.
 fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
     if candidate.unnamed.is_some() {
         return true;
@@ -33,7 +34,7 @@ fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -
         && effects::can_be_shown(effect, situation)
 }
 
-/// Diagnoses a model against records. `held_out` marks the records that neither refit nor search may use.
+/// Diagnoses a model against records. `held_out` marks the records that refit and search must not use.
 ///
 /// # Errors
 /// No test, an unknown name, or a model without finite forces.
@@ -84,10 +85,10 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
     Some((given, search.best.refitted(tests, Effort::FINE)?))
 }
 
-/// Returns whether a structure has effects that the given model lacks, and explains the records no better.
+/// Returns whether a structure has additional effects but does not explain the records better than the given model.
 ///
-/// Its odds are then higher only because dampers have these effects more often, or because it has fewer numbers. Nothing is missing in the
-/// given model.
+/// Its odds are then higher only because its effects are more frequent, or because it has fewer parameters. The given
+/// model is then complete.
 fn adds_without_need(given: &Structure, best: &Structure) -> bool {
     let effects = |of: &Structure| of.components.iter().map(|component| component.effect).collect::<Vec<_>>();
     is_without_need(&effects(given), &effects(best), best.evidence.log_likelihood() - given.evidence.log_likelihood())
@@ -118,7 +119,7 @@ fn alone<'a>(
         most: options.max_effects,
         progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
     };
-    // If only some effects or none were requested, the comparison uses only the given model.
+    // If the request allows only some effects, or none, the comparison uses only the given model.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
     let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
@@ -141,7 +142,7 @@ fn alone<'a>(
     })
 }
 
-/// Searches for the sparse set of changes against a reference.
+/// Searches for the smallest set of changes that explains the difference from a reference.
 fn against_reference<'a>(
     records: &'a [&'a Record],
     mut prepared: Prepared,
@@ -200,7 +201,7 @@ mod tests {
         // The log likelihood falls, stays equal, or rises clearly.
         assert!(is_without_need(&given, &exchanged, -3.0) && is_without_need(&given, &exchanged, 0.0));
         assert!(!is_without_need(&given, &exchanged, 2.0));
-        // A structure that only removes effects is accepted at any gain.
+        // A structure that only removes effects is accepted regardless of the gain.
         assert!(!is_without_need(&given, &given[..1], -0.5));
     }
 }

@@ -1,4 +1,4 @@
-//! Description of each effect: location, meaning, required records, and the test that shows it best.
+//! Description of each effect: location, meaning, required records, and the test that shows the effect best.
 
 use super::phrases;
 use dashpot_core::element;
@@ -6,17 +6,17 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::{Sentence, Template};
 
-/// Description of an effect. Its equations are in the kernel, and the starts of its search in the vocabulary.
+/// Description of an effect. The equations are in the kernel, and the starts of the search are in the vocabulary.
 pub struct Card {
     /// Name.
     pub name: &'static str,
     /// Location in the force path.
     pub path: &'static str,
-    /// Family: effects at the same location, which are the hardest to distinguish.
+    /// Family: effects at one location, which are hardest to distinguish.
     pub family: &'static str,
     /// Test that shows the effect best.
     pub remedy: Template,
-    /// Returns the reason why records cannot show the effect, from their channels and ranges alone; `None` if they may.
+    /// Returns the reason why the channels and ranges of records cannot show the effect, or `None`.
     pub missing: fn(&Situation) -> Option<Sentence>,
 }
 
@@ -24,16 +24,16 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Smallest span of side force, N, for the damper of a car, that distinguishes side-force friction from friction.
+/// Smallest side-force range, N, that distinguishes side-force friction from friction of a car damper.
 const SIDE_FORCE: f64 = 50.0;
-/// Smallest span of the positions that tests pass at speed, m, and smallest ratio of their frequencies.
+/// Smallest range of positions at one speed, m. [`FREQUENCIES`] is the smallest ratio of frequencies.
 ///
-/// They identify a dependence on position or frequency: of two tests at one speed, one must reach positions that the other does not.
+/// Such tests identify a dependence on position or frequency: at one speed, two tests must reach different positions.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
-/// Smallest span of the heat from tests of such a damper, J, at which its temperature changes.
+/// Smallest range of the heat in tests of a car damper, J, at which its temperature changes.
 const HEAT: f64 = 500.0;
-/// Largest displacement at which a stop of a car may lie, m.
+/// Largest displacement at which a stop of a car damper begins, m.
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {
@@ -223,7 +223,7 @@ pub const CARDS: &[Card] = &[
     },
 ];
 
-/// Names of the effects that can be named, in the order of their descriptions.
+/// Names of all effects, in the order of their descriptions.
 pub const EFFECTS: &[&str] = &{
     let mut names = [""; CARDS.len()];
     let mut k = 0;
@@ -269,7 +269,7 @@ mod tests {
         for (k, card) in CARDS.iter().enumerate() {
             assert!(!meaning(card.name).is_empty(), "{}", card.name);
             assert!(CARDS[..k].iter().all(|c| c.name != card.name), "{}", card.name);
-            // All effects of a family lie in one path.
+            // All effects of a family are in one path.
             assert!(CARDS.iter().all(|c| c.family != card.family || c.path == card.path), "{}", card.family);
         }
         assert_eq!(EFFECTS.len(), CARDS.len());
@@ -303,7 +303,7 @@ mod tests {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // Effects of the base model are not candidates. Effects that no rig can separate never are.
+        // Effects of the base model, and effects that no rig can separate, are not candidates.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),

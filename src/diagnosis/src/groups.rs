@@ -1,4 +1,5 @@
-//! Diagnosis of many dampers, or of one damper at many settings, each against one reference or against the group before it.
+//! Diagnosis of many dampers, or of one damper at many settings, each compared with one reference or with the previous
+//! group.
 
 use crate::diagnose::diagnose;
 use crate::hold_out::choose;
@@ -16,15 +17,15 @@ use serde::Serialize;
 pub struct GroupResult {
     /// Name of the group.
     pub group: String,
-    /// Name of the reference or group with which it was compared.
+    /// Name of the reference or group with which this group was compared.
     pub reference: String,
     /// Number of tests.
     pub tests: usize,
-    /// The diagnosis against the reference.
+    /// Diagnosis relative to the reference.
     pub diagnosis: Diagnosis,
 }
 
-/// Diagnoses of all groups. `dashpot diagnose --group` writes its JSON form.
+/// Diagnoses of all groups. `dashpot diagnose --group` writes this value as JSON.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
     /// Name of the reference; in a chain, the reference of the first group.
@@ -34,9 +35,10 @@ pub struct GroupResults {
     /// Lines of the list of groups that name none of the tests.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub without_test: Vec<String>,
-    /// Files and tests that could not be used, of the reference too.
+    /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
-    /// Measurement errors that the model's fit found in its own records, and whether these records were corrected by them.
+    /// Measurement errors that the fit of the model found in its own records. Also states whether these records were
+    /// corrected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
     /// Every group except the reference.
@@ -48,11 +50,12 @@ pub struct GroupResults {
 pub enum Comparison {
     /// The reference for all groups. The result shows the faults of each damper.
     Reference,
-    /// The group before, and the reference for the first group. The result shows the change by one step of an adjuster or of wear.
+    /// The previous group, and the reference for the first group. The result shows the change due to one step of an
+    /// adjuster or of wear.
     Chain,
 }
 
-/// Reference that is not one of the groups.
+/// Reference that does not belong to the groups.
 pub struct Good {
     /// Name of the reference.
     pub name: String,
@@ -81,10 +84,11 @@ pub enum GroupsError {
     },
 }
 
-/// Diagnoses every group of data that were split `by` a property, against a reference. Without a reference the first group serves as one.
+/// Diagnoses every group of data that were split `by` a property, relative to a reference. Without a reference, the
+/// first group is the reference.
 ///
-/// In a chain each group is compared with the one before. The function sets the reference of `options`. `seed` selects the tests that no
-/// refit uses. `progress` receives the fraction done and the current step.
+/// In a chain, each group is compared with the previous group. The function sets the reference of `options`. `seed`
+/// selects the tests that no refit uses. `progress` receives the fraction done and the current step.
 ///
 /// # Errors
 /// A single group, or a group that cannot be diagnosed.

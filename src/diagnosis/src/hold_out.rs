@@ -2,15 +2,16 @@
 
 use dashpot_records::Record;
 
-/// Every test of this many is left out.
+/// One of this many tests is left out.
 const ONE_IN: usize = 4;
-/// Smallest number of tests of which some can be left out.
+/// Smallest number of tests in a campaign at which some are left out.
 const FEWEST: usize = 8;
 
-/// Marks the tests to leave out: every fourth in the order of amplitude and speed, so that both are covered.
+/// Marks the tests to leave out: every fourth test in the order of amplitude and speed, so that all amplitudes and
+/// speeds are represented.
 ///
-/// The largest stroke, the fastest test, and the extremes of mean displacement and side force are kept. Without its only test an effect
-/// cannot be identified.
+/// The largest stroke, the fastest test, and the extremes of mean displacement and side force are kept. An effect
+/// cannot be identified if its only test is left out.
 pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let n = records.len();
     let mut out = vec![false; n];

@@ -1,4 +1,4 @@
-//! Detection of measurements that are also in the reference. For these nothing can have changed.
+//! Detection of measurements that are also in the reference. For these tests, there can be no change.
 
 use super::phrases;
 use dashpot_messages::Sentence;

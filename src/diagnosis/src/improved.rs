@@ -1,4 +1,4 @@
-//! Improved model in the form of a fit, so that it is written, read and reported like a fit.
+//! Improved model in the form of a fit. The same functions write, read and report a fit and this model.
 
 use super::name_of::name_of;
 use super::outcome::Diagnosis;
@@ -15,7 +15,8 @@ use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
 
-/// Estimates all scalars of the final hypothesis. Its numbers have the intervals `ends`; without them the intervals are the bounds.
+/// Estimates all scalars of the final hypothesis. The free parameters have the intervals `ends`. If `ends` is `None`,
+/// the intervals are the bounds.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
@@ -54,9 +55,9 @@ pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
         .collect()
 }
 
-/// Combines the measurement errors by which the records were corrected before the diagnosis, and those that the diagnosis found.
+/// Combines the measurement errors that were corrected before the diagnosis with those that the diagnosis found.
 ///
-/// The former come from a fit, or from the user (`given`) if the fit found none.
+/// The corrected errors come from a fit, or from the user (`given`) if the fit found none.
 fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
@@ -71,7 +72,8 @@ fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured])
 impl Diagnosis {
     /// Returns the improved model as a fit to the records that were not left out.
     ///
-    /// It has the plain curve of these records, and the measurement errors that the diagnosed model's fit and this diagnosis found.
+    /// It contains the plain FV curve of these records. It also contains the measurement errors from the fit of the
+    /// diagnosed model and from this diagnosis.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&Record> = records
             .iter()
@@ -102,8 +104,8 @@ impl Diagnosis {
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            // The model's curve is unsuitable: against a reference it belongs to another damper, and without a fit it is the model's own,
-            // without friction.
+            // The plain curve of the model is unsuitable. With a reference, it belongs to another damper. Without a
+            // fit, it is the FV curve of the model, without friction.
             fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }

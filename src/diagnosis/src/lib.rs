@@ -14,9 +14,9 @@
 //! | [`regions`] | regions where model and records disagree |
 //! | [`mod@reference`], [`changes`] | form error shared by two dampers, and changes between them |
 //! | [`groups`] | many dampers, each against one reference |
-//! | [`settings`] | one damper at several settings: effects of all settings and of some |
-//! | [`opposite`], [`warmer`] | differences of two campaigns other than the damper |
-//! | [`untestable`], [`next_test`] | effects that these records cannot show, and the tests that would |
+//! | [`settings`] | one damper at several settings: effects at all settings and at some settings |
+//! | [`opposite`], [`warmer`] | differences between two campaigns that are not due to the damper |
+//! | [`untestable`], [`next_test`] | effects that these records cannot show, and the tests that would show them |
 //! | [`mod@refitted`] | functions for calibration and evaluation |
 //!
 //! The search, its vocabulary and its evidence are shared with a fit: `dashpot_estimation::structure`.

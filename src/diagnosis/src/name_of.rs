@@ -1,10 +1,10 @@
-//! Names of free numbers in reports.
+//! Names of free parameters in reports.
 
 use dashpot_core::number;
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
 
-/// Returns name and unit of a free number.
+/// Returns name and unit of a free parameter.
 pub(super) fn name_of(free: &Free) -> (&'static str, &'static str) {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _))

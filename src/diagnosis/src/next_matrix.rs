@@ -8,7 +8,7 @@ const HEADING: &str = "name,amplitude_mm,frequency_hz,mean_displacement_mm,side_
 impl NextTest {
     /// Formats the test as a row of a matrix.
     ///
-    /// Returns `None` unless the test is a sine of known amplitude and frequency. A soak or a road is not.
+    /// Returns `None` unless the test is a sine of known amplitude and frequency. A soak or a road signal has no row.
     fn row(&self, number: usize) -> Option<String> {
         let (amplitude, frequency) = (self.amplitude_m?, self.frequency_hz?);
         let short = |v: f64| {
@@ -28,7 +28,7 @@ impl NextTest {
 impl Diagnosis {
     /// Returns the proposed tests as a matrix (CSV), the most informative first, and the number of tests without a row.
     ///
-    /// Only a sine has a row. Returns `None` if no test has one.
+    /// Only a sine has a row. Returns `None` if no test has a row.
     pub fn next_matrix(&self) -> Option<(String, usize)> {
         let rows: Vec<String> = self.next_tests.iter().enumerate().filter_map(|(k, test)| test.row(k + 1)).collect();
         let without = self.next_tests.len() - rows.len();

@@ -1,6 +1,6 @@
 //! Choice of the rig test that best distinguishes rivals.
 //!
-//! At this test the predictions of the rivals, each with all numbers refitted, differ most relative to the noise (Hunter & Reiner,
+//! At this test the predictions of the refitted rivals differ most relative to the noise (Hunter & Reiner,
 //! Technometrics 7, 1965).
 
 use super::effects::remedy;
@@ -21,11 +21,11 @@ use std::f64::consts::TAU;
 
 /// A competing hypothesis.
 pub struct Rival<'a> {
-    /// Name of the effect that it adds.
+    /// Name of the added effect.
     pub effect: &'static str,
     /// The hypothesis.
     pub hypothesis: &'a Hypothesis,
-    /// Values of its free numbers.
+    /// Values of the free parameters.
     pub theta: &'a [f64],
     /// Probability of the hypothesis.
     pub confidence: f64,
@@ -37,9 +37,9 @@ pub struct Rig {
     pub reach: (f64, f64),
     /// Highest peak velocity, m/s.
     pub speed: f64,
-    /// Side forces of the campaign, N, rounded to 50. The rig has a device that applies them.
+    /// Side forces of the campaign, N, rounded to 50. The rig has a device for these side forces.
     pub side_forces: Vec<f64>,
-    /// Largest force of the damper, N, which damper and load cell demonstrably withstand.
+    /// Largest force of the damper, N, which is safe for damper and load cell.
     pub force: f64,
 }
 
@@ -48,9 +48,9 @@ const BEYOND: f64 = 1.2;
 
 const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05];
 const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
-/// Samples per cycle, and number of cycles in the lead-in.
+/// Samples per cycle. The lead-in has one cycle.
 const PER_CYCLE: usize = 120;
-/// Expected noise: a fraction of the force and a constant part, N, for the damper of a car.
+/// Expected noise: a fraction of the force and a constant part, N, for a car damper.
 const NOISE: (f64, f64) = (0.02, 1.0);
 /// Largest number of proposed tests.
 const TOLD: usize = 3;
@@ -104,7 +104,8 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// Proposes the tests that distinguish the rivals best, best first, in the unit, direction and zero of the campaign's files.
+/// Proposes the tests that distinguish the rivals best, best first. Positions have the unit, direction and zero of the
+/// campaign's files.
 pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
@@ -221,7 +222,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     told
 }
 
-/// Formats a figure with up to four decimals.
+/// Formats a number with up to four decimals.
 fn short(value: f64) -> String {
     let text = format!("{value:.4}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -280,7 +281,7 @@ mod tests {
     #[test]
     fn proposals_are_stated_as_the_files_count() {
         let plain = hypothesis(|_| ());
-        // A nonlinear spring shows most at one end of the stroke.
+        // A nonlinear spring has the largest effect at one end of the stroke.
         let sprung = hypothesis(|p| p.set(number!("spring_cubic"), 5e6).unwrap());
         let rival = |effect, hypothesis| Rival { effect, hypothesis, theta: &[], confidence: 0.5 };
         let rivals = [rival("presliding_friction", &plain), rival("parallel_spring", &sprung)];

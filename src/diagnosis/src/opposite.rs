@@ -1,5 +1,5 @@
-//! Detection of opposite positive directions in campaign and reference.
-//! The direction of each is determined separately, but both hardly differ on one rig. If they do, rebound of one is compared with
+//! Detection of opposite positive directions in campaign and reference. The direction of each campaign is determined
+//! separately, but on one rig both are usually equal. If they differ, rebound of one campaign is compared with
 //! compression of the other.
 
 use super::phrases;
@@ -37,7 +37,7 @@ mod tests {
         assert_eq!(told(&rebound, rebound.clone()), None);
         assert!(told(&rebound, of(Positive::Compression, true)).is_some());
         assert_eq!(told(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
-        // Records that were not read from a file.
+        // These records were not read from a file.
         assert_eq!(told(&rebound, Record::default()), None);
     }
 }

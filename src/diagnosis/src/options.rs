@@ -11,10 +11,10 @@ use dashpot_records::Record;
 pub struct Options {
     /// Largest number of effects to add.
     pub max_effects: usize,
-    /// Effects that may be named; with `None` all.
+    /// Effects that the diagnosis may name. `None` means all effects.
     pub candidates: Option<Vec<String>>,
-    /// Records of the same tests on a good damper. The diagnosis then searches for changes and not for missing effects. Empty without a
-    /// reference.
+    /// Records of the same tests on a good damper. The diagnosis then searches for changes instead of missing effects.
+    /// Empty if there is no reference.
     pub reference: Vec<Record>,
     /// Prior knowledge of this damper, in addition to its records.
     pub priors: PriorSet,
@@ -32,9 +32,9 @@ impl Default for Options {
 pub enum DiagnosisError {
     /// There is no test.
     NoTests,
-    /// An unknown effect name.
+    /// An effect name is unknown.
     UnknownEffect {
-        /// The name given.
+        /// The unknown name.
         name: String,
     },
     /// The reference campaign has none of the tests.

@@ -15,19 +15,19 @@ use std::collections::BTreeMap;
 pub enum Verdict {
     /// At least one effect was named and added.
     Named,
-    /// The residual is noise, or no larger than the form of the curves allows.
+    /// The residual is noise, or within the form error of the curves.
     NothingMissing,
-    /// Nothing is missing, but the numbers differ from those of the reference damper: see [`Diagnosis::changes`].
+    /// No effect is missing, but parameters differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
-    /// An effect is missing, and several effects explain it equally well.
+    /// An effect is missing, and several effects explain the disagreement equally well.
     #[serde(rename = "cannot_tell")]
     Ambiguous,
-    /// The model lacks something that no known effect explains.
+    /// An effect is missing, and no known effect explains the disagreement.
     UnknownEffect,
 }
 
 impl Verdict {
-    /// Returns whether no effect is missing. The numbers of the model may differ from those of a reference.
+    /// Returns whether no effect is missing. The parameters of the model may differ from those of a reference.
     pub fn nothing_is_missing(self) -> bool {
         matches!(self, Verdict::NothingMissing | Verdict::Changed)
     }
@@ -44,20 +44,20 @@ pub struct Diagnosis {
     pub findings: Vec<Finding>,
     /// Every effect of the given and of the most probable model, with its force and its probability.
     pub inventory: Vec<InventoryItem>,
-    /// Sparse set of changes that explains the difference to a reference, the largest force first.
+    /// Smallest set of changes that explains the difference from a reference, largest force first.
     pub changes: Vec<Change>,
-    /// Effects without a name that explain the disagreement, or its remainder, about equally well; most probable first.
+    /// Unnamed effects that explain the disagreement, or its remainder, about equally well. Most probable first.
     pub suspects: Vec<Rival>,
     /// Regions where model and records disagree before any effect is added, worst first.
     #[serde(rename = "where")]
     pub regions: Vec<Region>,
-    /// Errors of the given model, refitted.
+    /// Errors of the given model after a refit.
     pub before: Figures,
     /// Errors of the model with all findings.
     pub after: Figures,
-    /// Fraction of the gap between model and noise that is closed, on left-out tests, or on fitted tests if none is left out.
+    /// Closed fraction of the gap between model and noise, on left-out tests. On fitted tests if none is left out.
     pub gap_closed: Option<f64>,
-    /// Remaining fraction of the disagreement, in mean squares beyond the noise.
+    /// Remaining fraction of the disagreement, as a ratio of mean squares in excess of noise.
     pub unexplained_fraction: f64,
     /// All probabilities of the search: path, family, effect, form.
     pub tree: Vec<Branch>,
@@ -65,18 +65,19 @@ pub struct Diagnosis {
     pub next_tests: Vec<NextTest>,
     /// Effects that these records cannot show.
     pub could_not_test: Vec<CouldNotTest>,
-    /// Numbers of the base model that changed considerably when an effect was added.
+    /// Parameters of the base model that changed considerably when an effect was added.
     pub shifts: Vec<Shift>,
     /// Remarks.
     pub notes: Vec<Sentence>,
-    /// Note that states the limits of a name without a reference, or the method of comparison with one. It is one of `notes`.
+    /// Note about the limits of a name without a reference, or about the method of comparison with a reference. It is
+    /// one of `notes`.
     #[serde(skip)]
     pub about_the_reference: Option<Sentence>,
-    /// Errors of each test before and after.
+    /// Errors of each test with the given and the improved model.
     pub tests: Vec<TestOutcome>,
     /// Effects that were fully refitted, for each iteration of the search.
     pub iterations: Vec<Vec<Trial>>,
-    /// The given model, refitted.
+    /// The given model after a refit.
     #[serde(skip)]
     pub base: Params,
     /// The model with the findings that belong to the damper.
@@ -85,16 +86,16 @@ pub struct Diagnosis {
     /// The given model fitted to the reference damper, if there is a reference.
     #[serde(skip)]
     pub reference: Option<Params>,
-    /// Estimates of the improved model's numbers.
+    /// Estimates of the improved model's parameters.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,
-    /// Measurement errors in the improved model's file, by which its readers correct the same records.
+    /// Measurement errors in the file of the improved model. Readers of the file use them to correct these records.
     #[serde(skip)]
     pub measured: Vec<dashpot_identification::Measured>,
     /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// Effects of the rig by name, corrected in the comparison only.
+    /// Effects of the rig by name. Only the comparison corrects them.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
@@ -103,7 +104,7 @@ pub struct Diagnosis {
 pub struct Finding {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Form that fits best; empty if the effect has one form.
+    /// Form with the best fit. Empty if the effect has only one form.
     pub form: &'static str,
     /// Description in one line.
     pub meaning: &'static str,
@@ -111,11 +112,11 @@ pub struct Finding {
     pub path: &'static str,
     /// Family: effects at the same location.
     pub family: &'static str,
-    /// Probability that the name is right, calibrated: the fraction of such names that are right.
+    /// Calibrated probability that the name is correct: the fraction of correct names among such names.
     pub confidence: f64,
-    /// Probability that the family is right.
+    /// Probability that the family is correct.
     pub family_confidence: f64,
-    /// Fraction of the disagreement that the effect explains, in mean squares beyond the noise: the part that reopens without it.
+    /// Fraction of the disagreement that reopens without the effect, as a ratio of mean squares in excess of noise.
     pub fraction: f64,
     /// Force of the effect, N rms.
     pub force_n_rms: f64,
@@ -125,24 +126,24 @@ pub struct Finding {
     pub parameters: BTreeMap<&'static str, Value>,
     /// Fraction of the gap that this effect closes on left-out tests.
     pub gap_closed: Option<f64>,
-    /// Figures that support the confidence.
+    /// Statistics that support the confidence.
     pub evidence: Evidence,
-    /// Alternative names that explain less.
+    /// Alternative names with a smaller explained fraction.
     pub rivals: Vec<Rival>,
 }
 
-/// A number with its 95 % interval.
+/// A parameter value with its 95 % interval.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Value {
     /// Best value.
     pub value: f64,
-    /// Lower end.
+    /// Lower end of the interval.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the interval.
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// Whether such values are typical of dampers (or rigs).
+    /// Whether the value is typical of dampers (or rigs).
     pub plausible: bool,
 }
 
@@ -151,18 +152,18 @@ pub struct Value {
 pub struct Rival {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Probability that this name is the right one.
+    /// Probability that this name is correct.
     pub confidence: f64,
-    /// Fraction of the disagreement that it explains.
+    /// Fraction of the disagreement that the effect explains.
     pub fraction: f64,
-    /// Reason why it was not named.
+    /// Reason why the effect was not named.
     pub why: Sentence,
 }
 
 /// A region where model and records disagree.
 #[derive(Debug, Clone, Serialize)]
 pub struct Region {
-    /// Name of a test, or "all" if the region comes from every test that reaches it.
+    /// Name of a test, or "all" if the region comes from all tests.
     pub test: String,
     /// Velocities, m/s.
     pub velocity_m_s: [f64; 2],
@@ -172,11 +173,11 @@ pub struct Region {
     pub direction: &'static str,
     /// `speeding_up`, `slowing_down` or `both`.
     pub acceleration: &'static str,
-    /// Root mean square of measured minus computed force there, N.
+    /// Root mean square of measured minus computed force in the region, N.
     pub rmse_n: f64,
-    /// Mean of measured minus computed force there, N.
+    /// Mean of measured minus computed force in the region, N.
     pub mean_n: f64,
-    /// Expected effect of noise there, N.
+    /// Expected effect of noise in the region, N.
     pub noise_n: f64,
     /// Description of the region in a sentence.
     pub text: Sentence,
@@ -210,9 +211,9 @@ pub struct NextTest {
     pub mean_displacement_m: Option<f64>,
     /// Side force, N.
     pub side_force_n: Option<f64>,
-    /// Root mean square difference of the rivals' predictions there, N.
+    /// Root mean square difference of the rivals' predictions in this test, N.
     pub difference_n: Option<f64>,
-    /// Names that it distinguishes.
+    /// Names that the test distinguishes.
     pub separates: Vec<&'static str>,
 }
 
@@ -225,7 +226,7 @@ pub struct CouldNotTest {
     pub why: Sentence,
 }
 
-/// Number of the base model that changed when effects were added.
+/// Parameter of the base model that changed when effects were added.
 #[derive(Debug, Clone, Serialize)]
 pub struct Shift {
     /// Name of the parameter.
@@ -238,22 +239,22 @@ pub struct Shift {
     pub unit: &'static str,
 }
 
-/// Errors of one test before and after.
+/// Errors of one test with the given and the improved model.
 #[derive(Debug, Clone, Serialize)]
 pub struct TestOutcome {
     /// Name of the test.
     pub test: String,
     /// Whether the test was left out.
     pub left_out: bool,
-    /// Root mean square error before, N.
+    /// Root mean square error of the given model, N.
     pub before_rmse_n: f64,
-    /// Root mean square error after, N.
+    /// Root mean square error of the improved model, N.
     pub after_rmse_n: f64,
     /// Root mean square noise, N.
     pub noise_n: f64,
-    /// Error from noise and curve form, N. The gap counts this test in this unit.
+    /// Error due to noise and curve form, N. The gap measures the error of this test in units of this error.
     pub allowed_n: f64,
-    /// Curves of its mean cycle.
+    /// Curves of the mean cycle.
     #[serde(skip)]
     pub curves: Curves,
 }
@@ -271,7 +272,7 @@ pub struct Curves {
     pub before: Vec<f64>,
     /// Force of the improved model, N.
     pub after: Vec<f64>,
-    /// Frequency, Hz; 0 without cycles.
+    /// Frequency, Hz, or 0 without cycles.
     pub frequency: f64,
 }
 
@@ -282,29 +283,29 @@ pub struct Trial {
     pub effect: &'static str,
     /// Form of the effect.
     pub form: &'static str,
-    /// Probability that this name is the right one.
+    /// Probability that this name is correct.
     pub confidence: f64,
-    /// Figures that support the probability.
+    /// Statistics that support the probability.
     pub evidence: Evidence,
 }
 
-/// Figures from a refit with an effect.
+/// Statistics of a refit with an effect.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
-    /// Fraction of the disagreement that the effect explains, in mean squares beyond the noise.
+    /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
     pub fraction: f64,
-    /// Mean square residual of a test without the effect, in units of noise and curve error.
+    /// Mean square residual of a test without the effect, relative to noise and curve error.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with the effect, in units of noise and curve error.
+    /// Mean square residual of a test with the effect, relative to noise and curve error.
     pub mean_square_after: f64,
-    /// Natural logarithm of the posterior odds of the records with the effect against those without it.
+    /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///
-    /// Each test counts as one independent sample. The effect's numbers are penalized.
+    /// Each test counts as one independent sample. The parameters of the effect are penalized.
     pub log_odds: f64,
-    /// Number of parameters that the effect adds. Those that stay near their prior count half.
+    /// Number of parameters that the effect adds. Parameters that stay near their prior count half.
     pub numbers: f64,
-    /// Negative log prior of the effect's values, in the units of `log_odds`.
+    /// Negative log prior of the effect's values, in the unit of `log_odds`.
     pub negative_log_prior: f64,
-    /// Fraction of the tests whose residual the effect reduces.
+    /// Fraction of the tests in which the effect reduces the residual.
     pub tests_better: f64,
 }

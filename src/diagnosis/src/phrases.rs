@@ -1,4 +1,4 @@
-//! English templates of every sentence that a diagnosis reports. A test finds each template that a language lacks.
+//! English templates of every sentence that a diagnosis reports. A test finds missing translations of the templates.
 
 dashpot_messages::phrases! {
     "diagnosis-";

@@ -29,7 +29,7 @@ pub(super) struct Prepared {
     pub situation: Situation,
 }
 
-/// Splits the records into fitted and left-out tests, and computes the [`Situation`] of the fitted ones.
+/// Splits the records into fitted and left-out tests, and computes the [`Situation`] of the fitted tests.
 pub(super) fn prepare(records: &[&Record], held_out: &[bool], params: &Params) -> Prepared {
     let all = samples::as_long_as_remembered(samples::tests(records), params);
     let out = |test: &Test| held_out.get(test.record).copied().unwrap_or(false);
@@ -45,7 +45,7 @@ pub(super) struct Against {
     pub structure: Structure,
     /// Names of tests without a counterpart in the reference campaign.
     pub missing: Vec<String>,
-    /// Names of tests whose counterpart has another speed or stroke.
+    /// Names of tests with a counterpart of another speed or stroke.
     pub shifted: Vec<String>,
 }
 
@@ -55,10 +55,10 @@ fn has_friction(params: &Params) -> bool {
     kinds.iter().any(|friction| params.is_on(*friction))
 }
 
-/// Returns the structure with the step of its curve at rest converted to friction. This requires that it has no friction and that the
-/// records allow both.
+/// Returns the structure with the step of its curve at rest converted to friction. This requires a structure without
+/// friction, and records that are consistent with both forms.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
-    /// Largest mean square residual, relative to that without friction, that does not contradict the friction.
+    /// Largest ratio of the mean square residuals with and without friction at which the friction is accepted.
     const OPEN: f64 = 1.05;
     let params = structure.hypothesis.params(&structure.refit.theta);
     if has_friction(&params) {
@@ -69,7 +69,8 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 impl Prepared {
-    /// Fits the model to the reference, corrects the tests by the form error that both dampers share, and keeps the reference's numbers.
+    /// Fits the model to the reference, corrects the tests by the form error that both dampers share, and stores the
+    /// parameters of the reference.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -83,7 +84,8 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Fit the given model and a plain model. A reference without friction in its model could not show that friction changed.
+        // Fit the given model and a plain model. If the model of the reference has no friction, a change of friction
+        // cannot show.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)
@@ -102,7 +104,7 @@ impl Prepared {
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
         let structure = with_friction(structure, |params| fit(start(params)));
-        // Use the integration of the refits, whose error is equal on both dampers.
+        // Use the integration of the refits, which has an equal error for both dampers.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let (mut missing, mut shifted) = (Vec::new(), Vec::new());

@@ -1,13 +1,14 @@
-//! Correction by a reference: the same tests on a good damper.
-//! The residual of the model on these tests is its form error, which both dampers share. After the correction only the changes remain.
+//! Correction based on a reference: the same tests on a good damper. The residual of the model on these tests is its
+//! form error, which both dampers share. After the correction, only changes of the damper remain.
 
 use dashpot_core::Input;
 use dashpot_estimation::samples::Test;
 use std::f64::consts::TAU;
 
-/// Largest relative difference of amplitude and frequency between two tests that count as one.
+/// Largest relative difference of amplitude and frequency at which two tests count as equal.
 ///
-/// `SAME_PLACE` is the largest difference of the mean displacement, relative to the amplitude. `SAME_SIDE` is that of the side force, N.
+/// `SAME_PLACE` is the largest difference of the mean displacement, relative to the amplitude. `SAME_SIDE` is the
+/// largest difference of the side force, N.
 const SAME: f64 = 0.05;
 const SAME_PLACE: f64 = 0.1;
 const SAME_SIDE: f64 = 25.0;
@@ -76,17 +77,17 @@ impl Left {
 pub struct Freed {
     /// Corrected tests.
     pub tests: Vec<Test>,
-    /// Names of tests that are compared without a counterpart of similar motion.
+    /// Names of tests that have no counterpart of similar motion.
     pub missing: Vec<String>,
-    /// Names of tests whose nearest counterpart has another speed or stroke.
+    /// Names of tests with a nearest counterpart of another speed or stroke.
     pub shifted: Vec<String>,
 }
 
-/// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar: a factor of two in
-/// each.
+/// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar: a
+/// factor of two in both.
 const ALIKE: f64 = 0.98;
 
-/// Returns the distance of two motions; `None` if one has no cycles, or if mean displacement or side force differ.
+/// Returns the distance of two motions, or `None` if one has no cycles, or mean displacement or side force differ.
 fn distance(a: &At, b: &At) -> Option<f64> {
     let speed = |at: &At| at.amplitude * at.frequency;
     let is_comparable = a.frequency > 0.0
@@ -98,8 +99,9 @@ fn distance(a: &At, b: &At) -> Option<f64> {
 
 /// Corrects each test by the residual of the model on the same test of the reference, and adds the noise of this residual.
 ///
-/// If the reference lacks the test, the form error of the nearest motion is used. It is scaled with the force, and half of it counts as
-/// uncertain. A test without a similar motion is not corrected. `residual` is measured minus computed force of every reference test, N.
+/// If the reference does not contain the test, the correction uses the form error of the nearest motion, scaled with
+/// the force. Half of this error counts as uncertain. A test without a similar motion is not corrected. `residual` is
+/// measured minus computed force of every reference test, N.
 pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> Freed {
     let known: Vec<(At, Left, f64, f64)> = reference
         .iter()
@@ -131,7 +133,7 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
                 }
             }
         }
-        // Several repetitions of a test in the reference reduce its noise.
+        // Several repetitions of a test in the reference reduce the noise of the correction.
         let count = same.len() as f64;
         let noise = same.iter().map(|(_, _, noise, _)| noise * noise).sum::<f64>().sqrt() / count;
         let from = test.segment.from;

@@ -8,7 +8,8 @@ use dashpot_estimation::samples;
 use dashpot_estimation::vocabulary::base_numbers;
 use dashpot_records::Record;
 
-/// Refits a model to noise-free records. Returns it with the residual of every sample in units of the noise stated for each record.
+/// Refits a model to noise-free records. Returns the model with the residual of every sample, relative to the stated
+/// noise of its record.
 ///
 /// Returns `None` if the model gives no finite force.
 pub fn refitted(records: &[&Record], noise: &[f64], params: &Params) -> Option<(Params, Vec<f64>)> {

@@ -1,4 +1,5 @@
-//! Regions where model and records disagree: combinations of direction, speed and acceleration in which the residual exceeds the noise.
+//! Regions where model and records disagree: combinations of direction, speed and acceleration with a residual above
+//! the noise.
 
 use super::outcome::Region;
 use super::phrases;
@@ -10,7 +11,7 @@ use dashpot_records::newtons::newtons;
 const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];
 /// Largest number of reported regions.
 const TOLD: usize = 12;
-/// Smallest ratio of the residual to the noise of a reported region.
+/// Smallest ratio of residual to noise at which a region is reported.
 const STANDS_OUT: f64 = 1.5;
 /// Smallest number of samples of a region.
 const FEWEST: usize = 5;
@@ -43,7 +44,7 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
         }
     }
     all.retain(|r| r.rmse_n > STANDS_OUT * r.noise_n);
-    // Regions of all tests come first, then those of single tests, each in the order of the ratio to the noise.
+    // Regions of all tests come first, then those of single tests, each in the order of the ratio of residual to noise.
     let weight = |r: &Region| (r.rmse_n / r.noise_n.max(1e-9)) * if r.test == "all" { 10.0 } else { 1.0 };
     all.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     all.truncate(TOLD);

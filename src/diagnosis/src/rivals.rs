@@ -1,4 +1,4 @@
-//! Unnamed effects that explain a part of the disagreement, in addition to the named ones or instead of one.
+//! Unnamed effects that explain a part of the disagreement, in addition to named effects or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -14,18 +14,19 @@ pub(super) const LISTED: usize = 4;
 const SUSPECT: f64 = 0.03;
 /// Smallest fraction of the disagreement that a suspect explains.
 ///
-/// Without it, a model with a residual below its allowed error was reported to lack the friction that most dampers have.
+/// Without this threshold, an accurate model was reported as incomplete because most dampers have friction.
 const EXPLAINING: f64 = 0.01;
 
-/// Returns the explained fraction of the residual beyond the noise, from mean squares in units of noise and curve error.
+/// Returns the fraction of the excess mean square that the effect explains. Both mean squares are relative to noise and
+/// curve error, so the excess is the part above 1.
 pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
-/// Results of a search about effects that are not in its best structure.
+/// Results of a search, for effects that are not in the best structure.
 pub(super) struct Open<'a> {
     pub search: &'a StructureSearch,
-    /// The given model, or the one fitted to the reference, refitted.
+    /// The given model, or the model that was fitted to the reference, after a refit.
     pub start: &'a Structure,
     /// The most probable structure, refitted.
     pub best: &'a Structure,
@@ -43,7 +44,7 @@ impl Open<'_> {
                 all.push(self.rival(effect, explained(before, trial.structure.evidence.mean())));
             }
         }
-        // Rivals of an exchange appear only in the table.
+        // The rivals of an exchanged effect are only in the table.
         for (effect, row) in self.best_rows(None) {
             if all.iter().all(|r| r.effect != effect) {
                 all.push(self.rival(effect, explained(self.start.evidence.mean(), row.mean_square)));
@@ -55,7 +56,8 @@ impl Open<'_> {
         all
     }
 
-    /// Returns effects that explain the records instead of a named one, most probable first, each in its most probable structure.
+    /// Returns effects that explain the records instead of a named one, most probable first. Each has the values of its
+    /// most probable structure.
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
         let mut rows: Vec<(&'static str, &Visited)> = self.best_rows(Some(named)).into_iter().collect();
         rows.sort_by(|(a, one), (b, other)| other.log_posterior.total_cmp(&one.log_posterior).then(a.cmp(b)));
@@ -64,12 +66,13 @@ impl Open<'_> {
         all.filter(is_listed).take(LISTED).collect()
     }
 
-    /// Returns whether an effect might be missing: it has a description and is not in the best structure.
+    /// Returns whether an effect may be missing: it has a description and is not in the best structure.
     fn is_open(&self, effect: &str) -> bool {
         self.best.components.iter().all(|c| c.effect != effect) && effects::card(effect).is_some()
     }
 
-    /// Returns, for each open effect, the most probable structure of the table that has it and lacks `without`.
+    /// Returns, for each open effect, the most probable structure of the table that contains this effect and does not
+    /// contain `without`.
     fn best_rows(&self, without: Option<&str>) -> BTreeMap<&'static str, &Visited> {
         let mut best: BTreeMap<&'static str, &Visited> = BTreeMap::new();
         for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| Some(form.0) != without)) {
@@ -90,7 +93,8 @@ impl Open<'_> {
     }
 }
 
-/// Returns whether a rival is listed. An effect that explains nothing may be probable only because most dampers have it.
+/// Returns whether a rival is listed. Even if an effect explains nothing, it may be probable because most dampers have
+/// it.
 fn is_listed(rival: &Rival) -> bool {
     rival.confidence >= SUSPECT && rival.fraction >= EXPLAINING
 }

@@ -1,4 +1,4 @@
-//! Diagnosis of one damper at several settings: the records of each, and effects at all or some settings.
+//! Diagnosis of one damper at several settings: the records of each setting, and effects at all or some settings.
 
 use crate::changes::Change;
 use crate::outcome::{Diagnosis, Finding, Verdict};
@@ -18,24 +18,25 @@ pub struct SettingPart {
     pub setting: f64,
     /// Damper at this setting.
     pub params: Params,
-    /// Indices of its records among all.
+    /// Indices of the records at this setting among all records.
     pub places: Vec<usize>,
-    /// Its records.
+    /// Records at this setting.
     pub records: Vec<Record>,
-    /// Records of the reference at this setting; empty without one.
+    /// Records of the reference at this setting; empty if there is no reference.
     pub reference: Vec<Record>,
 }
 
-/// Records with the setting of each. `None` marks a record whose setting changes, which belongs to no single setting.
+/// Records with the setting of each. `None` marks a record with a changing setting, which does not belong to a single
+/// setting.
 #[derive(Debug, Clone, Copy)]
 pub struct WithSettings<'a> {
     /// The records.
     pub records: &'a [Record],
-    /// Their settings.
+    /// Settings of the records.
     pub settings: &'a [Option<f64>],
 }
 
-/// Splits records by their setting, with the damper at each, lowest setting first.
+/// Splits records by their setting, with the damper at each setting, lowest setting first.
 ///
 /// # Errors
 /// The first setting at which a reference has no record.
@@ -73,7 +74,7 @@ pub fn split_by_setting(
     distinct.into_iter().map(part).collect()
 }
 
-/// Setting of a damper in the figures.
+/// Name, unit and grid of the setting of a damper in the results.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct AxisFigures<'a> {
     name: &'a str,
@@ -86,12 +87,12 @@ struct AxisFigures<'a> {
 pub struct SettingFigures<D> {
     /// Value of the setting.
     pub setting: f64,
-    /// Diagnosis there.
+    /// Diagnosis at this setting.
     #[serde(flatten)]
     pub diagnosis: D,
 }
 
-/// Figures of a diagnosis at several settings, as the command writes them and Python reads them.
+/// Results of a diagnosis at several settings, in the form that the command writes and Python reads.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingsFigures<'a, D> {
     setting: AxisFigures<'a>,
@@ -104,7 +105,7 @@ pub struct SettingsFigures<'a, D> {
 }
 
 impl<'a, D> SettingsFigures<'a, D> {
-    /// Collects the figures over the settings of an axis. `as_the_fit_saw` reports the correction of the records.
+    /// Collects the results over the settings of an axis. `as_the_fit_saw` reports the correction of the records.
     pub fn new(
         axis: &'a Axis,
         over: &'a OverSettings,
@@ -126,13 +127,14 @@ impl<'a, D> SettingsFigures<'a, D> {
 pub struct EffectAtSetting {
     /// Value of the setting.
     pub setting: f64,
-    /// Probability that the damper has the effect there: of the name if it was found, otherwise of the model's effect.
+    /// Probability that the damper has the effect at this setting: that of the finding, or else that of the model's
+    /// effect.
     pub probability: f64,
-    /// Force of the effect there, N rms.
+    /// Force of the effect at this setting, N rms.
     pub force_n_rms: f64,
-    /// Status of the effect there.
+    /// Status of the effect at this setting.
     pub status: Status,
-    /// Effect of the model that it replaces there.
+    /// Effect of the model that this effect replaces at this setting.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
 }
@@ -144,13 +146,13 @@ pub struct EffectOverSettings {
     pub effect: &'static str,
     /// Whether the damper shows the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether the model lacked the effect at any of the settings.
+    /// Whether the effect was missing in the model at any of the settings.
     pub is_found: bool,
-    /// Settings at which the model has, had or lacked the effect.
+    /// Settings at which the effect is or was part of the model, or was missing.
     pub settings: Vec<EffectAtSetting>,
 }
 
-/// A change against the reference at one setting.
+/// A change relative to the reference at one setting.
 #[derive(Debug, Clone, Serialize)]
 pub struct ChangeAtSetting {
     /// Value of the setting.
@@ -160,30 +162,30 @@ pub struct ChangeAtSetting {
     pub change: Change,
 }
 
-/// A change against the reference over all settings.
+/// A change relative to the reference over all settings.
 #[derive(Debug, Clone, Serialize)]
 pub struct ChangeOverSettings {
     /// A parameter of the model, or a part of its FV curve.
     pub name: &'static str,
-    /// Whether it changed at every diagnosed setting.
+    /// Whether the parameter changed at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Every setting at which it changed.
+    /// Every setting at which the parameter changed.
     pub settings: Vec<ChangeAtSetting>,
 }
 
 /// Combined results of the diagnoses of one damper at several settings.
 #[derive(Debug, Clone, Serialize)]
 pub struct OverSettings {
-    /// Summary in sentences. An effect or a change of all settings is named once.
+    /// Summary in sentences. An effect or a change at all settings is named only once.
     pub summary: Vec<Sentence>,
-    /// Every effect: first those at all settings, then by force.
+    /// Every effect: first effects at all settings, then in order of force.
     pub effects: Vec<EffectOverSettings>,
-    /// Every change against a reference, in the same order.
+    /// Every change relative to a reference, in the same order.
     pub changes: Vec<ChangeOverSettings>,
 }
 
 impl OverSettings {
-    /// Combines the diagnoses at the settings. `is_against` states whether there is a reference.
+    /// Combines the diagnoses at the settings. `is_against` is true if there is a reference.
     pub fn new(answers: &[(f64, &Diagnosis)], unit: &str, is_against: bool) -> OverSettings {
         let (effects, changes) = (effects_over_settings(answers), changes_over_settings(answers));
         let has_no_name = |found: &Diagnosis| matches!(found.verdict, Verdict::Ambiguous | Verdict::UnknownEffect);
@@ -194,12 +196,12 @@ impl OverSettings {
     }
 }
 
-/// Returns whether the most probable damper has an effect of this status.
+/// Returns whether an effect of this status is part of the most probable damper.
 pub fn is_shown(status: Status) -> bool {
     matches!(status, Status::Kept | Status::Added)
 }
 
-/// Collects the changes of one damper at several settings: first those at all settings, then by force.
+/// Collects the changes of one damper at several settings: first changes at all settings, then in order of force.
 fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSettings> {
     let mut all: Vec<ChangeOverSettings> = Vec::new();
     for (setting, found) in answers {
@@ -222,7 +224,7 @@ fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSetting
     all
 }
 
-/// Collects the effects of one damper at several settings: first those at all settings, then by force.
+/// Collects the effects of one damper at several settings: first effects at all settings, then in order of force.
 fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
     let mut all: Vec<EffectOverSettings> = Vec::new();
     let mut add = |effect: &'static str, at: EffectAtSetting| match all.iter_mut().find(|of| of.effect == effect) {
@@ -236,7 +238,7 @@ fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSetting
         for item in &found.inventory {
             add(item.effect, at_setting(*setting, item, named(item.effect)));
         }
-        // Effects of the rig have no force of the damper, and appear in no inventory.
+        // Effects of the rig are not forces of the damper, so no inventory contains them.
         let is_listed = |effect: &str| found.inventory.iter().any(|item| item.effect == effect);
         for finding in found.findings.iter().filter(|finding| !is_listed(finding.effect)) {
             add(finding.effect, of_finding(*setting, finding));
@@ -301,7 +303,7 @@ fn summarize(
             continue;
         }
         let at = added.iter().map(|at| at.setting).collect();
-        // An exchange is not reported as an additional missing effect.
+        // An exchange of effects does not count as an additional missing effect.
         let mut replaced = added.iter().filter_map(|at| at.replaces);
         let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
         let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
@@ -359,19 +361,19 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
         assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
-        // An exchange is reported as one finding.
+        // An exchange of effects counts as one finding.
         let mut exchanged = effect("series_compliance", &[(0.0, Status::Added), (1.0, Status::Added)]);
         exchanged.settings.iter_mut().for_each(|at| at.replaces = Some("oil_compressibility"));
         let said = summary(&[exchanged], &[], &[], false);
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
-        // An unnamed disagreement is not reported as "nothing".
+        // An unnamed disagreement counts as a finding.
         let said = summary(&all[2..], &[], &[2.0], false);
         assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");
         let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);
         assert!(said.len() == 1 && said[0].contains("at every setting") && said[0].contains("no name"), "{said:?}");
-        // Against a reference the summary begins with the changes.
+        // If the diagnosis has a reference, the summary begins with the changes.
         let change = Change {
             name: "coulomb_force",
             reference: 20.0,

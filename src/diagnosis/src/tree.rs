@@ -4,7 +4,7 @@ use super::effects::CARDS;
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use serde::Serialize;
 
-/// Branch of the tree, with the probability of everything below it.
+/// Branch of the tree, with its probability and its subdivision.
 #[derive(Debug, Clone, Serialize)]
 pub struct Branch {
     /// Path, family, effect or form.
@@ -13,7 +13,7 @@ pub struct Branch {
     pub level: &'static str,
     /// Probability that the damper has at least one effect of the branch.
     pub probability: f64,
-    /// Subdivision, most probable first.
+    /// Subdivisions, most probable first.
     pub branches: Vec<Branch>,
 }
 

@@ -7,10 +7,10 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
 
-/// Smallest remaining response of an effect, in σ² over all tests, that is visible at typical strength.
+/// Smallest visible response of an effect at typical strength, in σ² over all tests, after adaptation of the model.
 const TRACE: f64 = 20.0;
 
-/// Lists all effects that could not be tested: by channels and ranges, and by the response at a typical strength.
+/// Lists all effects that could not be tested, because of channels, ranges, or a small response at a typical strength.
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

@@ -6,18 +6,18 @@ use super::phrases;
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 
-/// Smallest reported difference of the mean temperatures of a test, K.
+/// Smallest reported difference of a test's mean temperatures, K.
 ///
-/// At this difference the gas force differs by 3 %, as much as valves of one series.
+/// At this difference, the gas force differs by 3 %, like the valves of one series.
 const WARMER: f64 = 8.0;
 
-/// Returns the mean temperature of a record, °C, if recorded.
+/// Returns the mean temperature of a record, °C, if the temperature was recorded.
 fn mean_temperature(record: &Record) -> Option<f64> {
     let known: Vec<f64> = record.temperature.as_ref()?.iter().copied().filter(|t| t.is_finite()).collect();
     (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
 }
 
-/// Reports that tests of a damper were warmer or colder than those of the same name on the reference.
+/// Reports that tests of a damper were warmer or colder than the tests of equal names on the reference.
 pub(super) fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let pair = |record: &Record| {
         let there = reference.iter().find(|other| other.name == record.name)?;

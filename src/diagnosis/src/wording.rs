@@ -1,4 +1,4 @@
-//! Formatting of figures in reports.
+//! Formatting of numbers in reports.
 
 use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::unknowns::Unknown;
@@ -8,7 +8,7 @@ pub fn percent(x: f64) -> String {
     format!("{:.0} %", 100.0 * x)
 }
 
-/// Converts a free number to its physical unit.
+/// Converts a free parameter to its physical unit.
 pub fn physical(free: &Free, value: f64) -> f64 {
     match free {
         Free::Model(Unknown::Log(_)) | Free::Cooling | Free::HeatCapacity => libm::exp(value),

@@ -1,4 +1,4 @@
-//! A drawing: its stated entries in SI units, and handbook values for others.
+//! A drawing: its stated entries in SI units, and handbook values for missing entries.
 
 use crate::entry::{ENTRIES, Entry};
 use crate::geometry::{annulus, area};
@@ -7,13 +7,13 @@ use crate::uncertain::{Uncertain, through};
 /// Design of the damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Design {
-    /// One tube; the gas is behind a floating piston or in contact with the oil.
+    /// One tube. The gas is behind a floating piston or in contact with the oil.
     Monotube,
     /// A pressure tube with a base valve in a second tube, which is the reserve.
     TwinTube,
 }
 
-/// Entries of a drawing; every entry is optional.
+/// Entries of a drawing. Every entry is optional.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Dimensions {
     /// Design of the damper.
@@ -21,24 +21,25 @@ pub struct Dimensions {
     entries: [Option<Uncertain>; ENTRIES.len()],
 }
 
-/// Bulk modulus of damper oil without air, Pa: 1.2 to 1.7 GPa warm and cold (Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998), and down to
-/// 0.9 GPa hot (Dixon, The Shock Absorber Handbook, 2007, chapter 5). A narrower interval reports contradictions for warm oil.
+/// Bulk modulus of damper oil without air, Pa: 1.2 to 1.7 GPa warm and cold (Duym & Reybrouck, Eur. J. Mech. Eng. 43,
+/// 1998), and down to 0.9 GPa hot (Dixon, The Shock Absorber Handbook, 2007, chapter 5). A narrower interval would give
+/// contradictions for warm oil.
 const OIL_MODULUS: Uncertain = Uncertain { value: 1.25e9, low: 0.88e9, high: 1.75e9 };
-/// Density of damper oil, kg/m³: 825 to 890 at 15 °C, 4 % less at 70 °C (Dixon 2007, chapter 5).
+/// Density of damper oil, kg/m³: 825 to 890 at 15 °C, and 4 % less at 70 °C (Dixon 2007, chapter 5).
 const OIL_DENSITY: Uncertain = Uncertain { value: 850.0, low: 800.0, high: 890.0 };
 /// Young's modulus of steel, Pa.
 const TUBE_MODULUS: Uncertain = Uncertain { value: 206e9, low: 200e9, high: 212e9 };
 /// Wall thickness of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1). The tube contributes
 /// a tenth of the column's compliance.
 const TUBE_WALL: Uncertain = Uncertain { value: 1.8e-3, low: 1.1e-3, high: 3e-3 };
-/// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3; Dixon 2007, chapter
-/// 6). Computed areas are inversely proportional to it.
+/// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3;
+/// Dixon 2007, chapter 6). Computed areas are inversely proportional to the coefficient.
 const DISCHARGE: Uncertain = Uncertain { value: 0.7, low: 0.6, high: 0.8 };
 /// Temperature of a workshop, °C.
 const WORKSHOP: Uncertain = Uncertain { value: 20.0, low: 15.0, high: 25.0 };
 
 impl Dimensions {
-    /// Returns the entry as the drawing states it.
+    /// Returns the stated value of an entry, if the drawing states it.
     pub fn stated(&self, entry: Entry) -> Option<Uncertain> {
         self.entries[entry as usize]
     }
@@ -49,7 +50,8 @@ impl Dimensions {
         self
     }
 
-    /// Returns the entry as stated, or its value from handbooks or other entries; `None` if unknown.
+    /// Returns the stated value of an entry, or its value from handbooks or other entries. Returns `None` if the value
+    /// is unknown.
     pub fn known(&self, entry: Entry) -> Option<Uncertain> {
         self.stated(entry).or_else(|| match entry {
             Entry::OilModulus => Some(OIL_MODULUS),
@@ -62,7 +64,8 @@ impl Dimensions {
         })
     }
 
-    /// Computes a volume from the other stated entries. The oil volume is that of the chambers, plus the oil in the reserve if stated.
+    /// Computes a volume from the other stated entries. The oil volume is that of the chambers, plus the oil in the
+    /// reserve if the drawing states it.
     pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
         match entry {
             Entry::GasVolume => {
@@ -79,23 +82,23 @@ impl Dimensions {
         }
     }
 
-    /// Whether the drawing states nothing.
+    /// Returns whether the drawing has no entries.
     pub fn is_empty(&self) -> bool {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }
 
-    /// Returns the keys of needed entries that are unknown.
+    /// Returns the keys of required entries with unknown values.
     pub fn missing(&self, needed: &[Entry]) -> Vec<&'static str> {
         needed.iter().filter(|entry| self.known(**entry).is_none()).map(|entry| entry.key()).collect()
     }
 
-    /// Returns the entries; `None` if one of them is unknown.
+    /// Returns the values of entries, or `None` if one of them is unknown.
     pub fn all(&self, needed: &[Entry]) -> Option<Vec<Uncertain>> {
         needed.iter().map(|entry| self.known(*entry)).collect()
     }
 }
 
-/// Computes a positive number from entries; `None` if its interval reaches zero or is unbounded.
+/// Computes a positive number from entries. Returns `None` if its interval reaches zero or is unbounded.
 fn bounded(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Option<Uncertain> {
     let found = through(inputs, formula);
     let (value, low, high) = (found.value?, found.low?, found.high?);

@@ -11,7 +11,7 @@ pub enum Entry {
     ReboundChamber,
     /// Length of the oil on the other side of the piston.
     CompressionChamber,
-    /// Volume of the reserve, oil and gas together.
+    /// Total volume of oil and gas in the reserve.
     ReserveVolume,
     /// Volume of the oil in the reserve.
     ReserveOil,
@@ -48,7 +48,7 @@ pub struct EntryRow {
     pub key: &'static str,
     /// Factor from the file's unit to SI; temperatures stay in °C.
     pub to_si: f64,
-    /// Bounds in the file's unit: a number outside is a mistake.
+    /// Bounds in the unit of the file. A number outside the bounds is an error.
     pub bounds: (f64, f64),
     /// Half-width of the 95 % interval of a single number, as a fraction of the number.
     pub tolerance: f64,
@@ -67,9 +67,9 @@ const fn row(
     EntryRow { entry, key, to_si, bounds, tolerance, meaning }
 }
 
-/// The table of entries, in the order of [`Entry`]. Tolerances are those of production (bore and rod to ISO 286 IT 9) and of filling. The
-/// lengths end at valves and washers, which drawings do not add up. Tighter tolerances report contradictions that are only differences of
-/// measurement.
+/// The table of entries, in the order of [`Entry`]. Tolerances are those of production (bore and rod to ISO 286 IT 9)
+/// and of filling. Lengths are uncertain because drawings do not include valves and washers in a total. Tighter
+/// tolerances would give contradictions that are only differences of measurement.
 pub const ENTRIES: [EntryRow; 17] = [
     row(Entry::Bore, "bore_mm", 1e-3, (5.0, 300.0), 0.005, "inner diameter of the tube in which the piston runs"),
     row(Entry::Rod, "rod_mm", 1e-3, (1.0, 150.0), 0.005, "diameter of the rod"),
@@ -161,19 +161,19 @@ pub const ENTRIES: [EntryRow; 17] = [
 ];
 
 impl Entry {
-    /// Returns its row in the table.
+    /// Returns the row of the entry in the table.
     pub fn row(self) -> &'static EntryRow {
         // A test checks that rows have the order of the entries.
         &ENTRIES[self as usize]
     }
 
-    /// Returns its key in the file.
+    /// Returns the key of the entry in the file.
     pub fn key(self) -> &'static str {
         self.row().key
     }
 }
 
-/// Key of the only entry whose value is a word.
+/// Key of the only entry with a word as its value.
 pub const DESIGN: &str = "design";
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ pub enum DimensionsError {
         /// Message of the TOML reader, with line and column.
         why: String,
     },
-    /// One entry is wrong.
+    /// An entry is invalid.
     #[error("{file}, line {line}: {key}{text}")]
     Entry {
         /// Path.

@@ -16,9 +16,9 @@ use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 pub struct Expectation {
     /// The parameter.
     pub number: Number,
-    /// Its name as English text.
+    /// Name of the parameter as English text.
     pub noun: &'static str,
-    /// Implied value in the parameter's unit; the 95 % interval includes the errors of entries and form.
+    /// Implied value in the unit of the parameter. The 95 % interval includes the errors of entries and form.
     pub expected: Uncertain,
     /// Keys of the stated entries from which the value follows.
     pub from: Vec<&'static str>,
@@ -40,11 +40,11 @@ struct Rule {
     number: Number,
     noun: &'static str,
     needs: &'static [Entry],
-    /// Entries that must be stated: without them the result would rest on handbook values alone.
+    /// Entries that must be stated. Without them, the result would depend only on handbook values.
     states: &'static [Entry],
     design: Option<Design>,
     formula: fn(&[f64]) -> f64,
-    /// Form error: factor within which the fitted parameter agrees with the formula in 95 of 100 dampers.
+    /// Form error: in 95 of 100 dampers, fitted parameter and formula agree within this factor.
     form: f64,
     shape: Shape,
     source: &'static str,
@@ -60,13 +60,13 @@ const COLUMN: &str = "Merritt 1967, chapter 2; Lamé's tube";
 const TWIN: &str = "Segel & Lang 1981; Duym & Reybrouck 1998";
 const EYES: &str = "springs in line";
 
-/// Computes the modulus of oil and tube together, Pa; air is a separate element.
+/// Computes the modulus of oil and tube together, Pa. Air is a separate element.
 fn modulus(oil_modulus: f64, bore: f64, wall: f64, tube: f64) -> f64 {
     1.0 / (1.0 / oil_modulus + oil::tube_compliance(bore, wall, tube))
 }
 
-/// The formulas. A form error that is too small reports contradictions for sound dampers; one that is too large does not help to
-/// distinguish effects.
+/// The formulas. If a form error is too small, sound dampers have contradictions. If it is too large, the prior does
+/// not help to distinguish effects.
 const RULES: &[Rule] = &[
     Rule {
         number: number!("gas_force"),
@@ -75,7 +75,7 @@ const RULES: &[Rule] = &[
         states: &[GasPressure, Rod],
         design: None,
         formula: |x| gas::force(x[0], x[1]),
-        // The gas is up to 25 K warmer than at filling, and the zero offset of a load cell is some newtons.
+        // The gas is up to 25 K warmer than during filling, and a load cell has a zero offset of some newtons.
         form: 1.15,
         shape: Shape::Place,
         source: GAS,
@@ -132,7 +132,7 @@ const RULES: &[Rule] = &[
         states: &[Bore, Rod, ReboundChamber],
         design: None,
         formula: |x| oil::rebound_stiffness(modulus(x[0], x[1], x[4], x[5]), x[1], x[2], x[3]),
-        // Air that the model does not contain as an element softens the column.
+        // If the model has no element for the air, the air makes the column softer.
         form: 1.6,
         shape: Shape::Size,
         source: COLUMN,
@@ -165,8 +165,8 @@ const RULES: &[Rule] = &[
         needs: &[GasPressure, Bore, Rod],
         states: &[GasPressure, Bore, Rod],
         design: None,
-        // Air collects where the gas has lost pressure: the formula uses the geometric mean of atmospheric pressure and the pressure of the
-        // drawing.
+        // Free air means a loss of gas pressure. Therefore, the formula uses the geometric mean of atmospheric pressure
+        // and the pressure of the drawing.
         formula: |x| libm::sqrt((x[0] + oil::ATMOSPHERE) * oil::ATMOSPHERE) * annulus(x[1], x[2]),
         form: 4.0,
         shape: Shape::Size,
@@ -221,7 +221,7 @@ impl Rule {
     }
 }
 
-/// Returns the priors from a drawing: they replace those of the table, which apply to all dampers.
+/// Returns the priors from a drawing. They replace the priors of the table, which apply to all dampers.
 pub fn priors(of: &Dimensions) -> PriorSet {
     let row = |expectation: Expectation| {
         let Expectation { number, expected, from, source, .. } = expectation;

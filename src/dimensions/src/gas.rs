@@ -5,7 +5,7 @@ use crate::oil::ATMOSPHERE;
 
 /// Zero of the Celsius scale, K.
 pub const KELVIN: f64 = 273.15;
-/// Relative growth of oil volume per kelvin, 1/K (Dixon, The Shock Absorber Handbook, 2007, chapter 5).
+/// Thermal expansion of oil, 1/K (Dixon, The Shock Absorber Handbook, 2007, chapter 5).
 pub const OIL_EXPANSION: f64 = 7.5e-4;
 
 /// Computes the force that pushes the rod out, N, at a gauge pressure.
@@ -18,7 +18,7 @@ pub fn pressure(force: f64, rod: f64) -> f64 {
     force / area(rod)
 }
 
-/// Computes the length of the gas column, m: volume over the area of the rod, which displaces the gas.
+/// Computes the length of the gas column, m: volume divided by the area of the rod, which displaces the gas.
 pub fn length(volume: f64, rod: f64) -> f64 {
     volume / area(rod)
 }
@@ -33,12 +33,13 @@ pub fn volume(pressure: f64, stiffness: f64, rod: f64) -> f64 {
     (pressure + ATMOSPHERE) * area(rod) * area(rod) / stiffness
 }
 
-/// Computes the growth of the gas force per kelvin, N/K: that of the gas itself (Gay-Lussac), and that by expansion of the oil.
+/// Computes the increase of the gas force per kelvin, N/K, due to the gas itself (Gay-Lussac) and to the expansion of
+/// the oil.
 pub fn warming(pressure: f64, temperature: f64, rod: f64, oil_per_gas: f64) -> f64 {
     (pressure + ATMOSPHERE) * area(rod) * (1.0 / (temperature + KELVIN) + OIL_EXPANSION * oil_per_gas)
 }
 
-/// Computes the hydraulic force in compression, N, at which a monotube's chamber on the rod's side has no pressure left.
+/// Computes the hydraulic force in compression, N, at which the pressure in the rod-side chamber of a monotube is zero.
 pub fn cavitation_force(pressure: f64, bore: f64, rod: f64) -> f64 {
     (pressure + ATMOSPHERE) * annulus(bore, rod)
 }
@@ -59,7 +60,8 @@ mod tests {
         let product = stiffness(p, v, rod) * length(v, rod);
         assert!((product / ((p + ATMOSPHERE) * area(rod)) - 1.0).abs() < 1e-12);
         assert!((volume(p, stiffness(p, v, rod), rod) / v - 1.0).abs() < 1e-12);
-        // The growth is 0.34 % a kelvin without oil, and about twice that with four volumes of oil per volume of gas.
+        // The increase is 0.34 % per kelvin without oil, and about twice that with four volumes of oil per volume of
+        // gas.
         let force = (p + ATMOSPHERE) * area(rod);
         assert!((warming(p, 20.0, rod, 0.0) / force - 0.0034).abs() < 1e-4);
         assert!((warming(p, 20.0, rod, 4.0) / force - 0.0064).abs() < 1e-4);

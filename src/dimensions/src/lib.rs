@@ -1,8 +1,8 @@
 //! The drawing of a damper: bore, rod, chambers, gas, oil, tube and eyes.
 //!
-//! In the forward direction, a drawing gives priors for the parameters of the model ([`forward`]). In the inverse direction, an identified
-//! model gives gas pressure, moduli, passages and air with intervals ([`inverse`]). Both use one set of formulas, which depend on neither
-//! files nor models.
+//! In the forward direction, a drawing gives priors for the parameters of the model ([`forward`]). In the inverse
+//! direction, an identified model gives gas pressure, moduli, passages and air with intervals ([`inverse`]). Both
+//! directions use one set of formulas, which are independent of files and models.
 //!
 //! | module | contents |
 //! |---|---|

@@ -10,12 +10,12 @@ use crate::geometry::{annulus, area};
 const POISSON: f64 = 0.3;
 /// Atmospheric pressure, Pa.
 pub const ATMOSPHERE: f64 = 101_325.0;
-/// Polytropic exponent of air bubbles in motion, between isothermal (1) and adiabatic (1.4): Merritt 1967; Dixon 2007, chapter 5. The
-/// compliance of the air is inversely proportional to it.
+/// Polytropic exponent of air bubbles in motion, between isothermal (1) and adiabatic (1.4): Merritt 1967; Dixon 2007,
+/// chapter 5. The compliance of the air is inversely proportional to the exponent.
 pub const BUBBLES: f64 = 1.2;
 
-/// Computes the relative growth of a tube's inner volume per pressure, 1/Pa: Lamé's thick wall without axial force. For a thin wall it is
-/// D/(E t).
+/// Computes the relative increase of a tube's inner volume per pressure, 1/Pa, for Lamé's thick wall without axial
+/// force. For a thin wall, it is D/(E t).
 pub fn tube_compliance(bore: f64, wall: f64, modulus: f64) -> f64 {
     let (inner, outer) = (0.25 * bore * bore, (0.5 * bore + wall) * (0.5 * bore + wall));
     2.0 / modulus * ((outer + inner) / (outer - inner) + POISSON)
@@ -26,7 +26,7 @@ pub fn air_compliance(air: f64, pressure: f64) -> f64 {
     air * ATMOSPHERE / (BUBBLES * pressure * pressure)
 }
 
-/// Computes the stiffness of the column in rebound, N/m, of the chamber on the rod's side.
+/// Computes the stiffness in rebound, N/m, of the oil column in the rod-side chamber.
 pub fn rebound_stiffness(modulus: f64, bore: f64, rod: f64, length: f64) -> f64 {
     modulus * annulus(bore, rod) / length
 }
@@ -36,8 +36,8 @@ pub fn modulus_of_rebound(stiffness: f64, bore: f64, rod: f64, length: f64) -> f
     stiffness * length / annulus(bore, rod)
 }
 
-/// Computes the ratio of the stiffness in compression to that in rebound. In a monotube the chamber on the rod's side deflects in both
-/// directions. In a twin tube the rod compresses both chambers together.
+/// Computes the ratio of the stiffness in compression to that in rebound. In a monotube, the rod-side chamber is
+/// compliant in both directions. In a twin tube, the rod compresses both chambers together.
 pub fn compression_ratio(design: Design, bore: f64, rod: f64, [rebound, compression]: [f64; 2]) -> f64 {
     match design {
         Design::Monotube => 1.0,
@@ -49,15 +49,15 @@ pub fn compression_ratio(design: Design, bore: f64, rod: f64, [rebound, compress
     }
 }
 
-/// Computes the largest stroke by compression of free air, m, and the force at which half of it is used, N.
+/// Computes the largest stroke by compression of free air, m, and the force at half of that stroke, N.
 ///
-/// Bubbles at the pressure p have constant V p. Under the force F on the area A they deflect by g F / (F + p A), where g is the largest
-/// stroke. The element `aeration` has this law.
+/// Bubbles at the pressure p have constant V p. Under the force F on the area A, they deflect by g F / (F + p A), where
+/// g is the largest stroke. The element `aeration` has this law.
 pub fn air_stroke(air: f64, pressure: f64, bore: f64, rod: f64, length: f64) -> (f64, f64) {
     (air * length * ATMOSPHERE / (BUBBLES * pressure), pressure * annulus(bore, rod))
 }
 
-/// Computes the fraction of free air, at atmospheric pressure, from its stroke.
+/// Computes the fraction of free air at atmospheric pressure from the largest stroke due to its compression.
 pub fn air_of_stroke(stroke: f64, pressure: f64, length: f64) -> f64 {
     stroke * BUBBLES * pressure / (length * ATMOSPHERE)
 }

@@ -1,4 +1,4 @@
-//! English texts of an explanation, in one place: a test finds texts that a translation lacks.
+//! English texts of an explanation, in one place. A test finds missing translations.
 
 use dashpot_messages::Template;
 

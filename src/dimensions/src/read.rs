@@ -15,17 +15,17 @@ const GAUGE: f64 = 5e3;
 /// Reads a file of dimensions.
 ///
 /// # Errors
-/// [`DimensionsError`], which names file, line and key.
+/// [`DimensionsError`], with file, line and key.
 pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
     let text =
         std::fs::read_to_string(path).map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
     parse(&text, path)
 }
 
-/// Parses the text of a file; errors name `path`.
+/// Parses the text of a file. Errors contain `path`.
 ///
 /// # Errors
-/// [`DimensionsError`], which names file, line and key.
+/// [`DimensionsError`], with file, line and key.
 pub fn parse(text: &str, path: &Path) -> Result<Dimensions, DimensionsError> {
     let file = || path.to_path_buf();
     let entries: BTreeMap<Spanned<String>, Spanned<Value>> = toml::from_str(text)
@@ -87,7 +87,8 @@ fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
         if low > high {
             return Err(format!(" = [{low}, {high}] has its upper end first; write [{high}, {low}]"));
         }
-        // Between positive ends the value is the geometric mean, for a distribution by factors.
+        // Between positive ends, the value is the geometric mean, because the distribution is symmetric in the
+        // logarithm.
         let middle = if low > 0.0 { libm::sqrt(low * high) } else { 0.5 * (low + high) };
         return Ok(Uncertain { value: si(middle), low: si(low), high: si(high) });
     }
@@ -127,7 +128,7 @@ fn check(found: &Dimensions) -> Result<(), String> {
         (Entry::OilVolume, "bore, rod, chambers and reserve_oil_cm3 hold"),
     ] {
         let (Some(stated), Some(other)) = (found.stated(entry), found.by_others(entry)) else { continue };
-        // The oil volume may be larger by the oil of a reserve that the drawing does not state.
+        // The oil volume may include the oil of a reserve that the drawing does not state.
         let may_be_more = entry == Entry::OilVolume && found.stated(Entry::ReserveOil).is_none();
         if stated.high < other.low || stated.low > other.high && !may_be_more {
             let cm3 = |value: f64| 1e6 * value;

@@ -1,6 +1,6 @@
 //! Numbers with a 95 % interval, and the propagation of such intervals through a formula.
 
-/// Standard deviations of the normal distribution to either end of a 95 % interval.
+/// Half-width of the 95 % interval of a normal distribution, in standard deviations.
 const Z: f64 = 1.959_963_985;
 
 /// A number with the ends of its 95 % interval.
@@ -25,8 +25,8 @@ impl Uncertain {
         Uncertain { value, low: value - half, high: value + half }
     }
 
-    /// Returns the value that lies `z` standard deviations above the center. Each side has its own width. Positive numbers are distributed
-    /// by factors.
+    /// Returns the value that is `z` standard deviations above the center. The two sides may have different widths. The
+    /// distribution of positive numbers is that of their logarithm.
     fn at_deviation(&self, z: f64) -> f64 {
         let (end, part) = if z < 0.0 { (self.low, -z / Z) } else { (self.high, z / Z) };
         if self.low > 0.0 && self.value > 0.0 {
@@ -41,13 +41,13 @@ impl Uncertain {
         (self.high - self.low) / (2.0 * Z)
     }
 
-    /// Returns one standard deviation as a factor, for positive numbers.
+    /// Returns one standard deviation of a positive number, as a factor.
     pub fn factor(&self) -> f64 {
         libm::exp(libm::log(self.high / self.low) / (2.0 * Z))
     }
 }
 
-/// A computed number with its 95 % interval; a missing end is unbounded.
+/// A computed number with its 95 % interval. A missing end is unbounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Value at the central inputs.
@@ -66,11 +66,12 @@ impl Interval {
     }
 }
 
-/// Number of samples of one interval. They determine its ends to a hundredth of its width; more cost time and change no printed digit.
+/// Number of samples of one interval. The error of the ends is a hundredth of the width. More samples cost time and do
+/// not change the printed digits.
 const SAMPLES: usize = 4000;
 
-/// Computes the interval of a formula of uncertain numbers by sampling. A result that is not finite counts as infinite: the upper end is
-/// then unbounded.
+/// Computes the interval of a formula of uncertain numbers by sampling. A result that is not finite counts as infinite,
+/// so that the upper end is unbounded.
 ///
 /// The samples are those of an additive recurrence (Roberts' sequence), so that equal inputs give equal digits.
 pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interval {
@@ -99,7 +100,7 @@ pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interva
     }
 }
 
-/// Returns the steps of the sequence: powers of the reciprocal root of x^(d+1) = x + 1.
+/// Returns the steps of the sequence: powers of 1/x, where x is the root of x^(d+1) = x + 1.
 fn recurrence(count: usize) -> Vec<f64> {
     let power = count as f64 + 1.0;
     let root = (0..60).fold(2.0, |x: f64, _| libm::pow(1.0 + x, 1.0 / power));

@@ -1,4 +1,4 @@
-//! Forward and inverse share one set of formulas: parameters from a drawing, explained with that drawing, give the drawing again.
+//! Forward and inverse share one set of formulas: the explanation of parameters from a drawing gives the drawing again.
 
 use dashpot_dimensions::orifice::quadratic_force;
 use dashpot_dimensions::{Dimensions, explain, forward, geometry, read};
@@ -42,7 +42,7 @@ proptest! {
         let area = geometry::annulus(1e-3 * bore, 1e-3 * rod);
         let b = quadratic_force(1e-6 * bleed, area, 0.7, 850.0);
         let force = |w: f64| laminar * w + b * w * w;
-        // A valve opens beyond 0.1 m/s.
+        // A valve opens at 0.1 m/s.
         let knee = force(0.1);
         let forces = [-1.2 * knee, -knee, -force(0.05), -force(0.02), 0.0, force(0.02), force(0.05), knee, 1.2 * knee];
         let model = of_text(
@@ -65,7 +65,8 @@ proptest! {
         ] {
             let found = explanation.find(name).unwrap();
             let value = found.value.unwrap();
-            // Density and discharge coefficient have the central values of the handbooks, so the result is exact except for the tube.
+            // Density and discharge coefficient have the central values of the handbooks, so the error of the result is
+            // due only to the tube.
             prop_assert!((value / truth - 1.0).abs() < 0.01, "{name}: {value}, {truth}");
             prop_assert!(found.low.unwrap() < truth && truth < found.high.unwrap(), "{found:?}");
         }

@@ -1,21 +1,22 @@
 //! Prior of the initial slope of an FV curve.
 //!
-//! The bleed of a damper carries its flow up to the knee, so the force at a lower speed is below that at the knee.
+//! Up to the knee, the oil flows through the bleed, so the force at a lower speed is below that at the knee.
 //!
-//! Records without motion between rest and their slowest speed do not distinguish a step of the curve from dry friction. Without this prior
-//! a free curve absorbs all friction.
+//! If records have no motion between rest and their slowest speed, they do not distinguish a step of the curve from dry
+//! friction. Without this prior, a free curve absorbs all friction.
 
 use crate::scale::largest_force;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
 use dashpot_core::{Params, list};
 
-/// Slowest knee of shim valves, m/s (Dixon, The Shock Absorber Handbook, 2007, chapter 6: 0.03 to 0.2 m/s). A smaller value leaves friction
-/// in the curve; a larger one biases the bleed of firm race dampers toward low forces.
+/// Slowest knee of shim valves, m/s (Dixon, The Shock Absorber Handbook, 2007, chapter 6: 0.03 to 0.2 m/s). With a
+/// smaller value, the curve contains a part of the friction. With a larger value, the estimated bleed force of firm
+/// race dampers is too low.
 const SLOWEST_KNEE: f64 = 0.03;
 
 /// Returns the prior scale of the rise of the FV curve from rest to a neighboring point, N.
 ///
-/// The scale assumes a knee at the largest force. `None` for any other unknown.
+/// The scale assumes a knee at the largest force. Returns `None` for any other unknown.
 pub fn prior_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
     let Unknown::Rise { curve: CurveName::Fv, point } = *unknown else { return None };
     let velocity = params.list(list!("fv_velocity"));

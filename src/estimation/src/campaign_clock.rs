@@ -1,14 +1,16 @@
-//! Checks whether the records of a campaign share one clock, so that heat and drifts carry over from test to test.
+//! Checks whether the records of a campaign share one clock, so that a model can continue temperature and drift from
+//! test to test.
 
 use dashpot_records::{Record, apart};
 
-/// Whether one clock runs through the campaign: no two records overlap. If each file has its own clock, all records begin at the same time.
+/// Returns whether the records have one common clock: no two records overlap. If each file has its own clock, all
+/// records begin at the same time.
 pub fn clock_runs_on(records: &[&Record]) -> bool {
     apart(records.iter().filter_map(|record| record.span()).collect())
 }
 
-/// Returns the date and time at which that clock was zero, s since 1970 by the rig's own clock. `None` if the records do not state a
-/// consistent time.
+/// Returns the date and time at which the common clock was zero, s since 1970 by the rig's own clock. Returns `None` if
+/// the records do not state a consistent time.
 pub fn clock_from(records: &[&Record]) -> Option<f64> {
     let mut from = records.iter().map(|record| Some(record.begins? - record.clock_s));
     let first = from.next()??;

@@ -1,7 +1,7 @@
 //! Cancellation of long work.
-//!
-//! The work runs on threads of its own, each of which has the flag. The searches check the flag before every step and end early. Their
-//! incomplete result is useless, so [`Cancel::run`] discards it. No function between the searches and the caller has to pass the flag on.
+//! The work runs on separate threads, and each thread stores the flag. The searches check the flag before every step
+//! and end early. Their incomplete result is useless, so [`Cancel::run`] discards it. Functions between the caller and
+//! the searches therefore require no argument for the flag.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -11,29 +11,29 @@ thread_local! {
     static FLAG: RefCell<Option<Arc<AtomicBool>>> = const { RefCell::new(None) };
 }
 
-/// A handle that asks work to stop; all copies refer to the same work.
+/// A handle for the cancellation of work. All copies refer to the same work.
 #[derive(Debug, Clone, Default)]
 pub struct Cancel(Arc<AtomicBool>);
 
 impl Cancel {
-    /// Asks the work to stop.
+    /// Requests that the work stops.
     pub fn ask(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the work was asked to stop.
+    /// Returns whether a stop of the work was requested.
     pub fn asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Runs the work on threads of its own, one for each processor.
+    /// Runs the work on separate threads, one for each processor.
     ///
     /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Option<T> {
         self.run_on(0, work)
     }
 
-    /// Runs the work on `threads` threads of its own; with 0, one for each processor.
+    /// Runs the work on `threads` separate threads. With 0, the number is one for each processor.
     ///
     /// Returns `None` if the work was canceled, or if the system provides no threads.
     pub fn run_on<T: Send>(&self, threads: usize, work: impl FnOnce() -> T + Send) -> Option<T> {
@@ -49,7 +49,7 @@ impl Cancel {
     }
 }
 
-/// Whether the work on the present thread was asked to stop.
+/// Returns whether a stop of the work on the current thread was requested.
 pub fn asked() -> bool {
     FLAG.with(|own| own.borrow().as_ref().is_some_and(|flag| flag.load(Ordering::Relaxed)))
 }

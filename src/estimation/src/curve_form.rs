@@ -1,12 +1,13 @@
 //! Error of the FV curve between its points, estimated from the records.
 //!
-//! A cubic through a dozen points on each stroke rounds the knee of a valve. The fit moves the points near the knee so that the curve
-//! between them is closest to the records. The intervals of these points contain the damper's own force only if they include the error of
-//! the curve.
+//! A cubic through a dozen points on each stroke rounds the knee of a valve. The fit moves the points near the knee so
+//! that the curve between them is closest to the records. The confidence intervals of these points contain the true
+//! force only if they include the error of the curve.
 
 use crate::samples::Test;
 
-/// Parts of each interval between two points, so that an error that changes its sign within an interval does not cancel.
+/// Number of parts of each interval between two points. Without parts, an error that changes its sign within an
+/// interval would cancel.
 const PARTS: usize = 2;
 /// Number of standard errors within which a mean counts as noise.
 const NOISE: f64 = 2.0;
@@ -31,15 +32,17 @@ impl Mean {
     }
 }
 
-/// Computes the error of a curve at each of these velocities, N: the largest error of the parts of both neighboring intervals.
+/// Computes the error of a curve at each of these velocities, N: the largest error in the parts of the two neighboring
+/// intervals.
 ///
-/// `residual` contains the residuals of a fit at the scored samples of all tests, in units of their allowed errors. Samples have their
-/// weights of the fit. Loading and unloading cancel in the mean, so hysteresis is no error of the curve.
+/// `residual` contains the residuals of a fit at the scored samples of all tests, in units of their allowed errors.
+/// Samples have the weights that they have in the fit. Acceleration and deceleration cancel in the mean, so hysteresis
+/// is not an error of the curve.
 pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> {
     let mut parts = vec![Mean::default(); velocities.len().saturating_sub(1) * PARTS];
     let mut first = 0;
     for test in tests {
-        // Sums of this test alone: its fraction of independent samples applies to them.
+        // Sums of this test alone, because its fraction of independent samples applies only to them.
         let mut own = vec![(0.0, 0.0, 0.0); parts.len()];
         for (place, (input, allowed)) in test.inputs().iter().zip(&test.allowed).enumerate() {
             let Some(part) = part_of(velocities, input.velocity).filter(|_| allowed.is_finite()) else { continue };
@@ -92,10 +95,10 @@ mod tests {
             .iter()
             .flat_map(|test| test.inputs().iter().zip(&test.allowed).map(|(input, allowed)| (input.velocity, *allowed)))
             .collect();
-        // Residuals as large as the noise, with alternating sign.
+        // The residuals have the size of the noise and alternating signs.
         let noise: Vec<f64> = (0..samples.len()).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
         assert_eq!(misses(&velocities, &tests, &noise), [0.0; 6]);
-        // An error of 20 N between 0.15 and 0.2 m/s, in acceleration and deceleration.
+        // The error is 20 N between 0.15 and 0.2 m/s, during acceleration and deceleration.
         let is_missed = |v: f64| (0.15..0.2).contains(&v);
         let missed: Vec<f64> =
             samples.iter().map(|(v, allowed)| if is_missed(*v) { 20.0 / allowed } else { 0.0 }).collect();

@@ -1,4 +1,4 @@
-//! Parts of an FV curve that change as a whole: a side, its bleed, its blow-off.
+//! Parts of an FV curve that change as a whole: a side, the bleed of a side, the blow-off of a side.
 
 use dashpot_core::Params;
 use dashpot_core::list;
@@ -19,12 +19,12 @@ pub enum Side {
     Rebound,
     /// Compression.
     Compression,
-    /// Both, by one factor, as with oil that thins or a load cell with another gain.
+    /// Both sides scale by one factor, for example because of thinner oil or a wrong load-cell gain.
     Both,
 }
 
 impl Side {
-    /// Whether a velocity, rebound positive, belongs to the side.
+    /// Returns whether a velocity, rebound positive, belongs to the side.
     pub fn has(self, velocity: f64) -> bool {
         match self {
             Side::Rebound => velocity > 0.0,
@@ -37,15 +37,16 @@ impl Side {
 /// Speeds of a part of the FV curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Speeds {
-    /// All: one factor on the side, as for oil, piston or preload.
+    /// All speeds: one factor on the whole side, for example because of oil, piston or preload.
     All,
-    /// Speeds below the knee, where the bleed carries the flow.
+    /// Speeds below the knee, where the oil flows through the bleed.
     Low,
-    /// Speeds beyond the knee, where the valve has blown off.
+    /// Speeds beyond the knee, where the blow-off is open.
     High,
 }
 
-/// Speed, m/s, at which bleed and blow-off have equal weight: knees of shim valves lie at 0.03 to 0.2 m/s (Dixon 2007, chapter 6).
+/// Speed, m/s, at which bleed and blow-off have equal weight: knees of shim valves are at 0.03 to 0.2 m/s (Dixon 2007,
+/// chapter 6).
 const KNEE: f64 = 0.1;
 
 impl CurvePart {
@@ -101,7 +102,7 @@ impl CurvePart {
             .zip(&velocity)
             .map(|(force, v)| force * (1.0 + change * self.weight(*v)))
             .collect();
-        // A list that the table rejects leaves the base unchanged.
+        // If the table rejects the list, the parameters stay unchanged.
         let _ = params.set_list(list!("fv_force"), &force);
     }
 }

@@ -1,4 +1,4 @@
-//! Derivatives of a curve with respect to the forces at its points, as its fit needs them.
+//! Derivatives of a curve with respect to the forces at its points, which a fit of the curve requires.
 
 use crate::unknowns::CurveName;
 use dashpot_core::Params;
@@ -9,14 +9,14 @@ use dashpot_core::elements::fv_curve::fv_interpolation;
 #[derive(Debug, Clone)]
 pub struct CurveWeights {
     u: Vec<f64>,
-    /// For the slope before and after each point i: ∂slope/∂(f at i−2 … i+2).
+    /// ∂slope/∂(f at i−2 … i+2) for the slope before and the slope after each point i.
     slope_by: Vec<[[f64; REACH]; 2]>,
 }
 
-/// Number of points whose forces a slope may depend on: two on either side and its own.
+/// Largest number of points that affect a slope: its own point and two points on each side.
 const REACH: usize = 5;
-/// Number of points whose forces a value may depend on. The slope at zero depends on two neighbors, but only on the side of the evaluated
-/// piece.
+/// Largest number of points that affect a value. The slope at zero depends on two neighbors, both on the side of the
+/// evaluated piece.
 const POINTS: usize = 4;
 /// Index of a point's own force among the forces of its slope.
 const OWN: usize = 2;
@@ -90,7 +90,8 @@ impl CurveWeights {
         self.u.len()
     }
 
-    /// Computes ∂f(at)/∂(force of point j) for four adjacent points: returns the index of the first and the four derivatives.
+    /// Computes ∂f(at)/∂(force of point j) for four adjacent points: returns the index of the first point and the four
+    /// derivatives.
     pub fn evaluate(&self, at: f64) -> (usize, [f64; POINTS]) {
         let n = self.u.len();
         let right = self.u.partition_point(|u| *u <= at);
@@ -152,7 +153,7 @@ mod tests {
     fn weights_are_the_derivatives_over_the_points() {
         let u = [-1.0, -0.4, -0.1, 0.0, 0.05, 0.3, 1.1];
         let f = [-900.0, -500.0, -300.0, 0.0, 250.0, 700.0, 1900.0];
-        // Rebound that begins almost flat: the derivative of the parabola at zero would be negative.
+        // The rebound side begins almost flat, so the derivative of the parabola at zero would be negative.
         let level = [-900.0, -500.0, -300.0, 0.0, 2.0, 700.0, 1900.0];
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::CubicEachSide, Interpolation::Linear] {
             compare(&u, &f, interpolation);

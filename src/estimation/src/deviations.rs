@@ -12,15 +12,15 @@ use rayon::prelude::*;
 
 /// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and the degree of determination of each parameter.
 ///
-/// The noise of every test comes from its own residual, discounted for the correlation of its samples, so that form errors widen the
-/// intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1 is fully determined, 0 not at all.
-/// If the force jumps with a change of a parameter, the tangent is valid only up to the next sample. The deviation then follows from the
-/// force itself.
+/// The noise of every test comes from its own residual and accounts for the correlation of its samples. Form errors
+/// thus widen the intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1
+/// means fully determined, 0 means undetermined. If the force jumps with a change of a parameter, the linearization is
+/// valid only up to the next sample. The deviation then follows from the nonlinear force.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
 
-/// Computes the [`sandwich`] of parameters whose residuals `residual_at` computes.
+/// Computes the [`sandwich`] covariance of parameters. `residual_at` computes their residuals.
 pub(crate) fn sandwich_of(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -48,17 +48,20 @@ pub(crate) fn sandwich_of(
     Some((covariance, determined))
 }
 
-/// Number of deviations to each side at which the tangent is compared with the force itself: the ends of an interval.
+/// Number of standard deviations at which the linearization is compared with the nonlinear force. These are the ends of
+/// an interval.
 const END: f64 = 2.0;
-/// Fraction of the tangent's squared change below which the force counts as nearly constant. A force that is nonlinear within the interval
-/// reaches half of that change; a force that jumps between two samples hardly changes.
+/// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is nonlinear
+/// within the interval reaches half of the linearized change. A force that jumps between two samples hardly changes.
 const FLAT: f64 = 0.25;
-/// Largest factor on a deviation, at which the search ends.
+/// Largest factor on a deviation. The search ends there.
 const FARTHEST: f64 = 1024.0;
 
-/// Computes the factor on the deviation of each parameter at which the force changes as much as the tangent predicts.
+/// Computes the factor on the deviation of each parameter at which the force changes as much as the linearization
+/// predicts.
 ///
-/// The other parameters change along according to their correlation. The side with the smaller change of the force decides.
+/// The other parameters change with the parameter, according to their correlation. The side with the smaller change of
+/// the force determines the factor.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -78,7 +81,7 @@ fn stretches(
             return 1.0;
         }
         let direction = covariance.column(k) * (END / deviation);
-        // A prior restricts a parameter as a measurement of the parameter would.
+        // A prior has the effect of a measurement of the parameter.
         let by_prior: f64 = direction.iter().zip(precisions).map(|(by, precision)| precision * by * by).sum();
         let by_tangent = (&refit.jacobian * &direction).norm_squared() + by_prior;
         let change = |factor: f64| -> Option<f64> {
@@ -102,8 +105,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Finds the factor at which a squared change reaches `least`, by doubling and logarithmic interpolation; at a bound, returns the last
-/// factor.
+/// Finds the factor at which a squared change reaches `least`, by doubling and logarithmic interpolation. If the
+/// parameter reaches a bound, returns the last factor.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -150,14 +153,15 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
     Some((&bread * meat * &bread, determined))
 }
 
-/// Scales rows and columns of a Hessian by the roots of its diagonal, and returns the roots too: parameters of all units become comparable.
+/// Scales rows and columns of a Hessian by the square roots of its diagonal, so that parameters of all units are
+/// comparable. Also returns the roots.
 fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
     let n = hessian.nrows();
     let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
     (DMatrix::from_fn(n, n, |i, j| hessian[(i, j)] / (scale[i] * scale[j])), scale)
 }
 
-/// Computes the shift of each free parameter for an error of 1 in a considered parameter, which is not estimated.
+/// Computes the shift of each free parameter for a unit error of a considered parameter, which is not estimated.
 ///
 /// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the considered
 /// parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential
@@ -183,7 +187,8 @@ pub fn considered_shift(
 
 /// Computes the number of samples that equal one independent sample: the integrated autocorrelation of the residual.
 ///
-/// The sum ends where it first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7, 1992).
+/// The sum ends where the autocorrelation first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7,
+/// 1992).
 fn correlation_factor(residual: &[f64]) -> f64 {
     let n = residual.len();
     let variance: f64 = residual.iter().map(|r| r * r).sum();
@@ -209,14 +214,14 @@ mod tests {
 
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
-        // A proportional force, and a force with less than half the curvature: the tangent is valid.
+        // The linearization is valid for a proportional force, and for a force with less than half the curvature.
         assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
         assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
-        // A jump that passes more samples at a larger change.
+        // The force jumps at more samples if the change is larger.
         for slope in [1e-3, 0.02, 0.1] {
             assert!((stretch(FLAT, &|factor| Some(slope * factor)) * slope / FLAT - 1.0).abs() < 1e-9, "{slope}");
         }
-        // A parameter without any effect, and one at its bound.
+        // One parameter has no effect, and another is at its bound.
         assert_eq!(stretch(FLAT, &|_| Some(0.0)), FARTHEST);
         assert_eq!(stretch(FLAT, &|factor| (factor < 3.0).then_some(0.0)), 4.0);
     }

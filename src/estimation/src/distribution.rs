@@ -3,19 +3,23 @@
 /// Prior distribution of one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Distribution {
-    /// A positive size: its median, and the factor from the median beyond which a third of the dampers lies.
+    /// A positive size: its median, and a factor. A third of the dampers differs from the median by more than this
+    /// factor.
     Size(f64, f64),
-    /// A strength, which may be arbitrarily small: its median, and the factor above the median that a sixth of the dampers exceeds.
+    /// A strength, which may be arbitrarily small: its median, and a factor. A sixth of the dampers exceeds the median
+    /// times this factor.
     ///
     /// The median applies to the dampers that have the effect.
     Strength(f64, f64),
-    /// A position, or any quantity of either sign: its mean and standard deviation.
+    /// A position, or any quantity that may be positive or negative: its mean and standard deviation.
     Place(f64, f64),
-    /// A skewed quantity of either sign: its mode, and the standard deviations below and above the mode (a split normal distribution).
+    /// A skewed quantity that may be positive or negative: its mode, and the standard deviations below and above the
+    /// mode (a split normal distribution).
     Skewed(f64, f64, f64),
 }
 
-/// Standard deviation of a strength in a search, in units of its upper factor times the median: wide enough to avoid a bias.
+/// Standard deviation of a strength in a search, relative to its median times its factor. The value is large enough to
+/// avoid a bias.
 const FREE: f64 = 3.0;
 
 impl Distribution {
@@ -27,7 +31,7 @@ impl Distribution {
             }
             (Distribution::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Distribution::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            // The search uses the wide side's deviation on both sides; the evidence uses both deviations.
+            // The search uses the larger deviation on both sides. The evidence uses both deviations.
             (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), false) => {
                 (mean, deviation)
             }
@@ -37,7 +41,8 @@ impl Distribution {
         }
     }
 
-    /// Computes the distance of a value from the center in standard deviations; 0 for a strength below its median.
+    /// Computes the distance of a value from the center in standard deviations. The distance of a strength below its
+    /// median is 0.
     pub fn standard_score(self, value: f64) -> f64 {
         match self {
             Distribution::Size(median, factor) => libm::log(value.abs().max(1e-300) / median) / libm::log(factor),
@@ -48,7 +53,7 @@ impl Distribution {
         }
     }
 
-    /// Returns its center: median, mean or mode.
+    /// Returns the center of the distribution: median, mean or mode.
     pub fn center(self) -> f64 {
         match self {
             Distribution::Size(center, _)

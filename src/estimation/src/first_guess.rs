@@ -1,4 +1,5 @@
-//! First guess of the parameters, as an engineer makes it: FV points at peak velocity, friction and gas force from slow tests.
+//! First guess of the parameters by an engineer's method: FV points at peak velocity, friction and gas force from slow
+//! tests.
 
 use crate::scale::Scale;
 use crate::segment::Segment;
@@ -10,23 +11,24 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
-/// Peak velocity, m/s, below which tests show friction and gas force alone (thesis Test 9: 2.58 mm/s and slower).
+/// Peak velocity, m/s, below which tests show only friction and gas force (thesis Test 9: 2.58 mm/s and slower).
 pub const SLOW: f64 = 0.006;
-/// Ratio of adjacent velocities of the FV table: knees extend over this ratio, and closer points would follow noise.
+/// Ratio of adjacent velocities of the FV table. Knees extend over this ratio, and closer points would fit noise.
 const RATIO: f64 = 1.65;
-/// Smallest velocity of an FV point, m/s: at lower velocities friction and damping cannot be distinguished.
+/// Smallest velocity of an FV point, m/s: at lower velocities, friction and damping cannot be distinguished.
 const SMALLEST: f64 = 0.010;
-/// Smallest initial friction of a fit, N, for the damper of a passenger car: from zero, no step would find friction.
+/// Smallest initial friction of a fit, N, for a passenger-car damper. If a fit began at zero friction, it could not
+/// find friction.
 const LEAST_FRICTION: f64 = 1.0;
-/// Samples that an FV point needs between itself and the previous point.
+/// Smallest number of samples between an FV point and the previous point.
 const ENOUGH: usize = 12;
 
 /// Force at steady sliding in both directions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dry {
-    /// Half the difference: friction, N.
+    /// Friction, N: half the difference of the two forces.
     pub friction: f64,
-    /// Negative mean: the force that pushes the rod out, N.
+    /// Gas force, which pushes the rod out, N: the negative mean of the two forces.
     pub gas: f64,
 }
 
@@ -35,7 +37,8 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Computes friction and gas force from the median forces of both strokes, over velocities between two fractions of the peak velocity.
+/// Computes friction and gas force from the median forces of both strokes. Uses velocities between two fractions of the
+/// peak velocity.
 fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
     let side = |sign: f64| {
         let forces = segments
@@ -58,17 +61,18 @@ pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
 
-/// Computes the size of the damper from the largest force of its tests, before a curve exists.
+/// Computes the size of the damper from the largest force of its tests, before an FV curve exists.
 pub fn size(segments: &[Segment]) -> Scale {
     Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
 }
 
-/// Computes friction and gas force from the slowest tests, near their reversals if no test is slow.
+/// Computes friction and gas force from the slowest tests. If no test is slow, uses samples near their reversals.
 pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
     let limit = SLOW.max(1.5 * slowest);
     let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
-    // Use full speed if a test is slow, else samples near the reversals of the slowest tests.
+    // If a test is slow, use its samples near full speed. Otherwise, use samples near the reversals of the slowest
+    // tests.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
     let least = LEAST_FRICTION * size(segments).force();
     match strokes(slow, low, high) {
@@ -85,9 +89,9 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
         let mut speeds: Vec<f64> = all.iter().map(|v| sign * v).filter(|v| *v > 0.0).collect();
         speeds.sort_by(f64::total_cmp);
         let mut points = Vec::new();
-        // The last point lies within the samples, not on a single noisy peak.
+        // The last point is within the samples, not at a single noisy peak.
         let Some(top) = speeds.get(speeds.len().saturating_sub(4)).copied() else { return points };
-        // Tests that creep throughout show friction; they support only a linear FV curve.
+        // If all tests are very slow, they show mainly friction and determine only a linear FV curve.
         let first = SMALLEST.min(top);
         let steps = (libm::log(top / first) / libm::log(RATIO)).round() as usize;
         for k in 0..=steps {
@@ -100,7 +104,8 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
             if count >= ENOUGH || k == 0 {
                 kept.push(*v);
             } else if k + 1 == points.len() {
-                // Too few samples between the last two points: keep the last point, at the end of the data.
+                // If there are too few samples between the last two points, keep only the last point, at the end of the
+                // data.
                 if kept.len() > 1 {
                     kept.pop();
                 }
@@ -115,15 +120,15 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     v
 }
 
-/// Computes forces of the FV table at `velocities`: the mean of acceleration and deceleration over the tests, less friction and gas force.
-/// The result is strictly increasing.
+/// Computes forces of the FV table at `velocities`: the mean of acceleration and deceleration over the tests, minus
+/// friction and gas force. The result is strictly increasing.
 pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |_, _| true)
 }
 
 /// Computes forces of the FV table from only those samples at which the damper slows down.
 ///
-/// Voids and lost strokes begin at a reversal and are closed before the next.
+/// Voids and free play begin at a reversal and end before the damper slows down for the next reversal.
 pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |s, k| {
         s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())
@@ -144,7 +149,7 @@ fn forces_where(
                 continue;
             }
             let v = input.velocity;
-            // The weight of a point falls with the fourth power of the linear interpolation weight.
+            // The weight of a sample at a point is the fourth power of its linear interpolation weight.
             let right = velocities.partition_point(|p| *p <= v);
             let (a, b) = (right.saturating_sub(1), right.min(velocities.len() - 1));
             let share = if b > a { (v - velocities[a]) / (velocities[b] - velocities[a]) } else { 0.0 };
@@ -184,13 +189,14 @@ pub fn guess(segments: &[Segment]) -> Params {
     let set = |p: &mut Params, number: Number, value: f64| {
         let _ = p.set(number, number.inside(value));
     };
-    // Defaults apply to a car's damper. The prior would otherwise keep the mass near 0.5 kg in a damper of twenty times the force.
+    // Defaults apply to a car damper. Without scaling, the prior would keep the mass near 0.5 kg in a damper with
+    // twenty times the force.
     let scale = size(segments);
     for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
         set(&mut p, number, scale.of_number(number) * number.default());
     }
-    // Valves of rebound and compression have different derivatives at rest; a curve with a common derivative would distort gas force and
-    // friction.
+    // Valves of rebound and compression have different derivatives at rest; a curve with a common derivative would bias
+    // gas force and friction.
     set(&mut p, number!("fv_interpolation"), choice_of_interpolation(Interpolation::CubicEachSide));
     let _ = p.set_list(list!("fv_velocity"), &v);
     let _ = p.set_list(list!("fv_force"), &f);

@@ -1,4 +1,4 @@
-//! Errors of a hypothesis, and the closed fraction of the gap between model and noise.
+//! Errors of a hypothesis, and the fraction of the gap between model and noise that a change of the model closes.
 
 use super::heating::Heating;
 use super::hypothesis::Hypothesis;
@@ -7,7 +7,7 @@ use super::sensitivity::Accuracy;
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// Computes residuals of a hypothesis on given tests, N, by an integration of this accuracy.
+/// Computes residuals of a hypothesis on given tests, N, with an integration of the given accuracy.
 pub fn errors(
     accuracy: Accuracy,
     hypothesis: &Hypothesis,
@@ -23,29 +23,30 @@ pub fn errors(
     Some(tests.iter().zip(&forces).map(|(t, f)| t.forces().iter().zip(f).map(|(m, f)| m - f).collect()).collect())
 }
 
-/// Computes the root mean square; 0 for an empty list.
+/// Computes the root mean square, or 0 for an empty list.
 pub fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
-/// Computes the root mean square over tests of each test's root mean square.
+/// Computes the root mean square over tests of the root mean square error of each test.
 pub fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
     rms(&errors.iter().map(|e| rms(e)).collect::<Vec<_>>())
 }
 
 /// Computes the root mean square error over tests, in units of each test's typical allowed error.
 ///
-/// So a slow test of small forces counts like a fast test.
+/// Thus, a slow test with small forces has the same weight as a fast test.
 pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Computes the residual due to noise alone, in the units of [`in_noise`].
+/// Computes the root mean square residual that noise alone causes, in the units of [`in_noise`].
 pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Computes the fraction of the gap between model and noise that is closed; `None` if there is hardly any gap.
+/// Computes the fraction of the gap between model and noise that a change of the model closes. Returns `None` if there
+/// is hardly any gap.
 pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
     let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
     (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))

@@ -1,23 +1,24 @@
-//! Products of all pairs of columns of a tall matrix, as the normal equations of least squares need them.
+//! Products of all pairs of columns of a tall matrix, for the normal equations of least squares.
 
 use nalgebra::DMatrix;
 
-/// Tile size: the products of this many columns with as many others are summed at a time.
+/// Tile size, columns: a tile contains the products of this number of columns with an equal number of columns.
 ///
-/// Nine sums of two rows each, and the six factors, fill the registers of every 64-bit processor.
+/// Nine sums of two rows each, and six factors, fill the registers of a 64-bit processor.
 const TILE: usize = 3;
-/// Block size: the products of this many rows are summed before the next columns. Six columns of a block fit into the first-level cache, 24
-/// KB. A sum over a block also has a smaller rounding error than one over all rows.
+/// Block size, rows: a tile is summed over one block before the next tile begins. Six columns of a block, 24 KB, fit
+/// into the first-level cache. A sum over a block also has a smaller rounding error than a sum over all rows.
 const ROWS: usize = 512;
 
 /// Two rows of a column.
 type Pair = [f64; 2];
 
-/// Computes `columnsᵀ columns`, symmetric; shape: as many rows and columns as `columns` has columns.
+/// Computes `columnsᵀ columns`. The result is symmetric. Its number of rows and columns is the number of columns of
+/// `columns`.
 ///
-/// Each product is summed in the same order on every machine. A library for such products (`matrixmultiply`) selects code by the
-/// instructions of the processor, so a fit would have other digits on another processor. This function computes only half of the product
-/// and mirrors it, which compensates for the library's higher speed.
+/// Each product is summed in the same order on every machine. A library for such products (`matrixmultiply`) selects
+/// code according to the processor, so the digits of a fit would depend on the processor. The library is faster, but
+/// this function compensates by computing only half of the symmetric product.
 pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let (rows, n) = columns.shape();
     let tiles = n.div_ceil(TILE);
@@ -46,16 +47,16 @@ pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     squares
 }
 
-/// Groups a column into pairs of rows; a row of zero fills the last pair.
+/// Groups a column into pairs of rows; a zero row completes the last pair.
 fn in_pairs(column: &[f64]) -> Vec<Pair> {
     let (pairs, rest) = column.as_chunks();
     pairs.iter().copied().chain(rest.first().map(|last| [*last, 0.0])).collect()
 }
 
-/// Computes the products of each of the left columns with each of the right ones.
+/// Computes the products of each of the left columns with each of the right columns.
 fn products(left: [&[Pair]; TILE], right: [&[Pair]; TILE]) -> [[f64; TILE]; TILE] {
     let rows = left[0].len();
-    // Slices of equal length let the compiler omit bounds checks in the loop.
+    // With slices of equal length, the compiler omits bounds checks in the loop.
     let (left, right) = (left.map(|column| &column[..rows]), right.map(|column| &column[..rows]));
     let mut sums = [[[0.0; 2]; TILE]; TILE];
     for row in 0..rows {
@@ -74,7 +75,7 @@ fn products(left: [&[Pair]; TILE], right: [&[Pair]; TILE]) -> [[f64; TILE]; TILE
 mod tests {
     use super::*;
 
-    /// Compares with sums term by term, for numbers of rows and columns that fill no pair, tile or block.
+    /// Compares with term-by-term sums, for numbers of rows and columns that are not multiples of pair, tile or block.
     #[test]
     fn every_product_is_that_of_its_columns() {
         for (rows, n) in [(0, 2), (1, 1), (2, 3), (7, 4), (513, 5), (1200, 11), (4097, 8)] {

@@ -1,7 +1,7 @@
 //! Temperature of the damper in each test, from the measured power.
 //!
-//! Force times velocity is measured, so the heat needs no model of the damper. From test to test on the campaign's clock, including pauses:
-//! C Ṫ = F v − h (T − T_a).
+//! Force times velocity is measured, so the heat requires no model of the damper. C Ṫ = F v − h (T − T_a) applies over
+//! the campaign's clock, from test to test, including pauses.
 
 use super::campaign_clock::clock_runs_on;
 use super::samples::Test;
@@ -14,12 +14,12 @@ pub struct Heating {
     inputs: Vec<(f64, f64, f64)>,
     /// Time at which the temperature of each test is evaluated, and the index of its record.
     looks: Vec<(f64, usize)>,
-    /// Whether one clock runs through the campaign, so that heat carries over.
+    /// Whether the records have one common clock, so that the heat continues from test to test.
     pub continues: bool,
 }
 
 impl Heating {
-    /// Computes the heat in these records, evaluated in the middle of each of these tests.
+    /// Computes the heating in these records, evaluated in the middle of each test.
     pub fn new(records: &[&Record], tests: &[Test]) -> Heating {
         let inputs: Vec<(f64, f64, f64)> = records
             .iter()
@@ -38,7 +38,7 @@ impl Heating {
         Heating { inputs, looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), continues }
     }
 
-    /// Returns the heat of the campaign, evaluated in the middle of other tests.
+    /// Returns the heating of the campaign, evaluated in the middle of other tests.
     pub fn of_tests(&self, tests: &[Test]) -> Heating {
         Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
@@ -66,12 +66,13 @@ impl Heating {
         if self.continues {
             self.inputs.iter().map(of).sum()
         } else {
-            // If each record has its own clock, earlier tests are unknown: each test starts cold.
+            // If each record has its own clock, the heat from earlier tests is unknown, so each test starts cold.
             of(&self.inputs[record])
         }
     }
 
-    /// Computes the range of the rise over the tests without cooling, J. A small range means that heat cannot be identified.
+    /// Computes the range over all tests of temperature rise times heat capacity, J, with cooling neglected. If the
+    /// range is small, heating cannot be identified.
     pub fn span(&self) -> f64 {
         let rises: Vec<f64> = (0..self.looks.len()).map(|k| self.rise(k, 1e-6)).collect();
         let (low, high) = rises.iter().fold((f64::INFINITY, 0.0f64), |(l, h), r| (l.min(*r), h.max(*r)));

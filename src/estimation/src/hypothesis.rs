@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// Steps from sample to sample for a filtered force channel: friction reverses within one sample.
+/// Number of steps per sample for a filtered force channel, because friction reverses within one sample.
 const PARTS: usize = 3;
 
 /// Kind of a free parameter of a hypothesis.
@@ -26,7 +26,7 @@ const PARTS: usize = 3;
 pub enum Free {
     /// A parameter of the model.
     Model(Unknown),
-    /// Difference of a parameter of the model from its value in the base, in the unknown's own scale.
+    /// Difference of a parameter of the model from its value in the base, in the scale of the unknown.
     Shift(Unknown),
     /// Relative change of a part of the FV curve of the base.
     Curve(CurvePart),
@@ -49,7 +49,7 @@ pub struct Number {
     pub step: f64,
     /// Bounds.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of its prior, if it has one.
+    /// Mean and standard deviation of the prior, if there is one.
     pub prior: Option<(f64, f64)>,
 }
 
@@ -62,16 +62,16 @@ pub struct Hypothesis {
     pub numbers: Vec<Number>,
     /// Heat input of the damper, if its heating is computed.
     pub heating: Option<std::sync::Arc<Heating>>,
-    /// Priors of this damper, which replace those of all dampers.
+    /// Priors of this damper. They replace the priors of all dampers.
     pub priors: PriorSet,
 }
 
-/// Weighted residuals (measured minus computed, over the allowed error) of all tests, concatenated.
+/// Weighted residuals of all tests, concatenated: measured minus computed, divided by the allowed error.
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
-    /// Computes the ends of the 95 % interval of a parameter with this standard deviation, within its bounds: a loss factor is never
-    /// negative.
+    /// Computes the ends of the 95 % interval of a parameter with this standard deviation, within the bounds of the
+    /// parameter. For example, a loss factor is never negative.
     pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
         /// Half-width in standard deviations.
         const Z: f64 = 1.96;
@@ -97,7 +97,7 @@ impl Hypothesis {
         self
     }
 
-    /// Returns a free parameter with the prior of this damper, if it has one.
+    /// Returns a free parameter with the prior of this damper, if there is such a prior.
     pub fn with_own_prior(&self, mut number: Number) -> Number {
         if let Free::Model(unknown) = &number.free {
             number.prior = self.priors.in_search(unknown).or(number.prior);
@@ -149,12 +149,12 @@ impl Hypothesis {
         params
     }
 
-    /// Returns a parameter whose logarithm is free; `None` if it is not free.
+    /// Returns the value of a parameter with a free logarithm, or `None` if it is not free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
         self.position(free).map(|place| libm::exp(theta[place]))
     }
 
-    /// Returns a parameter of the rig; `None` if it is not free.
+    /// Returns the value of a rig parameter, or `None` if it is not free.
     fn of_the_rig(&self, artefact: Artefact, theta: &[f64]) -> Option<f64> {
         self.position(&Free::Rig(artefact)).map(|place| theta[place])
     }
@@ -169,8 +169,8 @@ impl Hypothesis {
 
     /// Returns the segment of the damper's inputs at the time of the measured forces.
     ///
-    /// Its temperatures include self-heating if `place` is the index of the test. It is earlier by a delay of the force channel, and has
-    /// finer steps if the channel is filtered.
+    /// Its temperatures include self-heating if `place` is the index of the test. The inputs are earlier by the delay
+    /// of the force channel. The steps are finer if the channel is filtered.
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
         let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
@@ -188,7 +188,7 @@ impl Hypothesis {
         segment
     }
 
-    /// Makes the damper use the temperature of its input if heating is computed from the records.
+    /// Sets the model to use the temperature of its input, if heating is computed from the records.
     fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
             let _ = params.set(number!("fade_source"), 0.0);
@@ -208,7 +208,7 @@ impl Hypothesis {
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
     }
 
-    /// Applies the filter of the force channel, if there is one, and keeps the values at the samples.
+    /// Applies the filter of the force channel, if there is one, and retains only the values at the samples.
     ///
     /// `values` may be forces or their derivatives.
     fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
@@ -218,8 +218,8 @@ impl Hypothesis {
         }
     }
 
-    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier. The delay of the
-    /// channel delays all of them.
+    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier.
+    /// The delay of the channel applies to all of them.
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         let of_number = |(number, value): (&Number, &f64)| match number.free {
             Free::Rig(artefact) => Some((artefact, *value)),
@@ -236,7 +236,8 @@ impl Hypothesis {
         }
     }
 
-    /// Computes the forces of one test at its scored samples; `place` is the index of the test if its records are known.
+    /// Computes the forces of one test at its scored samples. `place` is the index of the test, if its heating is
+    /// known.
     fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
         self.measured_forces(test, place, theta, &|segment| forces(model, segment))
     }
@@ -262,7 +263,8 @@ impl Hypothesis {
         self.forces_of(model, test, None, theta)
     }
 
-    /// Computes forces at the scored samples of all tests with the model's own steps; `None` if the parameters are not a valid model.
+    /// Computes forces at the scored samples of all tests with the model's own steps. Returns `None` if the parameters
+    /// are not a valid model.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
@@ -274,12 +276,12 @@ impl Hypothesis {
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
-    /// Computes the weighted residuals of all tests, with few substeps, as a search needs them.
+    /// Computes the weighted residuals of all tests, with few substeps, which suffice for a search.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         self.residual_by(Accuracy::Single, tests, theta)
     }
 
-    /// Computes the weighted residuals by an integration of the given accuracy.
+    /// Computes the weighted residuals with an integration of the given accuracy.
     pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
         let list: Vec<f64> = tests
@@ -292,9 +294,9 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. One run gives the
-    /// derivatives for all parameters of the model; each parameter of the rig needs a finite difference. The low-accuracy integration
-    /// suffices if errors of a few tenths of a percent are acceptable.
+    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. One
+    /// run gives the derivatives for all parameters of the model; each parameter of the rig requires a finite
+    /// difference. The low-accuracy integration suffices if errors of a few tenths of a percent are acceptable.
     pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let rows = tests.iter().map(Test::count).sum();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());
@@ -310,7 +312,7 @@ impl Hypothesis {
                 let (_, rows) = run.jacobian(&segment, &unknowns, &values);
                 let mut columns = rows.transpose();
                 if is_filtered {
-                    // The filter applies to the derivatives of the force too.
+                    // The filter also applies to the derivatives of the force.
                     let mut at_samples = DMatrix::zeros(test.segment.input.len(), columns.ncols());
                     for (mut to, from) in at_samples.column_iter_mut().zip(columns.column_iter()) {
                         let mut along = from.as_slice().to_vec();
@@ -342,8 +344,8 @@ impl Hypothesis {
         Some(matrix)
     }
 
-    /// Computes the derivative of the weighted forces with respect to one parameter. It is a finite difference of `residual` from its value
-    /// `at` the present parameters.
+    /// Computes the derivative of the weighted forces with respect to one parameter. The derivative is a finite
+    /// difference of `residual`, relative to its value `at` the current parameters.
     pub fn column(
         &self,
         theta: &[f64],
@@ -365,7 +367,7 @@ impl Hypothesis {
     }
 }
 
-/// Makes a free parameter of the model, starting from a parameter set, with the prior of all dampers.
+/// Makes a free parameter of the model, with a start from a parameter set and the prior of all dampers.
 pub fn number(base: &Params, unknown: Unknown) -> Number {
     let one = Unknowns { base: *base, list: vec![unknown] };
     let start = one.start()[0];

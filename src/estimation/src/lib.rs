@@ -1,11 +1,11 @@
 //! One estimation problem for fit, validation and diagnosis.
 //!
-//! It has observations made from records, a model with free parameters and their priors, least squares, and the uncertainty of the
-//! parameters.
+//! The problem consists of observations from records, a model with free parameters and priors, least squares, and the
+//! uncertainty of the parameters.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`segment`] | the stretches of record that a fit uses |
+//! | [`segment`] | the parts of a record that a fit uses |
 //! | [`samples`] | the mean cycle of every test and its allowed error |
 //! | [`unknowns`] | free parameters of the model, and the parameter set of their vector |
 //! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, in one run |
@@ -18,7 +18,7 @@
 //! | [`family`] | a damper at several settings as one problem |
 //! | [`deviations`] | uncertainty of the parameters |
 //! | [`curve_form`] | error of the curve between its points |
-//! | [`spring_end`] | excess force at the end of a lookup spring: a stop that the spring has absorbed |
+//! | [`spring_end`] | excess force at the end of a lookup spring, due to a stop that the spring represents |
 //! | [`campaign_clock`] | whether the records share one clock |
 //! | [`warmth`] | range of temperatures of the records |
 //! | [`cancel`] | cancellation of long work |

@@ -18,7 +18,7 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            // The prior of a change from a reference acts in the refit alone.
+            // The prior of a change from a reference applies only in the refit.
             Free::Shift(_)
             | Free::Curve(_)
             | Free::Rig(_)
@@ -33,8 +33,8 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
     all
 }
 
-/// Returns the distances of parameters that a form fixes from the damper's own priors. An example is a twin tube, whose oil column differs
-/// between both directions. A zero parameter switches a form off and has no distance.
+/// Returns the distances of fixed parameters from the damper's own priors, in standard deviations. An example is a twin
+/// tube, in which the oil column differs between the directions. A zero parameter disables a form and has no distance.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
         let own = |n: &FreeNumber| matches!(n.free, Free::Model(Unknown::Log(n) | Unknown::Linear(n)) if n == number);

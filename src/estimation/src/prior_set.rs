@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub struct DamperPrior {
     /// Parameter.
     pub number: Number,
-    /// Its distribution, in its own unit.
+    /// Prior distribution of the parameter, in the unit of the parameter.
     pub expected: Distribution,
     /// Source: the known facts of the damper, a colon, and the publication of the formula.
     pub source: String,
@@ -24,12 +24,12 @@ impl DamperPrior {
         self.source.split_once(": ").map_or(self.source.as_str(), |(facts, _)| facts)
     }
 
-    /// Returns the ends of its 95 % interval, in the parameter's own unit.
+    /// Returns the ends of the 95 % interval of the prior, in the unit of the parameter.
     pub fn interval(&self) -> (f64, f64) {
         self.expected.interval(Z)
     }
 
-    /// Returns its center, in the parameter's own unit.
+    /// Returns the center of the prior, in the unit of the parameter.
     pub fn center(&self) -> f64 {
         self.expected.center()
     }
@@ -46,7 +46,7 @@ impl DamperPrior {
 /// Half-width of a 95 % interval in standard deviations.
 const Z: f64 = 1.96;
 
-/// Priors of one damper; empty if nothing is known of it.
+/// Priors of one damper; empty if no facts about the damper are known.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PriorSet {
     rows: Arc<[DamperPrior]>,
@@ -59,18 +59,19 @@ impl PriorSet {
         PriorSet { rows: rows.into(), is_against_reference: false }
     }
 
-    /// Marks the priors as those of a damper that is compared with a reference. The damper has the effects of the reference; any other
-    /// effect is new.
+    /// Marks the priors as those of a damper that is compared with a reference. The damper has the effects of the
+    /// reference, so any other effect is new.
     pub fn against_reference(self) -> PriorSet {
         PriorSet { is_against_reference: true, ..self }
     }
 
-    /// Whether the damper is compared with a reference, so that an added effect is one that the reference lacks.
+    /// Returns whether the damper is compared with a reference. An added effect is then an effect that the reference
+    /// does not have.
     pub fn is_against_reference(&self) -> bool {
         self.is_against_reference
     }
 
-    /// Returns its rows.
+    /// Returns the rows of the set.
     pub fn rows(&self) -> &[DamperPrior] {
         &self.rows
     }
@@ -80,12 +81,13 @@ impl PriorSet {
         self.rows.iter().find(|row| row.number == number)
     }
 
-    /// Returns the prior of a parameter: that of this damper, or else that of all dampers of its size.
+    /// Returns the prior of a parameter: the prior of this damper, or else the prior of all dampers of its size.
     pub fn distribution(&self, number: Number, scale: Scale) -> Option<Distribution> {
         self.find(number).map(|row| row.expected).or_else(|| priors::distribution(number, scale))
     }
 
-    /// Returns mean and standard deviation of a free parameter in its search coordinate; `None` if this damper has no prior of its own.
+    /// Returns mean and standard deviation of a free parameter in its search coordinate. Returns `None` if this damper
+    /// has no prior for the parameter.
     pub fn in_search(&self, unknown: &Unknown) -> Option<(f64, f64)> {
         match unknown {
             Unknown::Log(number) => self.find(*number).map(|row| row.expected.in_search(true)),
@@ -94,11 +96,13 @@ impl PriorSet {
         }
     }
 
-    /// Computes the deduction from a free parameter's cost, in log odds, if its prior is narrower than that of all dampers.
+    /// Computes the reduction of a free parameter's cost, in log odds, if its prior is narrower than the prior of all
+    /// dampers.
     ///
-    /// A parameter costs the logarithm of the ratio of its prior width to its posterior width (the Occam factor: MacKay, Neural Comput. 4,
-    /// 1992). `cost` is that logarithm under the prior of all dampers. A prior that is narrower than the posterior from the records alone
-    /// cancels the cost; the deduction is never larger.
+    /// A parameter costs the logarithm of the ratio of its prior width to its posterior width (the Occam factor:
+    /// MacKay, Neural Comput. 4, 1992). `cost` is that logarithm under the prior of all dampers. If the prior is
+    /// narrower than the posterior from the records alone, the reduction equals the cost. The reduction is never
+    /// larger.
     pub fn relief(&self, unknown: &Unknown, scale: Scale, cost: f64) -> f64 {
         let (Unknown::Log(number) | Unknown::Linear(number)) = unknown else { return 0.0 };
         self.find(*number).map_or(0.0, |row| row.sharpness(unknown, scale).min(cost))

@@ -1,8 +1,9 @@
 //! Prior of each parameter over all dampers.
 //!
-//! If the records determine a parameter, its prior has little influence. Otherwise the parameter stays at a typical value instead of
-//! running to a bound. A parameter value that is rare among dampers costs its hypothesis log odds. The cost grows slowly, as under
-//! Student's distribution (four degrees of freedom), because unusual dampers exist.
+//! If the records determine a parameter, its prior has little influence. Otherwise, the prior keeps the parameter at a
+//! typical value, away from its bounds. A parameter value that is rare among dampers reduces the log odds of its
+//! hypothesis. The reduction grows slowly, as for Student's distribution with four degrees of freedom, because unusual
+//! dampers exist.
 
 pub use crate::distribution::Distribution;
 use crate::scale::Scale;
@@ -15,14 +16,14 @@ use dashpot_core::parameter::Number;
 pub struct Prior {
     /// Parameter.
     pub number: Number,
-    /// Its distribution, in its own unit.
+    /// Prior distribution of the parameter, in the unit of the parameter.
     pub distribution: Distribution,
     /// Source of the distribution.
     pub source: &'static str,
 }
 
 impl Prior {
-    /// Returns the publication of the source, without the description in front of it.
+    /// Returns the publication of the source, without the preceding description.
     pub fn citation(&self) -> &'static str {
         self.source.rsplit_once(": ").map_or(self.source, |(_, citation)| citation)
     }
@@ -46,7 +47,7 @@ const STOPS: &str = "stops of cars at 20 to 80 mm from standing height: Dixon 20
 const RIG: &str = "clamps, eyes and adapters of hydraulic rigs";
 const THESIS: &str = "Jonnalagadda & Vyas, KTH 2020, chapters 3 and 4";
 
-/// The table; a parameter without a row has no prior.
+/// Table of all priors. A parameter without a row has no prior.
 pub const PRIORS: &[Prior] = &[
     row(number!("series_stiffness"), Size(2.5e6, 3.0), OIL),
     row(number!("series_damping"), Strength(200.0, 3.0), THESIS),
@@ -110,7 +111,7 @@ pub const PRIORS: &[Prior] = &[
     row(number!("presliding_creep"), Size(1e-4, 4.0), SEALS),
     row(number!("viscous_coefficient"), Place(0.0, 50.0), THESIS),
     row(number!("side_force_coefficient"), Strength(0.05, 2.0), SEALS),
-    // Gas pushes the rod out; a negative value is a zero offset of the load cell of some tens of newtons.
+    // Gas pushes the rod out. A negative value means a zero offset of the load cell of some tens of newtons.
     row(number!("gas_force"), Skewed(100.0, 80.0, 400.0), GAS),
     row(number!("gas_warming_rate"), Strength(0.8, 2.5), WARM_GAS),
     row(number!("gas_stiffness"), Strength(1000.0, 3.0), GAS),
@@ -134,8 +135,8 @@ pub fn distribution(number: Number, scale: Scale) -> Option<Distribution> {
     PRIORS.iter().find(|p| p.number == number).map(|p| scale.scale_distribution(number, p.distribution))
 }
 
-/// Whether a parameter is the force of an effect: the effect is absent if it is zero. A damping may be zero although its element is
-/// present.
+/// Returns whether a parameter is the force of an effect, so that the effect is absent at zero. A damping, in contrast,
+/// may be zero although its element is present.
 pub fn is_force_of_effect(number: Number) -> bool {
     let is_strength = PRIORS.iter().any(|p| p.number == number && matches!(p.distribution, Strength(..)));
     is_strength && number.parameter().unit == "N"
@@ -143,10 +144,12 @@ pub fn is_force_of_effect(number: Number) -> bool {
 
 /// Degrees of freedom of Student's t-distribution.
 ///
-/// With four, five standard deviations cost five units of the log odds, where the normal distribution costs twelve.
+/// With four degrees of freedom, five standard deviations reduce the log odds by five. With a normal distribution, the
+/// reduction is twelve.
 const FREEDOM: f64 = 4.0;
 
-/// Computes the decrease of the log odds by a parameter at `score` standard deviations from its prior.
+/// Computes the decrease of the log odds due to a parameter at a distance of `score` standard deviations from its
+/// prior.
 pub fn log_cost(score: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * libm::log1p(score * score / FREEDOM)
 }
@@ -156,7 +159,7 @@ pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
         Unknown::Log(number) => distribution(*number, scale).map(|usual| usual.in_search(true)),
         Unknown::Linear(number) => distribution(*number, scale).map(|usual| usual.in_search(false)),
-        // A fraction above the Coulomb level: seals show 0.1 to 0.6.
+        // The parameter is a fraction above the Coulomb level. For seals, it is 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
     }

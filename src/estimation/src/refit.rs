@@ -1,7 +1,8 @@
-//! Refits one hypothesis to the tests, with little more than one run of the model for each step.
+//! Refits one hypothesis to the tests, at little more than the cost of one model run for each step.
 //!
-//! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]). The compared hypotheses differ by two or three
-//! parameters from one with a known Jacobian. The likely ones are then refitted with a new Jacobian in every step.
+//! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]). The compared hypotheses
+//! differ by two or three parameters from a hypothesis with a known Jacobian. The likely hypotheses are then refitted
+//! with a new Jacobian in every step.
 
 use super::hypothesis::{Hypothesis, Number, Residual};
 use super::samples::Test;
@@ -9,7 +10,7 @@ use crate::sensitivity::Accuracy;
 use crate::solve::{Bounds, Derivatives, Loss, Options, Prior, Residuals, Rows, solve_knowing};
 use nalgebra::DMatrix;
 
-/// Weighted residual beyond which a sample counts linearly.
+/// Weighted residual beyond which the loss of a sample is linear (Huber).
 pub const HUBER: f64 = 4.0;
 const LOSS: Loss = Loss::Huber(HUBER);
 
@@ -18,9 +19,9 @@ const LOSS: Loss = Loss::Huber(HUBER);
 pub struct Effort {
     /// Largest number of steps.
     pub steps: usize,
-    /// Fraction of the cost that a further step may still gain at the end.
+    /// Relative decrease of the cost by a further step below which the refit ends.
     pub tolerance: f64,
-    /// Whether the Jacobian is computed anew after every successful step.
+    /// Whether the Jacobian is computed again after every successful step.
     pub renews: bool,
     /// Accuracy of the integration for the Jacobian.
     pub derivatives: Accuracy,
@@ -29,7 +30,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Effort to screen hypotheses for longer refits.
+    /// Effort for the selection of hypotheses for longer refits.
     pub const SCREEN: Effort = Effort {
         steps: 4,
         tolerance: 2e-3,
@@ -39,7 +40,7 @@ impl Effort {
     };
     /// Effort to compare hypotheses.
     pub const COMPARE: Effort = Effort { steps: 10, ..Effort::SCREEN };
-    /// Effort to judge the likely hypotheses.
+    /// Effort for the evaluation of the likely hypotheses.
     pub const JUDGE: Effort = Effort { steps: 8, tolerance: 1e-3, renews: true, ..Effort::SCREEN };
     /// Effort for the final result.
     pub const FINE: Effort =
@@ -55,7 +56,7 @@ pub struct Refit {
     pub residual: Residual,
     /// Weighted derivatives of the computed forces; approximate after an update.
     pub jacobian: DMatrix<f64>,
-    /// Twice the sum of the losses (χ² if there are no outliers), with samples discounted for their correlation.
+    /// Twice the sum of the losses (χ² if there are no outliers), corrected for the correlation of samples.
     pub chi2: f64,
     /// χ² plus the cost of the distances from the priors.
     pub cost: f64,
@@ -72,7 +73,8 @@ impl Refit {
 
 /// Computes χ² of residuals under Huber's loss.
 ///
-/// The allowed error of a sample already accounts for the correlation of the noise, so a sum over all samples counts information only once.
+/// The allowed error of a sample already accounts for the correlation of the noise, so the sum over all samples does
+/// not count information twice.
 pub fn chi2(residual: &Residual) -> f64 {
     residual.iter().map(|r| 2.0 * LOSS.evaluate(*r).0).sum()
 }
@@ -87,7 +89,7 @@ pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
         .sum()
 }
 
-/// A hypothesis with some tests and a function for its residuals: all tests are one block.
+/// A hypothesis with its tests and a function for its residuals. All tests are one block.
 struct Problem<'a> {
     hypothesis: &'a Hypothesis,
     tests: &'a [Test],
@@ -102,7 +104,8 @@ impl Residuals for Problem<'_> {
         Some(theta.to_vec())
     }
 
-    /// Computes the residuals as computed minus measured: their derivatives are then those of the computed forces.
+    /// Computes the residuals as computed minus measured: the derivatives of the residuals are then those of the
+    /// computed forces.
     fn residuals(&self, _: usize, theta: &Vec<f64>) -> Option<Vec<f64>> {
         let residual = (self.residual_at)(theta)?;
         Some(residual.iter().map(|r| -r).collect())
@@ -114,7 +117,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Damping of the first step: a start is near the result of the previous refit.
+/// Damping of the first step: the start is near the result of the previous refit.
 const DAMPING: f64 = 1e-3;
 
 /// Makes the options of the least squares for some free parameters.
@@ -130,7 +133,8 @@ pub fn options(numbers: &[Number], effort: Effort) -> Options {
     }
 }
 
-/// Refits a hypothesis from `start`, with the Jacobian at the start if known. Returns `None` if the model gives no finite force.
+/// Refits a hypothesis from `start`, with the Jacobian at the start if it is known. Returns `None` if the model gives
+/// no finite force.
 pub fn refit(
     hypothesis: &Hypothesis,
     tests: &[Test],

@@ -1,9 +1,10 @@
 //! Size of a damper relative to that of a passenger car.
 //!
-//! Priors, starts and bounds of searches come from passenger cars: a mount of 2.5 MN/m, friction of 40 N, a rod of 0.4 kg. A damper of an
-//! instrument with 10 N and a damper of a train with 20 kN have proportional values. At equal pressures and strokes, force, stiffness, mass
-//! and heat all grow with the area of the piston. So a parameter with a force in its unit is divided by the relative size before it is
-//! compared with those of cars. Lengths, speeds and times are not scaled: clearances, oil films and valves do not grow with the area.
+//! Priors, starts and bounds of searches come from passenger cars: a mount of 2.5 MN/m, friction of 40 N, a rod of 0.4
+//! kg. The values of an instrument damper with 10 N and of a train damper with 20 kN are proportional to their forces.
+//! At equal pressures and strokes, force, stiffness, mass and heat all grow with the area of the piston. Therefore, a
+//! parameter with a force in its unit is divided by the relative size before the comparison with car values. Lengths,
+//! speeds and times are not scaled: clearances, oil films and valves do not grow with the area.
 
 use crate::distribution::Distribution;
 use crate::measurement::Artefact;
@@ -13,18 +14,20 @@ use dashpot_core::{Params, element, list, number};
 use dashpot_records::load_cell::OF_CARS;
 use dashpot_records::restrict;
 
-/// Force, N, of the typical car's damper, to which the medians of the priors apply. A damper far beyond the range of cars is compared with
-/// it. The value is the geometric mean of the range. With the nearer end of the range instead, a weak damper would get the series stiffness
-/// of a car's weak damper, and would seem stiff.
+/// Force of a typical car damper, N, to which the medians of the priors apply. The scale of a damper far beyond the
+/// range of cars is relative to this force. The value is the geometric mean of the range. Relative to the nearer end of
+/// the range, a weak damper would have the series stiffness of a weak car damper, which is too stiff.
 const TYPICAL: f64 = 1500.0;
-/// Factor beyond the range within which the scale changes continuously from 1, so that two dampers of similar strength have similar scales.
+/// Width, as a force ratio, of the transition beyond the range of cars. There, the scale changes continuously from 1,
+/// so that similar dampers have similar scales.
 const PASSAGE: f64 = 3.0;
 
-/// Ratio of a damper's strength to that of a passenger car's damper; 1 within the range of cars.
+/// Ratio of a damper's strength to that of a passenger car's damper; it is 1 within the range of cars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
 
-/// Returns the largest force of a model, N: the sum of its curve, friction and gas, which records of few tests do not separate.
+/// Returns the largest force of a model, N: the sum of curve, friction and gas, because records of few tests do not
+/// separate these.
 pub fn largest_force(params: &Params) -> f64 {
     let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let parallel = [
@@ -74,7 +77,8 @@ impl Scale {
             return 1.0;
         }
         if number == number!("fsd_flow") || number == number!("bypass_flow") {
-            // The flow is stated at 1 kN, through an orifice: at a hundredth of the force, an equal orifice has a tenth of the flow.
+            // The parameter is the flow through an orifice at 1 kN. At a hundredth of the force, an equal orifice has a
+            // tenth of the flow.
             libm::pow(self.0, -0.5)
         } else {
             self.of_unit(number.parameter().unit)
@@ -90,14 +94,14 @@ impl Scale {
         self.of_unit(artefact.unit())
     }
 
-    /// Returns the bounds of a search: those for a car's damper, scaled.
+    /// Returns the bounds of a search: the scaled bounds for a car damper.
     pub fn reach(self, number: Number) -> (f64, f64) {
         let ((low, high), (from, to)) = (number.bounds(), number.parameter().of_a_car);
         let factor = self.of_number(number);
         (low.max(from * factor), high.min(to * factor))
     }
 
-    /// Scales the distribution of a parameter from dampers of cars to this damper.
+    /// Scales the distribution of a parameter from car dampers to this damper.
     pub fn scale_distribution(self, number: Number, of_cars: Distribution) -> Distribution {
         let factor = self.of_number(number);
         match of_cars {
@@ -110,7 +114,7 @@ impl Scale {
         }
     }
 
-    /// Scales a model of this damper to a car's damper.
+    /// Scales a model of this damper to a car damper.
     pub fn as_car(self, params: &Params) -> Params {
         let mut as_car = *params;
         if self.is_car() {

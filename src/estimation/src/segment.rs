@@ -1,4 +1,4 @@
-//! A stretch of record over which the model is simulated.
+//! The part of a record over which the model is simulated.
 
 use dashpot_core::Input;
 

@@ -1,9 +1,10 @@
 //! Computes forces of a model over a segment and their derivatives with respect to the unknowns, in one run.
 //!
-//! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the internal mass's
-//! motion with respect to each parameter at the cost of a few products. So a fit with thirty unknowns costs a few runs instead of sixty.
-//! Elements parallel to the mass do not influence its motion: their derivatives are finite differences of the element alone. Each parameter
-//! of an element inside the paths needs a run.
+//! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the
+//! internal mass's motion with respect to each parameter at the cost of a few products. Thus, a fit with thirty
+//! unknowns requires a few runs instead of sixty. Elements parallel to the mass do not influence its motion, so their
+//! derivatives are finite differences of the element alone. Each parameter of an element inside the paths requires a
+//! run.
 
 use super::curve_weights::CurveWeights;
 use super::segment::Segment;
@@ -67,7 +68,7 @@ impl Follow for Tangent<'_> {
         }
         let (done, now) = self.stages.split_at_mut(s.index);
         let (du, push) = &mut now[0];
-        // The stage's own slots store the known terms until the direct terms are added.
+        // The array of the stage stores the known terms until the direct terms are added.
         du.copy_from_slice(&self.x);
         push.copy_from_slice(&self.v);
         for (((u, pushed), g), a) in done.iter().zip(&self.lengths).zip(s.row) {
@@ -161,7 +162,8 @@ impl FollowPaths for PathsTangent<'_> {
     }
 }
 
-/// An unknown of an element parallel to the mass without internal state: its derivative is a difference of the element's force.
+/// An unknown of an element parallel to the mass without internal state: its derivative is a finite difference of the
+/// element's force.
 struct Beside {
     column: usize,
     plus: Model,
@@ -169,31 +171,35 @@ struct Beside {
     per: f64,
 }
 
-/// An element parallel to the mass that has a state or is a stop, simulated alone.
+/// An element parallel to the mass that has a state or is a stop. It is simulated alone.
 struct Alone {
     element: Option<Element>,
     model: Model,
-    /// Column of each of its unknowns, the model with a step of that unknown, and the reciprocal of the step.
+    /// For each unknown of the element: its column, the model with a step of the unknown, and the reciprocal of the
+    /// step.
     moved: Vec<(usize, Model, f64)>,
 }
 
 /// Accuracy of the integration of a model in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Accuracy {
-    /// The integration of a host.
+    /// The integration that host programs use.
     Full,
-    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. With one substep, tests of 120 samples a cycle
-    /// gave a series damping 450 N s/m too high, outside its interval (tests/tests/system/identification.rs).
+    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. With one substep, tests of
+    /// 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
+    /// (tests/tests/system/identification.rs).
     Fine,
-    /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times cheaper in slow tests.
-    /// A series spring needs two, since its force reverses within a sample of a mean cycle. With one, a campaign with a stiff series spring
-    /// had 24 units of log evidence less than its true model, and aeration replaced the spring. A bypass that opens at each reversal needs
-    /// two as well.
+    /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times
+    /// cheaper in slow tests. A series spring requires two substeps, because its force reverses within a sample of a
+    /// mean cycle. With one substep, the log evidence of a stiff series spring was 24 units too low, and aeration
+    /// replaced the spring. A bypass that opens at each reversal also requires two substeps.
     Single,
-    /// As many substeps as [`Accuracy::Single`] of the second-order method: an error of a few tenths of a percent at a third of the cost.
+    /// The second-order method with the number of substeps of [`Accuracy::Single`]. Its error is a few tenths of a
+    /// percent, at a third of the cost.
     Cheap,
-    /// One substep of the second-order method. It serves for derivatives, since the residuals determine the end of a search. It also serves
-    /// for trials whose base corrects the error of the series spring (`structure/nearby.rs`).
+    /// One substep of the second-order method. It suffices for derivatives, because the residuals determine the result
+    /// of a search. It also suffices for trials with a base that corrects the error of the series spring
+    /// (`structure/nearby.rs`).
     Derivatives,
 }
 
@@ -227,7 +233,7 @@ pub struct Run {
     spring: CurveWeights,
     beside: Vec<Beside>,
     rises: Vec<(usize, CurveName, usize)>,
-    /// Elements whose unknowns do not influence the mass.
+    /// Elements with unknowns that do not influence the mass.
     alone: Vec<Alone>,
     /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
@@ -243,7 +249,7 @@ impl Run {
         let model = Model::new(&params).ok()?;
         let integration = accuracy.integration(&params, &model);
         let model = model.with_integration(integration);
-        // Both ends of a difference use equally many substeps, so that the difference is due to the damper alone.
+        // Both ends of a difference use equal numbers of substeps, so that the difference is due to the damper alone.
         let prepare = |params: &Params| Some(Model::new(params).ok()?.with_integration(integration));
         let mut run = Run {
             model,
@@ -292,7 +298,8 @@ impl Run {
                 Acts::Stateful | Acts::Stop
                     if !(row == number!("moving_mass").row()
                         && run.params.number(number!("moving_mass_place")) == 1.0)
-                        // Friction and gas behind a series spring that carries the whole force are not parallel either.
+                        // Friction and gas behind a series spring that carries the whole force are also not parallel to
+                        // the mass.
                         && !(run.model.elements().carries_whole()
                             && [Some(element!("presliding_friction")), Some(element!("gas_spring"))]
                                 .contains(&row.element())) =>
@@ -347,8 +354,9 @@ impl Run {
         forces(&self.model, segment)
     }
 
-    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The derivatives of the
-    /// equilibrium at the first sample are neglected; they influence only samples before the scored ones.
+    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The
+    /// derivatives of the equilibrium at the first sample are neglected; they influence only samples before the scored
+    /// samples.
     pub fn jacobian(&self, segment: &Segment, unknowns: &Unknowns, theta: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
         let n = segment.force.len();
         let model = &self.model;
@@ -435,7 +443,7 @@ impl Run {
                     row[*column] = by_point[k];
                 }
             }
-            // A rise raises its own point and all points further out.
+            // A rise increases the force at its own point and at all points further out.
             for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
                 let points = &mut by_point[*first..first + count];
                 for k in (zero + 1..count - 1).rev() {
@@ -496,7 +504,7 @@ pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
     let mut state = model.steady_state(&segment.input[0]);
     let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
     for i in 1..segment.input.len() {
-        // On a force that is not finite the state stays unchanged, and the caller finds NaN.
+        // If a force is not finite, the state stays unchanged, and the output is NaN.
         out.push(force_in_place(model, &mut state, &segment.input[i], segment.dt[i]).unwrap_or(f64::NAN));
     }
     out
@@ -540,7 +548,7 @@ mod tests {
         }
     }
 
-    /// The force of the series spring reverses within one of the 32 samples of a mean cycle.
+    /// The mean cycle has 32 samples, and the force of the series spring reverses within one of them.
     #[test]
     fn a_search_integrates_a_stiff_series_spring_within_the_noise() {
         let mut params = Params::new();
@@ -566,8 +574,8 @@ mod tests {
                 let other: Vec<f64> = by(integration).iter().zip(&exact).map(|(a, b)| a - b).collect();
                 rms(&other[32..]) / rms(&exact[32..])
             };
-            // With half the substeps the error is 4 to 6 %, more than the noise of a rig. With these, it is 1.1 to 2.6 % in the search and
-            // 0.3 to 1.2 % in the result.
+            // With half the substeps, the error is 4 to 6 %, more than the noise of a rig. With the actual substeps, it
+            // is 1.1 to 2.6 % in the search and 0.3 to 1.2 % in the result.
             for (accuracy, most) in [(Accuracy::Fine, 0.015), (Accuracy::Single, 0.03), (Accuracy::Cheap, 0.03)] {
                 let off = off(accuracy.integration(&params, &model));
                 assert!(off < most, "{accuracy:?} at {amplitude} m, {frequency} Hz: {off:.4}");
@@ -592,11 +600,12 @@ mod tests {
             let moved = |d: f64| {
                 let mut t = theta.to_vec();
                 t[p] += d;
-                // Both runs use equally many substeps: a stiffer spring may need a further substep, which would change the difference.
+                // Both runs use equal numbers of substeps. A stiffer spring may require a further substep, which would
+                // change the difference.
                 let moved = Run::new(unknowns, &t, Accuracy::Full).unwrap();
                 Run { model: moved.model.with_integration(run.model.integration()), ..moved }.forces(test)
             };
-            // A parameter does not move beyond a bound: the difference is over the actual step.
+            // A parameter does not move beyond a bound, so the difference is over the actual step.
             let is_bound = |d: f64| {
                 let mut t = theta.to_vec();
                 t[p] += d;
@@ -615,12 +624,13 @@ mod tests {
         }
     }
 
-    /// Tests every element that is off by default, with its own parameters, alone and in combination.
+    /// Tests the derivatives of every element that is off by default, with its own parameters, alone and in
+    /// combination.
     #[test]
     fn derivatives_agree_with_differences_whatever_is_on() {
         let together: &[&str] =
             &["oil_compressibility", "valve_hysteresis", "free_play", "presliding_friction", "bump_stop", "gas_spring"];
-        /// Elements that are on, and parameters that differ from their defaults.
+        /// Enabled elements, and parameters that differ from their defaults.
         type With = (Vec<&'static str>, Vec<(&'static str, f64)>);
         let mut cases: Vec<With> = Element::all()
             .filter(|element| !Params::new().is_on(*element) && *element != element!("coulomb_friction"))
@@ -654,12 +664,12 @@ mod tests {
                 ("fade_source", 1.0),
                 ("heat_capacity", 60.0),
                 ("fsd_form", 1.0),
-                // At 0, a bound, a central difference would be one-sided.
+                // The value 0 is a bound, where a central difference would be one-sided.
                 ("bushing_stop_stiffness", 2.0),
                 ("bushing_slow_stiffness", 0.4),
-                // At its default, creep is off, and its derivative is zero.
+                // With the default value, creep is off, and its derivative is zero.
                 ("presliding_creep", 1e-3),
-                // At 1 the step takes a simpler branch than at other values.
+                // For the value 1, the step uses a simpler branch than for other values.
                 ("oil_compression", 0.97),
             ] {
                 base.set(Number::find(name).unwrap(), value).unwrap();
@@ -694,7 +704,7 @@ mod tests {
             }
             let gassy = case.contains(&"cavitation") && base.number(number!("cavitation_onset")) < 1.0;
             if !gassy {
-                // At 1, a bound, a central difference would be one-sided.
+                // The value 1 is a bound, where a central difference would be one-sided.
                 list.retain(|u| *u != Unknown::Linear(number!("cavitation_onset")));
             }
             if dashpot_core::Model::new(&base).is_err() {
@@ -703,9 +713,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // Some instants jump from sample to sample: those at which a void closes, and those at which a lag changes its time constant. A
-            // void with gas jumps also where it opens.
-            // The instant at which friction behind a series spring reverses jumps too.
+            // Some event times jump from sample to sample: those at which a void closes, and those at which a lag
+            // changes its time constant. For a void with gas, the opening time also jumps. The time at which friction
+            // behind a series spring reverses also jumps.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
             let without = match (gassy, jumps) {
@@ -714,12 +724,12 @@ mod tests {
                 _ => 0,
             };
             off(&unknowns, &theta, &segment(0.02, 4.0), without, |unknown, off, size| {
-                // The conductance table of a valve with a lag is a spline over the force through all points of the curve. Points beyond the
-                // reached range still influence the table a little.
+                // The conductance table of a valve with a lag is a spline over the force through all points of the
+                // curve. Points beyond the reached range still have a small influence on the table.
                 let table =
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
-                // A known error of 3 % for elements with several substeps: 0.001 N for a tenth of the damping.
+                // Elements with several substeps have a known error of 3 %: 0.001 N for a tenth of the damping.
                 let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };

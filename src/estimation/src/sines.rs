@@ -1,11 +1,11 @@
-//! Synthetic tests of known hypotheses, for the tests of this crate.
+//! Synthetic records of known hypotheses, for the tests of this crate.
 
 use crate::hypothesis::Hypothesis;
 use crate::samples::Test;
 use crate::segment::Segment;
 use dashpot_core::Input;
 
-/// Makes sine tests of the given amplitudes, m, and frequencies, Hz, with the forces of a hypothesis.
+/// Makes sine tests with the given amplitudes, m, and frequencies, Hz. The forces are those of a hypothesis.
 pub fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
     let test = |&(amplitude, frequency): &(f64, f64)| {
         let (count, omega) = (160, std::f64::consts::TAU * frequency);

@@ -1,4 +1,4 @@
-//! Summary of a base model and its tests: quantities from which searches start.
+//! Summary of a base model and its tests: quantities for the starts of searches.
 
 use crate::first_guess::{dry, slowing_forces};
 use crate::heating::Heating;
@@ -20,7 +20,7 @@ pub struct Situation {
     pub scale: Scale,
     /// Friction level, N.
     pub friction: f64,
-    /// Friction that an FV curve may contain as a step at zero velocity, if the model has no friction element, N.
+    /// Friction, N, that an FV curve may contain as a step at zero velocity. Zero if the model has a friction element.
     pub friction_in_curve: f64,
     /// Hydraulic force at the highest speed in rebound, N, positive.
     pub top_rebound: f64,
@@ -30,19 +30,19 @@ pub struct Situation {
     pub knee_force: f64,
     /// Lowest and highest displacement of the tests, m.
     pub reach: (f64, f64),
-    /// Largest range of displacements at which tests reach about the same speed, m.
+    /// Largest range of displacements at which the tests have about one speed, m.
     pub places_span: f64,
-    /// Range of the tests' accumulated heat, J, without cooling.
+    /// Range of the tests' accumulated heat, J, with cooling neglected.
     pub heat_span: f64,
     /// Ratio of the highest to the lowest frequency.
     pub frequency_ratio: f64,
     /// Whether a temperature channel varies.
     pub temperature_measured: bool,
-    /// Middle of the temperature range, °C; 20 if no channel varies.
+    /// Middle of the temperature range, °C; it is 20 if no channel varies.
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
-    /// Times between tests at which a load cell may have been zeroed, s; empty without a campaign clock.
+    /// Times between tests at which a load cell may have been zeroed, s; empty if there is no campaign clock.
     pub pauses: Vec<u32>,
     /// Delay of the force channel estimated from the raw data, s; 0 if none was significant.
     pub apparent_delay: f64,
@@ -54,17 +54,18 @@ pub struct Situation {
     pub slowing: Vec<f64>,
 }
 
-/// Speeds, m/s, between which a curve without friction is linear enough for extrapolation to zero velocity.
+/// Speed range, m/s, in which a curve without friction is nearly linear, so that it can be extrapolated to zero
+/// velocity.
 const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
-/// Interpolates an FV curve at a speed; beyond the ends the last force applies.
+/// Interpolates an FV curve at a speed. Beyond the ends, the last force applies.
 fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
     let right = restrict(v.partition_point(|x| *x < speed), 1, v.len() - 1);
     let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
     f[right - 1] + share * (f[right] - f[right - 1])
 }
 
-/// Computes half the step of an FV curve at zero velocity: the force at creeping speed, extrapolated to zero.
+/// Computes half the step of an FV curve at zero velocity: the force at low speed, extrapolated to zero speed.
 fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
     if v.len() < 3 {
         return 0.0;
@@ -74,7 +75,7 @@ fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
     (half(slow) - slow * (half(fast) - half(slow)) / (fast - slow)).max(0.0)
 }
 
-/// Speeds, m/s, at which displacements are compared, and the relative tolerance of a sample's speed.
+/// Speeds at which displacements are compared, m/s. [`OF_SPEED`] is the relative tolerance of a sample's speed.
 const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
 const OF_SPEED: f64 = 0.3;
 
@@ -91,7 +92,7 @@ fn places_span(tests: &[Test]) -> f64 {
     SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
 }
 
-/// Computes the FV curve from samples at which the damper slows down; empty without tests.
+/// Computes the FV curve from samples at which the damper slows down. The result is empty if there are no tests.
 fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     if segments.is_empty() || velocities.len() < 3 {
@@ -124,7 +125,7 @@ impl Situation {
             friction += base.number(number!("stribeck_coulomb_force"));
         }
         let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
-        // The knee is the first point in rebound beyond which the slope is below half its largest value.
+        // The knee is the first point in rebound beyond which the slope is less than half of its largest value.
         let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
         let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
         let knee = v
@@ -169,7 +170,7 @@ impl Situation {
         }
     }
 
-    /// Scales the situation to a damper of a car, to which the start values and the priors apply.
+    /// Scales the situation to a car damper, because start values and priors apply to car dampers.
     pub fn as_car(&self) -> Situation {
         let of_car = |force: f64| force / self.scale.force();
         Situation {

@@ -1,20 +1,24 @@
-//! Bounded, robust, nonlinear least squares for any residuals: the only Levenberg–Marquardt solver of the project.
+//! Bounded, robust, nonlinear least squares for any residuals. It is the only Levenberg–Marquardt solver of the
+//! project.
 //!
 //! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which depends on the ratio of
 //!   the actual to the predicted reduction (IMM-REP-1999-05, 1999).
-//! - A step may follow the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum & Sethna, arXiv:1201.5885,
-//!   2012). Narrow curved valleys, common for friction with a steep curve, then need tens of steps instead of thousands.
-//! - If a Jacobian costs many runs and only a ranking is needed, Broyden's rank-one update (Math. Comp. 19, 1965) replaces its computation.
-//! - The rows of each block are reduced to a triangular factor (see [`reduce()`]) and stacked in their order. So a result does not depend on
-//!   the number of threads.
-//! - Bounds by projection: a parameter at a bound whose descent direction points outward is fixed for that step.
-//! - Huber's loss by reweighting (Ann. Math. Stat. 35, 1964); Gaussian priors as further rows.
-//! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates & Watts,
-//!   Technometrics 23, 1981). A short damped step is no criterion.
+//! - A step may account for the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum &
+//!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
+//!   of steps instead of thousands.
+//! - If a Jacobian costs many runs and only a ranking is required, Broyden's rank-one update (Math. Comp. 19, 1965)
+//!   replaces its computation.
+//! - The rows of each block are reduced to a triangular factor (see [`reduce()`]) and stacked in their order.
+//!   Therefore, a result does not depend on the number of threads.
+//! - Bounds apply by projection. If a parameter is at a bound and its descent direction points outward, it is fixed for
+//!   that step.
+//! - Huber's loss uses reweighting (Ann. Math. Stat. 35, 1964). Gaussian priors are further rows.
+//! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates &
+//!   Watts, Technometrics 23, 1981). A short damped step is not a criterion.
 
 mod differences;
 mod reduce;
-// `rustfmt` must not reformat its data tables.
+// `rustfmt` must not reformat the data tables of this module.
 #[cfg(test)]
 #[rustfmt::skip]
 mod nist;
@@ -25,35 +29,37 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use reduce::reduce;
 
-/// A least-squares problem: weighted residuals (model minus measurement, over its error) in one or more blocks.
+/// A least-squares problem: weighted residuals in one or more blocks. A residual is model minus measurement, divided by
+/// the error.
 pub trait Residuals: Sync {
     /// Data that all blocks share at one point: a model, for example, or the parameters themselves.
     type At: Sync;
 
-    /// Prepares the shared data; `None` if the parameters are not a valid model.
+    /// Prepares the shared data, or returns `None` if the parameters are not a valid model.
     fn prepare(&self, x: &[f64]) -> Option<Self::At>;
 
-    /// Returns the number of blocks: one for each test, so that tests are computed in parallel.
+    /// Returns the number of blocks. With one block for each test, tests are computed in parallel.
     fn blocks(&self) -> usize {
         1
     }
 
-    /// Whether a block is measured and may contain outliers; the loss of any other block is half its squares.
+    /// Returns whether a block is measured and may contain outliers. The loss of any other block is half the sum of its
+    /// squares.
     fn is_measured(&self, _block: usize) -> bool {
         true
     }
 
-    /// Computes the weighted residuals of one block; `None` if the parameters are not a valid model.
+    /// Computes the weighted residuals of one block, or returns `None` if the parameters are not a valid model.
     fn residuals(&self, block: usize, at: &Self::At) -> Option<Vec<f64>>;
 
-    /// Computes residuals of one block and their derivatives, one column for each parameter. With `None`, the solver uses central
-    /// differences.
+    /// Computes residuals of one block and their derivatives, one column for each parameter. If the result is `None`,
+    /// the solver uses central differences.
     fn jacobian(&self, _block: usize, _at: &Self::At) -> Option<(Vec<f64>, DMatrix<f64>)> {
         None
     }
 }
 
-/// [`Residuals`] of any kind: the search is compiled once for all of them.
+/// [`Residuals`] of any type, so that the search is compiled only once.
 trait Problem: Sync {
     fn prepare(&self, x: &[f64]) -> Option<Box<dyn Point + '_>>;
     fn blocks(&self) -> usize;
@@ -119,18 +125,18 @@ impl Bounds {
 /// Gaussian prior of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prior {
-    /// Its mean.
+    /// Mean of the prior.
     pub mean: f64,
-    /// Its standard deviation, in the unit of the parameter.
+    /// Standard deviation of the prior, in the unit of the parameter.
     pub spread: f64,
 }
 
 /// Loss function of a weighted residual.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Loss {
-    /// Half its square.
+    /// Half the square of the residual.
     Squares,
-    /// Half its square up to this size, linear beyond: limits the influence of outliers.
+    /// Half the square of the residual up to this size, linear beyond. Limits the influence of outliers.
     Huber(f64),
 }
 
@@ -147,7 +153,7 @@ impl Loss {
 /// Source of the derivatives of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Derivatives {
-    /// Computed after every step, and steps follow the curvature (geodesic acceleration).
+    /// Computed after every step. Steps account for the curvature (geodesic acceleration).
     Accelerated,
     /// Computed after every step.
     Fresh,
@@ -158,9 +164,9 @@ pub enum Derivatives {
 /// Options of the solver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// Largest number of steps, accepted or not.
+    /// Largest number of steps, including rejected steps.
     pub steps: usize,
-    /// Largest fraction of the cost that a further step may still gain at the end.
+    /// Relative decrease of the cost by a further step below which the search has converged.
     pub tolerance: f64,
     /// Loss of a residual.
     pub loss: Loss,
@@ -168,11 +174,12 @@ pub struct Options {
     pub priors: Vec<Option<Prior>>,
     /// Derivatives.
     pub derivatives: Derivatives,
-    /// Damping of the first step, for columns scaled to length 1: 1 for an arbitrary start, small for a good one.
+    /// Damping of the first step, for columns scaled to length 1. It is 1 for an arbitrary start, and small for a good
+    /// start.
     pub damping: f64,
-    /// Number of successive accepted steps that gain less than the tolerance before a search ends.
+    /// Number of successive accepted steps with a gain below the tolerance after which a search ends.
     ///
-    /// In directions that the data leave undetermined, the linear step predicts gains that never occur.
+    /// If data do not determine a direction, the linear step predicts gains that do not occur.
     pub quiet: usize,
 }
 
@@ -190,12 +197,12 @@ impl Default for Options {
     }
 }
 
-/// Residuals and derivatives of one block, without weights of the loss.
+/// Residuals and derivatives of one block, without the weights of the loss.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rows {
     /// Residuals.
     pub residual: DVector<f64>,
-    /// Their derivatives.
+    /// Derivatives of the residuals.
     pub jacobian: DMatrix<f64>,
 }
 
@@ -204,21 +211,22 @@ pub struct Rows {
 pub struct Solution {
     /// The parameters.
     pub x: Vec<f64>,
-    /// Sum of the losses and of half the squares of the priors; infinite if the start is not a valid model.
+    /// Sum of the losses and of half the squares of the priors. Infinite if the start is not a valid model.
     pub cost: f64,
-    /// Whether the search converged before the largest number of steps.
+    /// Whether the search converged within the largest number of steps.
     pub converged: bool,
-    /// Steps tried.
+    /// Number of trial steps.
     pub steps: usize,
-    /// Residuals at the solution, by block, with the last known derivatives: those of the last step but one, or updated ones.
+    /// Residuals at the solution, by block, with the last known derivatives. These belong to the previous point or are
+    /// updated.
     pub rows: Vec<Rows>,
 }
 
-/// The reduced linear problem at one point. It has as many rows as there are parameters.
+/// The reduced linear problem at one point. Its number of rows equals the number of parameters.
 struct Linear {
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
-    /// Weighted residuals in the same rotated rows.
+    /// Weighted residuals after the same rotation of rows.
     right: DVector<f64>,
 }
 
@@ -240,7 +248,7 @@ impl Search<'_> {
         if self.problem.is_measured(block) { self.options.loss } else { Loss::Squares }
     }
 
-    /// Computes the cost of residuals; infinite if one is not finite.
+    /// Computes the cost of residuals; infinite if a residual is not finite.
     fn cost<'r>(&self, x: &[f64], residuals: impl IntoIterator<Item = &'r DVector<f64>>) -> f64 {
         let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
         let of = |(block, residual): (usize, &DVector<f64>)| {
@@ -270,7 +278,7 @@ impl Search<'_> {
         }
     }
 
-    /// Computes residuals and derivatives; `None` if one is missing or not finite.
+    /// Computes residuals and derivatives. Returns `None` if one of them is missing or not finite.
     fn rows(&self, at: &dyn Point, x: &[f64]) -> Option<Vec<Rows>> {
         let of = |block| {
             let (residual, jacobian) = match at.jacobian(block) {
@@ -284,7 +292,7 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Computes the square roots of a block's weights under the loss; `None` if all are 1.
+    /// Computes the square roots of a block's weights due to the loss. Returns `None` if all are 1.
     fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
         let loss @ Loss::Huber(_) = self.loss(block) else { return None };
         let roots = residual.map(|r| loss.evaluate(r).1.sqrt());
@@ -325,8 +333,8 @@ impl Search<'_> {
         Linear { factor, right }
     }
 
-    /// Computes the gradient of half the residuals' second derivative along a step, from one further evaluation. `None` if the probe is
-    /// outside the bounds or not a valid model.
+    /// Computes the gradient due to half the second derivative of the residuals along a step, from one further
+    /// evaluation. Returns `None` if the evaluated point is outside the bounds or not a valid model.
     fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();
         if self.bounds.inside(&probe) != probe {
@@ -352,16 +360,17 @@ impl Search<'_> {
     }
 }
 
-/// Fraction of a column's previous length that is kept if the column has become shorter. 1 would be Moré's rule (Lect. Notes Math. 630,
-/// 1978), 0 Marquardt's.
+/// Smallest ratio of a stored column length to its previous value. The value 1 is Moré's rule (Lect. Notes Math. 630,
+/// 1978), and 0 is Marquardt's rule.
 const FADE: f64 = 0.5;
 /// Damping below which a step equals the full linear step to rounding.
 const LEAST_DAMPING: f64 = 1e-16;
 /// Fraction of a step at which the curvature of the residuals is evaluated.
 const PROBE: f64 = 0.1;
-/// Largest ratio of the correction for curvature to the step; beyond it the residuals are not parabolic along the step.
+/// Largest ratio of the correction for curvature to the step. Beyond it, the residuals are not parabolic along the
+/// step.
 const MOST_BEND: f64 = 0.5;
-/// Fraction of the cost that is lost in the rounding of its sum.
+/// Relative rounding error of the cost, which is a sum.
 const ROUNDING: f64 = 1e-15;
 
 /// Minimizes from `start`, which is first clamped to the bounds.
@@ -369,7 +378,7 @@ pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options:
     solve_knowing(problem, start, None, bounds, options)
 }
 
-/// Minimizes with given derivatives at the start, block by block.
+/// Minimizes with known derivatives at the start, block by block.
 pub fn solve_knowing<R: Residuals>(
     problem: &R,
     start: &[f64],
@@ -398,10 +407,11 @@ fn search(
     let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
     let mut linear = search.linear(&x, &rows);
     let (mut damping, mut growth, mut quiet) = (options.damping, 2.0, 0);
-    // Whether a step was accepted since the column lengths were last updated, and whether no step was accepted yet.
+    // Whether a step was accepted since the column lengths were last updated, and whether no step has been accepted
+    // yet.
     let (mut moved_on, mut first) = (true, true);
-    // When a parameter loses its influence, its column becomes short. A step scaled by that column alone would move far away to a flat
-    // region. The stored lengths therefore decrease slowly.
+    // If a parameter loses its influence, its column becomes short. If the column alone scaled the step, the step would
+    // be very long and end in a flat region. Therefore, the stored lengths decrease slowly.
     let mut lengths = vec![0.0f64; n];
     while end.steps < options.steps && cost.is_finite() && !cancel::asked() {
         if std::mem::take(&mut moved_on) {
@@ -413,7 +423,7 @@ fn search(
         let arrived = system.left <= options.tolerance * cost;
         if arrived {
             end.converged = true;
-            // A last full step is tried: the criterion applies to the point before the step.
+            // Try a last full step, because the criterion applies to the point before the step.
             damping = LEAST_DAMPING;
         }
         if system.free.is_empty() {
@@ -481,7 +491,7 @@ fn search(
                 damping = (damping * growth).max(LEAST_DAMPING);
                 growth *= 2.0;
                 if options.derivatives == Derivatives::Kept {
-                    // The update has added the information of the rejected step to the derivatives.
+                    // The updated derivatives contain the information of the rejected step.
                     linear = search.linear(&x, &rows);
                 }
             }
@@ -494,7 +504,7 @@ fn search(
 /// Smallest factor on the damping after a step with the predicted reduction.
 const FASTEST: f64 = 1.0 / 3.0;
 
-/// The linear problem in the parameters that no active bound fixes, with columns scaled to length 1.
+/// The linear problem in the parameters without an active bound, with columns scaled to length 1.
 struct System<'a> {
     right: &'a DVector<f64>,
     free: Vec<usize>,
@@ -560,8 +570,8 @@ impl<'a> System<'a> {
     }
 }
 
-/// Applies Broyden's update: the derivatives then agree with the last step. The change is the smallest one, with every parameter scaled by
-/// its column length.
+/// Applies Broyden's update: afterward, the derivatives agree with the last step. The change is the smallest possible
+/// if every parameter is scaled by its column length.
 fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, lengths: &[f64]) {
     let shares = DVector::from_fn(moved.len(), |i, _| moved[i] * lengths[i] * lengths[i]);
     let size = shares.dot(moved);
@@ -576,7 +586,8 @@ fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, leng
     }
 }
 
-/// Minimizes from every start and returns the solution with the lowest cost, the first of equals. `None` without starts.
+/// Minimizes from every start and returns the solution with the lowest cost. Of equal solutions, returns the first.
+/// Returns `None` if there are no starts.
 pub fn solve_from<R: Residuals>(
     problem: &R,
     starts: &[Vec<f64>],
@@ -627,7 +638,7 @@ mod tests {
     fn rosenbrock_powell_and_wood_end_at_their_minima() {
         let rosenbrock = Of(|x: &[f64]| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
         near(&solve(&rosenbrock, &[-1.2, 1.0], &Bounds::none(2), &Options::default()).x, &[1.0, 1.0], 1e-6);
-        // A Jacobian that is singular at the solution.
+        // The Jacobian is singular at the solution.
         let powell = Of(|x: &[f64]| {
             vec![
                 x[0] + 10.0 * x[1],
@@ -652,13 +663,13 @@ mod tests {
 
     #[test]
     fn a_bound_holds_and_the_rest_is_the_best_beside_it() {
-        // Without the bound the minimum is (1, 1); with x0 <= 0.5 it is (0.5, 0.25).
+        // Without the bound, the minimum is (1, 1). With x0 <= 0.5, it is (0.5, 0.25).
         let rosenbrock = Of(|x: &[f64]| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]);
         let bounds = Bounds { low: vec![-2.0, -2.0], high: vec![0.5, 2.0] };
         let found = solve(&rosenbrock, &[-1.2, 1.0], &bounds, &Options::default());
         near(&found.x, &[0.5, 0.25], 1e-6);
         assert!(found.converged && found.x[0] <= 0.5);
-        // A start outside is clamped, and a parameter leaves its bound when the data require it.
+        // A start outside the bounds is clamped, and a parameter leaves its bound if the data require it.
         let found = solve(&rosenbrock, &[0.7, -7.0], &bounds, &Options::default());
         near(&found.x, &[0.5, 0.25], 1e-6);
         let wide = Bounds { low: vec![0.0, 0.0], high: vec![9.0, 9.0] };
@@ -672,7 +683,8 @@ mod tests {
         let squares = solve(&mean, &[0.0], &Bounds::none(1), &Options::default());
         near(&squares.x, &[values.iter().sum::<f64>() / 6.0], 1e-9);
         let options = Options { loss: Loss::Huber(1.5), ..Options::default() };
-        // Five good samples balance the bounded influence 1.5 of the outlier: the sum of (x - v)/0.1 over the five equals 1.5.
+        // Five good samples balance the limited influence of the outlier, 1.5. The sum of (x - v)/0.1 over the five
+        // samples equals 1.5.
         near(&solve(&mean, &[0.0], &Bounds::none(1), &options).x, &[1.0 + 0.15 / 5.0], 1e-4);
     }
 
@@ -686,7 +698,7 @@ mod tests {
 
     #[test]
     fn the_lowest_of_several_starts_is_kept() {
-        // Two local minima; only the right one reaches zero.
+        // There are two local minima. The cost is zero only at the right one.
         let valleys = Of(|x: &[f64]| vec![(x[0] * x[0] - 4.0) * 0.5, 0.1 * (x[0] - 2.0)]);
         let left = solve(&valleys, &[-3.0], &Bounds::none(1), &Options::default());
         assert!(left.x[0] < 0.0);
@@ -747,7 +759,7 @@ mod tests {
         let kept = Options { derivatives: Derivatives::Kept, damping: 1e-3, steps: 60, ..Options::default() };
         let found = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &kept);
         near(&found.x, &[3.0, 0.7], 1e-4);
-        // Start with derivatives that are wrong by a tenth.
+        // Start with derivatives that have an error of a tenth.
         let wrong = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &Options { steps: 0, ..kept.clone() });
         let known = vec![1.1 * &wrong.rows[0].jacobian];
         let found = solve_knowing(&curve, &[2.0, 1.0], Some(known), &Bounds::none(2), &kept);

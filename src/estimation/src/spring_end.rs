@@ -1,4 +1,4 @@
-//! Stop that a lookup spring has absorbed: the force at its end in excess of the extrapolated middle.
+//! Detects a stop that a lookup spring represents, from the force at its end in excess of the extrapolated middle.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};

@@ -1,17 +1,18 @@
 //! A step of an FV curve at rest, converted to dry friction and gas force.
 //!
-//! Records of constant speeds contain no motion between rest and the slowest speed. There a free curve absorbs friction and gas. After the
-//! conversion, friction and gas can change independently.
+//! Tests at constant speeds contain no motion between rest and the slowest speed. In such a campaign, a free curve
+//! absorbs friction and gas. After the conversion, friction and gas can change independently.
 
 use crate::unknowns::anchor;
 use dashpot_core::{Params, element, list, number};
 
 /// Moves the step of the FV curve at rest to Coulomb friction and gas force.
 ///
-/// The total force at all other points of the curve stays. `None` if the curve has too few points, or if its step is small: friction below
-/// the fraction `LEAST` of the slowest force.
+/// The total force at all other points of the curve stays unchanged. Returns `None` if the curve has too few points, or
+/// if its step is small. Small means friction below the fraction `LEAST` of the force at the slowest speed.
 pub fn read_step(params: &Params) -> Option<Params> {
-    /// Fraction of the force at the slowest speed. Below it bleed and friction are similar, and the curve may stay unchanged.
+    /// Fraction of the force at the slowest speed. If friction is smaller, bleed and friction have similar effects, and
+    /// the curve may stay unchanged.
     const LEAST: f64 = 0.3;
     let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     let zero = anchor(velocity);

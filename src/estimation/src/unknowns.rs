@@ -1,4 +1,4 @@
-//! Unknowns of a fit, and the conversion of their vector to a parameter set.
+//! Unknowns of a fit, and the conversion of a vector of them to a parameter set.
 
 use crate::scale::Scale;
 use dashpot_core::Params;
@@ -8,26 +8,27 @@ use dashpot_core::{list, number};
 /// A named list of unknowns over a base parameter set.
 #[derive(Debug, Clone)]
 pub struct Unknowns {
-    /// Parameters that stay fixed, and the elements that are on.
+    /// Fixed parameters, and enabled elements.
     pub base: Params,
-    /// One entry per component of the vector.
+    /// One entry per element of the vector.
     pub list: Vec<Unknown>,
 }
 
-/// One component of the vector of unknowns.
+/// One element of the vector of unknowns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unknown {
     /// The logarithm of a positive parameter.
     Log(Number),
     /// A parameter itself.
     Linear(Number),
-    /// Distance of a parameter above another, as a fraction of the other: a break-away peak above the Coulomb level.
+    /// Excess of a parameter over another, as a fraction of the other, for example of a break-away peak over the
+    /// Coulomb level.
     Above(Number, Number),
-    /// Rise of a curve from one point to the next, away from its anchor near the origin.
+    /// Rise of a curve from one point to the next. The direction is away from the anchor of the curve near the origin.
     Rise {
-        /// Which curve.
+        /// The curve.
         curve: CurveName,
-        /// The point that this rise leads to, counted in the curve's list.
+        /// Index of the point at the end of this rise, in the list of the curve.
         point: usize,
     },
     /// One entry of a list parameter.
@@ -40,7 +41,7 @@ const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_bre
 
 /// Highest break-away peak of a fit, as a fraction above the Coulomb level.
 ///
-/// Seals show 0.1 to 0.6. An unbounded peak would turn dry friction into part of the FV curve.
+/// Seals show 0.1 to 0.6. Without a bound, the peak would become part of the FV curve.
 const HIGHEST_PEAK: f64 = 1.0;
 
 /// The curves whose points can be fitted.
@@ -70,7 +71,7 @@ impl CurveName {
     }
 }
 
-/// Returns the point of a curve that stays at zero force: the one nearest the origin.
+/// Returns the point of a curve that stays at zero force: the point nearest the origin.
 pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
@@ -115,14 +116,14 @@ impl Unknowns {
             .map(|unknown| match unknown {
                 Unknown::Log(number) => {
                     let (low, high) = scale.reach(*number);
-                    // A Stribeck peak acts at creeping speeds; a wider one would be a second FV curve.
+                    // A Stribeck peak acts at very low speeds. A wider peak would be a second FV curve.
                     let high = if WIDTHS.contains(number) { high.min(STRIBECK_WIDEST) } else { high };
                     (libm::log(low.max(1e-6 * scale.of_number(*number))), libm::log(high))
                 }
                 Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                 Unknown::Linear(number) => scale.reach(*number),
                 Unknown::Entry(list, _) => list.bounds(),
-                // A curve with the largest number of rises stays inside the bounds of its forces.
+                // A curve with the largest number of rises stays within the bounds of its forces.
                 Unknown::Rise { .. } => (0.0, 3e4 * scale.force()),
             })
             .unzip()
@@ -155,7 +156,8 @@ impl Unknowns {
             for point in (0..zero).rev() {
                 f[point] = f[point + 1] - rise(point);
             }
-            // Bounds keep every entry inside the table; a rejected list would leave the base curve unchanged.
+            // With these bounds, every entry is within the range of the table. If the table rejected the list, the base
+            // curve would stay unchanged.
             let _ = params.set_list(curve.forces(), &f);
         }
         for (unknown, t) in self.list.iter().zip(theta) {
@@ -167,7 +169,7 @@ impl Unknowns {
                     values[*i] = *t;
                     let _ = params.set_list(*list, &values);
                 }
-                // Set after the parameter below it, which comes first in every list.
+                // The parameter below is already set, because it comes first in every list.
                 Unknown::Above(number, below) => {
                     let level = params.number(*below);
                     set_inside(&mut params, *number, level * (1.0 + t));

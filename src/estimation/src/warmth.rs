@@ -2,11 +2,12 @@
 
 use dashpot_records::Record;
 
-/// Smallest span, K, for which a temperature channel is used: the gas force then differs by 1 % and damping by less.
+/// Smallest temperature range, K, at which a temperature channel is used. At this range, the gas force differs by 1 %,
+/// and the damping by less.
 const VARIES: f64 = 3.0;
 
-/// Returns the lowest and the highest temperature, °C; `None` if a record lacks the channel, or if the temperature
-/// hardly varies.
+/// Returns the lowest and the highest temperature, °C. Returns `None` if a record has no temperature channel, or if the
+/// temperature hardly varies.
 pub fn temperatures(records: &[&Record]) -> Option<(f64, f64)> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for record in records {

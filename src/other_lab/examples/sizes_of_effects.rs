@@ -1,4 +1,4 @@
-//! Prints the change of force by every law.
+//! Prints the change of force due to every law of every effect.
 //!
 //! The change is the rms over all tests, before any refit, at strengths 0.1 and 1. Its unit is the noise (2 % of each
 //! test's rms plus 0.5 N).

@@ -28,7 +28,7 @@ pub struct Campaign {
 pub struct TestRecord {
     /// Name.
     pub name: String,
-    /// Time on the clock of the campaign, which continues from test to test, s.
+    /// Time on the clock of the campaign, s. The clock continues from test to test.
     pub time_s: Vec<f64>,
     /// Displacement of the moving end, extension positive, m.
     pub displacement_m: Vec<f64>,
@@ -77,7 +77,7 @@ pub struct Accuracy {
 }
 
 impl Default for Accuracy {
-    /// Returns a tolerance with errors well below a tenth of the noise, as a test with half the step size shows.
+    /// Returns a tolerance with errors well below a tenth of the noise. A test with half the step size verifies it.
     fn default() -> Accuracy {
         Accuracy { relative: 4e-4, absolute: 0.4, longest: 1.0 }
     }
@@ -171,7 +171,7 @@ impl Case {
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
                 left_out: test.left_out,
             });
-            // Unrecorded conditioning runs (of sines only) heat the oil; then it cools during a pause.
+            // Unrecorded conditioning runs, only for sines, heat the oil. Then the oil cools during a pause.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);

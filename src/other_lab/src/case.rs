@@ -12,13 +12,13 @@ use serde::Serialize;
 pub struct Case {
     /// Kind of damper.
     pub plant: Kind,
-    /// Names and strengths of the injected effects; `name:law` selects a law, otherwise the seed does.
+    /// Names and strengths of the injected effects. `name:law` selects a law. Without a law, the seed selects it.
     pub effects: Vec<(String, f64)>,
     /// Protocol of the measurement.
     pub protocol: Protocol,
     /// Seed of the damper, of the effects' parameters and of the order of the tests.
     pub seed: u64,
-    /// Seed of the sensors' noise; another seed gives another measurement of the damper.
+    /// Seed of the sensor noise. Another seed gives another measurement of the same damper.
     pub noise_seed: u64,
 }
 
@@ -54,7 +54,7 @@ impl Case {
         self
     }
 
-    /// Returns the reference: the damper without the injected effects, on the same tests in the same order, with other
+    /// Returns the reference: the damper without the injected effects, in the same tests and order, but with different
     /// noise.
     #[must_use]
     pub fn reference(&self) -> Case {

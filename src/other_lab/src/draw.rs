@@ -11,7 +11,7 @@ pub struct Draw(ChaCha8Rng);
 impl Draw {
     /// Makes the stream of a seed for a purpose.
     pub fn new(seed: u64, purpose: &str) -> Draw {
-        // Two FNV-1a hashes with different start values give 128 bits, which reliably distinguish purposes.
+        // Two FNV-1a hashes with different start values give 128 bits, which are sufficient to distinguish purposes.
         let hash = |start: u64| {
             purpose.bytes().fold(start, |h, byte| (h ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
         };

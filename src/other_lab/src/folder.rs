@@ -14,7 +14,7 @@ impl Campaign {
     /// leaves no incomplete folder.
     ///
     /// # Errors
-    /// [`LabError::Folder`] if the folder is not empty; [`LabError::Io`] if it is not writable.
+    /// [`LabError::Folder`] if the folder is not empty, [`LabError::Io`] if it is not writable.
     pub fn write(&self, folder: &Path) -> Result<(), LabError> {
         let io = |path: &Path| {
             let path = path.to_owned();
@@ -43,7 +43,7 @@ impl Campaign {
             fs::rename(&aside, folder).map_err(io(folder))
         })();
         if written.is_err() {
-            // An error of the removal is ignored; the first error is reported.
+            // Ignore an error of the removal, because the first error is reported.
             let _ = fs::remove_dir_all(&aside);
         }
         written

@@ -11,7 +11,7 @@ pub trait Equations {
     fn drive(&self, t: f64) -> Self::Drive;
     /// Computes the rates of the states.
     fn rates(&self, drive: &Self::Drive, y: &[f64], rates: &mut [f64]);
-    /// Returns the longest step from here that resolves the outputs, s.
+    /// Returns the longest step that resolves the outputs at these inputs, s.
     fn longest(&self, _: &Self::Drive) -> f64 {
         f64::INFINITY
     }
@@ -32,19 +32,20 @@ pub struct Steps {
     pub absolute: f64,
 }
 
-/// Shortest step, s. At this length every error is accepted, because no step resolves an exact corner.
+/// Shortest step, s. At this length, every error is accepted, because no step resolves an exact corner.
 const SHORTEST: f64 = 1e-7;
 const DIAGONAL: f64 = 0.5;
 const A: [[f64; 3]; 4] = [[0.0; 3], [0.0; 3], [2.0, 0.0, 0.0], [2.0, 0.0, 1.0]];
 const C: [[f64; 3]; 4] = [[0.0; 3], [4.0, 0.0, 0.0], [1.0, -1.0, 0.0], [1.0, -1.0, -8.0 / 3.0]];
 const M: [f64; 4] = [2.0, 0.0, 1.0, 1.0];
 const GAMMA: [f64; 4] = [0.5, 1.5, 0.0, 0.0];
-/// Fraction of a step for the finite difference with respect to time; its error is this fraction of the step's error.
+/// Fraction of a step for the finite difference with respect to time; the error of the difference is this fraction of
+/// the step's error.
 const AHEAD: f64 = 1e-4;
 /// Increments for the Jacobian: a multiple of the tolerance, plus a fraction of the state's magnitude.
 const NUDGE: (f64, f64) = (1e-1, 1e-7);
 
-/// Integrates states with adaptive steps; the buffers are reused.
+/// Integrator with adaptive steps and reused buffers.
 pub struct Integrator {
     n: usize,
     jacobian: Vec<f64>,
@@ -225,7 +226,8 @@ fn solve(m: &[f64], pivots: &[usize], b: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Prothero and Robinson's problem: y follows cos t at any stiffness. A stiff pair of states rotates and decays.
+    /// Prothero and Robinson's problem: y follows cos t at any stiffness. An additional stiff pair of states rotates
+    /// and decays.
     struct Stiff(Vec<f64>);
 
     impl Equations for Stiff {

@@ -1,6 +1,6 @@
 //! A quantity with its first and second derivative with respect to time.
 //!
-//! A motion is defined once; velocity and acceleration follow exactly by automatic differentiation.
+//! A motion defines only the displacement. Velocity and acceleration follow exactly by automatic differentiation.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -26,7 +26,7 @@ impl Jet {
         Jet { x: t, v: 1.0, a: 0.0 }
     }
 
-    /// Applies a function, from its value and its first and second derivative at this value.
+    /// Applies a function, stated by its value and its first and second derivative at this point.
     pub fn through(self, f: f64, first: f64, second: f64) -> Jet {
         Jet { x: f, v: first * self.v, a: second * self.v * self.v + first * self.a }
     }
@@ -55,7 +55,7 @@ impl Jet {
         Jet { x: self.x * by, v: self.v * by, a: self.a * by }
     }
 
-    /// Computes a step from 0 at 0 to 1 at 1 without a jump in acceleration; constant outside.
+    /// Computes a step from 0 at 0 to 1 at 1 without a jump in acceleration. It is constant outside.
     pub fn smooth_step(self) -> Jet {
         let u = self.x;
         if u <= 0.0 {

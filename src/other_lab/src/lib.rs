@@ -1,7 +1,7 @@
-//! A second laboratory with dampers and rig campaigns by laws of the literature.
+//! A second laboratory: dampers and rig campaigns with laws from the literature.
 //!
 //! It shares no code and no law with the identified model or the first virtual rig. It therefore tests a diagnosis on
-//! dampers for which nobody tuned the diagnosis.
+//! dampers that did not influence the development of the diagnosis.
 //!
 //! Signs and units follow the project: SI, extension and rebound positive, tension positive.
 

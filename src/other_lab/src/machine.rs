@@ -148,7 +148,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Computes the position-dependent force of a gas column, divided by its stiffness, m: softer in extension.
+/// Computes the position-dependent force of a gas column, divided by its stiffness, m. It is softer in extension.
 fn gas(x: f64, length: f64) -> f64 {
     x / (1.0 + x / length).max(0.2)
 }
@@ -164,8 +164,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Limits the step, because friction reverses within about a millimeter per second. If it acts in parallel with the
-    /// mount, no state resolves the reversal.
+    /// Limits the step, because friction reverses within about 1 mm/s. If friction is parallel to the mount, no state
+    /// resolves its reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

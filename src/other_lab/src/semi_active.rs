@@ -1,8 +1,8 @@
 //! A semi-active damper, and its campaign on a rig: a monotube with a solenoid valve in parallel with the shims of the
 //! piston.
 //!
-//! Its equations differ from those of the identified model. There the actuator is a lag with a dead time; here it
-//! consists of a coil, a magnet, a spool and a main stage.
+//! Its equations differ from those of the identified model. In that model, the actuator is a lag with a dead time. In
+//! this damper, it consists of a coil, a magnet, a spool and a main stage.
 
 use crate::LabError;
 use crate::campaign::{Accuracy, TestRecord};
@@ -52,7 +52,7 @@ pub struct SemiActivePlant {
 /// A commanded current over time.
 #[derive(Debug, Clone)]
 pub enum Command {
-    /// Levels with their start times, s and A; the first level applies from the beginning.
+    /// Levels with their start times, s and A. The first level applies from the beginning.
     Levels(Vec<[f64; 2]>),
     /// A mean, A, and superposed waves: amplitude, A, angular frequency and phase.
     Waves(f64, Vec<[f64; 3]>),
@@ -72,7 +72,7 @@ impl Command {
         }
     }
 
-    /// Returns the times of its jumps before `end`.
+    /// Returns the times of the jumps before `end`.
     fn jumps(&self, end: f64) -> Vec<f64> {
         match self {
             Command::Levels(levels) => {
@@ -90,7 +90,7 @@ pub struct SemiActiveTest {
     pub name: String,
     /// Motion of the moving end.
     pub motion: Motion,
-    /// Cycles of a sine or triangle.
+    /// Number of cycles of a sine or triangle.
     pub cycles: f64,
     /// The command.
     pub command: Command,
@@ -120,7 +120,7 @@ impl SemiActivePlant {
         let (piston, rod) = (area(d.between(0.040, 0.046)), area(d.between(0.011, 0.013)));
         let soft = d.between(0.1, 0.18) * rebound;
         let (most, annulus) = (1.6, piston - rod);
-        // At this opening, the soft force drives the whole flow of 0.5 m/s through the valve.
+        // At this opening and the soft force, the flow through the valve is the whole flow at 0.5 m/s.
         let opening = 0.5 * annulus / (0.65 * (2.0 * soft / annulus / 850.0).sqrt());
         let needed = 2.6 * compression / (annulus * BAR);
         SemiActivePlant {
@@ -155,8 +155,8 @@ impl SemiActivePlant {
         y
     }
 
-    /// Computes the position of the main stage, m, over the increasing current, A, for the valve in equilibrium without
-    /// flow.
+    /// Computes the position of the main stage, m, as a function of increasing current, A, for the valve in equilibrium
+    /// without flow.
     pub fn stage_map(&self) -> Vec<[f64; 2]> {
         const CURRENTS: u32 = 64;
         let mut y = vec![0.0; solenoid_valve::STATES];
@@ -213,7 +213,7 @@ impl SemiActivePlant {
         ends.push(end);
         let mut begin = 0.0;
         for end in ends {
-            // A level is constant within each interval, including its end.
+            // In each interval, the level is constant, including the end of the interval.
             let held = match &test.command {
                 Command::Levels(_) => Some(test.command.at(0.5 * (begin + end))),
                 Command::Waves(..) => None,
@@ -403,12 +403,12 @@ pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
 
 /// Makes tests with steps of current up and down at constant speed.
 ///
-/// The time of each step is drawn within the middle of a stroke. Every third stroke has no step, so that both
-/// directions have both steps.
+/// The time of each step is drawn within the middle of a stroke. Every third stroke has no step, so that steps up and
+/// down occur in both directions.
 pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
     let of = |(place, (low, high, speed)): (usize, &(f64, f64, f64))| {
         let mut d = Draw::new(seed, &format!("steps {place}"));
-        // Strokes are counted from half a stroke after the standstill and the fade-in of one cycle.
+        // The first stroke begins half a stroke after the standstill and the fade-in of one cycle.
         let stroke = 2.0 * TRIANGLE / speed;
         let cycles = 9.0;
         let mut levels = vec![[0.0, *low]];
@@ -506,7 +506,7 @@ mod tests {
             let ((up, high), (down, low)) = (answer(0.3, 1.2), answer(1.2, 0.3));
             assert!((2e-3..40e-3).contains(&up) && (2e-3..60e-3).contains(&down), "{seed}: {up} {down}");
             assert!(high > low);
-            // Compare the main stage at a middle current, approached from below and from above.
+            // Compare the main stage at a middle current, reached from lower and from higher currents.
             let mut from_above = plant.valve_at_rest(1.6);
             let alone = Alone { valve: &plant.valve, current: 0.6 };
             let steps = Steps { longest: 2e-4, resolution: 1.0, relative: 1e-4, absolute: 1.0 };

@@ -1,6 +1,6 @@
 //! Interpolation of a quantity with unequal time steps.
 
-/// Interpolates `values` at `time`s to `t` by Hermite's cubic; constant outside.
+/// Interpolates `values` at `time`s to `t` by Hermite's cubic. Outside, the result is constant.
 ///
 /// The slope at each point is that of the parabola through three points.
 pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {

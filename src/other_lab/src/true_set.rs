@@ -3,8 +3,8 @@
 use crate::plant::Part;
 use crate::{Accuracy, Campaign, Case, LabError};
 
-/// Smallest visible change of the force when an effect is removed, relative to the test's root mean square force. It
-/// applies if the noise is lower.
+/// Smallest visible change of the force due to the removal of an effect, relative to the test's rms force. It applies
+/// if the noise is lower.
 const LEAST_PART: f64 = 0.005;
 /// Constant part of the force noise of a protocol, N.
 const NOISE_N: f64 = 0.5;
@@ -13,7 +13,7 @@ impl Case {
     /// Returns the names of all effects whose individual removal visibly changes the force.
     ///
     /// A change is visible if it exceeds the noise and 0.5 % of the root mean square force in at least one test.
-    /// Injected effects come first, then the damper's own.
+    /// Injected effects come first, then the effects of the damper itself.
     ///
     /// The damper is simulated once for each effect.
     ///

@@ -20,14 +20,14 @@ fn laws() -> impl Iterator<Item = (&'static str, String)> {
         .flat_map(|effect| effect.laws.iter().map(|(law, _)| (effect.name, format!("{}:{law}", effect.name))))
 }
 
-/// Computes the root mean square difference over the tests, in units of 2 % noise.
+/// Computes the root mean square difference over the tests, relative to 2 % noise.
 fn change(a: &Campaign, b: &Campaign) -> f64 {
     let of_test = a.tests.iter().zip(&b.tests).map(|(a, b)| {
         assert_eq!((&a.name, a.time_s.len()), (&b.name, b.time_s.len()));
         let count = b.clean_force_n.len() as f64;
         let noise = 0.02 * (b.clean_force_n.iter().map(|f| f * f).sum::<f64>() / count).sqrt() + 0.5;
         let force = a.clean_force_n.iter().zip(&b.clean_force_n).map(|(a, b)| ((a - b) / noise).powi(2)).sum::<f64>();
-        // The unit of a displacement error is 0.1 mm.
+        // Displacement errors are relative to 0.1 mm.
         let place = a.displacement_m.iter().zip(&b.displacement_m).map(|(a, b)| ((a - b) / 1e-4).powi(2)).sum::<f64>();
         (force + place) / count
     });
@@ -47,7 +47,7 @@ fn dampers_take_energy_over_closed_cycles() {
                 let (x, f) = (&test.displacement_m[from..], &test.clean_force_n[from..]);
                 let work: f64 = (1..x.len()).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
                 let swing = x.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-                // A seal friction of 15 N acts over four amplitudes per cycle; require at least half of this work.
+                // A seal friction of 15 N acts over four amplitudes per cycle. Require at least half of this work.
                 assert!(work > 15.0 * 2.0 * swing, "{kind:?} {seed} {}: {work} J", test.name);
             }
         }
@@ -69,7 +69,7 @@ fn peak_forces_are_those_of_car_dampers() {
     }
 }
 
-/// Divisor of the laws that every run tests: one in `ONE_IN`.
+/// Every run tests one law of this number.
 ///
 /// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored` tests all of them in a
 /// minute.
@@ -158,7 +158,7 @@ fn same_seed_gives_the_same_bytes_and_a_reference_differs_in_noise_alone() {
             .collect()
     };
     let first = bytes("first", &case);
-    // Another thread has other work at the same time.
+    // Another thread does other work at the same time.
     let again = std::thread::scope(|s| {
         let other = s.spawn(|| quiet(Kind::Monotube, 9).run().unwrap());
         let again = bytes("again", &case);
@@ -187,7 +187,7 @@ fn delay_and_offsets_are_those_asked_for() {
     let (plain, late) = (case.run().unwrap(), late.run().unwrap());
     let of = |c: &Campaign| c.tests.iter().find(|t| t.name == "sine_25mm_4Hz").unwrap().clone();
     let (plain, late) = (of(&plain), of(&late));
-    // The sample rate is 1 kHz; the delayed force equals that of five samples before.
+    // The sample rate is 1 kHz, so the delayed force equals the force five samples earlier.
     for i in 500..plain.force_n.len() {
         assert!((late.force_n[i] - 25.0 - plain.force_n[i - 5]).abs() < 0.02 * plain.force_n[i - 5].abs() + 8.0, "{i}");
         assert!((late.displacement_m[i] - plain.displacement_m[i] - 0.003).abs() < 1e-9);

@@ -21,19 +21,19 @@ pub fn set_force(force: bool) {
 pub enum Target {
     /// A file, new or old, after all symbolic links. It is replaced as a whole.
     File(PathBuf),
-    /// A device or a pipe. It is written to, and never replaced.
+    /// A device or a pipe. The output goes to it, and it is never replaced.
     Stream(PathBuf),
 }
 
 /// Largest number of symbolic links that are followed, as in Linux.
 const LINKS: usize = 40;
-/// Largest file, bytes, whose content is read to detect its kind. Outputs are smaller.
+/// Largest file that is read to detect its kind, bytes. Outputs are smaller.
 const LOOKED_INTO: u64 = 1 << 28;
 
 /// Follows links and determines the target. `new` is the kind of the output, if known.
 ///
 /// # Errors
-/// A message if something would be lost and `--force` was not given.
+/// A message if the output would destroy an existing file and the user did not give `--force`.
 pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
     target_forced(path, new, FORCE.load(Ordering::Relaxed) || run::is_forced())
 }
@@ -103,7 +103,7 @@ fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     bail!("{} is a symbolic link that leads in a circle", path.display())
 }
 
-// The metadata of Windows distinguish neither pipes nor disks.
+// On Windows, metadata do not distinguish pipes and disks from other files.
 #[cfg_attr(not(unix), allow(dead_code))]
 enum Stream {
     Pipe,

@@ -6,13 +6,13 @@ use std::sync::{PoisonError, RwLock};
 
 static INPUTS: RwLock<Vec<PathBuf>> = RwLock::new(Vec::new());
 
-/// Registers every existing file or folder that a run reads. The user interface registers more while it runs.
+/// Registers every existing file or folder that a run reads. The user interface registers further files while it runs.
 pub fn register(paths: impl IntoIterator<Item = PathBuf>) {
     let mut inputs = INPUTS.write().unwrap_or_else(PoisonError::into_inner);
     inputs.extend(paths.into_iter().filter_map(|p| std::fs::canonicalize(p).ok()));
 }
 
-/// Returns whether this run reads an existing file, by its name or as a record in a named folder.
+/// Returns whether this run reads an existing file, either by name or as a record in a registered folder.
 pub fn reads(path: &Path) -> bool {
     is_among(path, &INPUTS.read().unwrap_or_else(PoisonError::into_inner)) || is_among(path, &run::reads())
 }
@@ -25,7 +25,7 @@ fn is_among(path: &Path, inputs: &[PathBuf]) -> bool {
     })
 }
 
-/// Returns whether two paths are the same file, for example by a hard link.
+/// Returns whether two paths refer to one file, for example through a hard link.
 fn same_file(a: &Path, b: &Path) -> bool {
     #[cfg(unix)]
     {

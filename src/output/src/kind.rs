@@ -10,11 +10,11 @@ pub enum Kind {
     Empty,
     /// A model file of dashpot.
     Model,
-    /// Knowledge about records, in a file next to them.
+    /// A profile with known facts about records, in the folder of the records.
     Profile,
-    /// A model of the literature. It is not a model file and only serves for comparison.
+    /// A model of the literature. It is not a model file and serves only for comparison.
     Comparison,
-    /// Figures of a verb as JSON.
+    /// Results of a verb as JSON.
     Figures,
     /// A report of dashpot.
     Report,
@@ -24,7 +24,7 @@ pub enum Kind {
     Property,
     /// A file with which CarMaker uses an FMU of dashpot as its damper.
     PlugInfo,
-    /// A dataset or commands for Adams that contain dashpot's routines.
+    /// A dataset or commands for Adams with dashpot's routines.
     Adams,
     /// A table with this header line.
     Table(String),
@@ -32,7 +32,7 @@ pub enum Kind {
     Workbook,
     /// An FMU.
     Fmu,
-    /// A program or library; the first four bytes name its format.
+    /// A program or library; the first four bytes indicate its format.
     Program([u8; 4]),
     /// Another text, identified by its first line.
     Text(String),
@@ -40,7 +40,7 @@ pub enum Kind {
     Other(&'static str),
 }
 
-/// Sets of top-level keys in the JSON of the verbs. A foreign JSON file has none of these sets.
+/// Sets of top-level keys in the JSON of the verbs. A JSON file of another program contains none of these sets.
 const OWN_KEYS: [&[&str]; 11] = [
     &["quantities", "contradictions"],
     &["effects", "settings"],
@@ -56,20 +56,22 @@ const OWN_KEYS: [&[&str]; 11] = [
 ];
 /// Key of a model of the literature in its file, and under `numbers` in the JSON of `fit --model`.
 const LITERATURE: &str = "literature_model";
-/// Author in every workbook of dashpot. A program that changes a workbook records its own user, so an edited workbook is not recognized as
-/// ours.
+/// Author in every workbook of dashpot. A program that changes a workbook records its own user, so an edited workbook
+/// does not count as an output of dashpot.
 pub const AUTHOR: &str = "dashpot";
-/// Largest list of properties, bytes, that is read. Ours is less than one kilobyte.
+/// Largest list of properties that is read, bytes. That of dashpot is less than one kilobyte.
 const PROPERTIES: u64 = 1 << 16;
 /// Generator tag in the HTML head of every report of dashpot.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
 
-/// Beginning of the first comment in every property file of dashpot. The vendor's own files begin with the same line of XML.
+/// Beginning of the first comment in every property file of dashpot. The files of the vendor begin with the same XML
+/// line.
 pub const WRITTEN: &str = "Written by dashpot ";
-/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, is the same in most models.
+/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, is equal in most models.
 const ROUTINES: &str = "dashpot_adams::";
 
-/// Extensions that imply a kind. Another kind with this extension would be misread: a model in `out.csv` as a record.
+/// Extensions that imply a kind. Another kind with this extension would be misinterpreted, for example a model in
+/// `out.csv` as a record.
 const PROMISES: [(&str, &[Kind]); 7] = [
     ("toml", &[Kind::Model, Kind::Profile, Kind::Comparison]),
     ("json", &[Kind::Figures]),
@@ -84,7 +86,7 @@ const NAMED: [Kind; 7] =
     [Kind::Model, Kind::Profile, Kind::Comparison, Kind::Figures, Kind::Report, Kind::Workbook, Kind::Fmu];
 
 impl Kind {
-    /// Returns the extension of a path if it implies another kind.
+    /// Returns the extension of a path if the extension implies another kind.
     pub fn contradicting_extension(&self, path: &std::path::Path) -> Option<&'static str> {
         let extension = path.extension()?.to_str()?;
         let (known, promised) = PROMISES.iter().find(|(known, _)| known.eq_ignore_ascii_case(extension))?;
@@ -108,7 +110,7 @@ impl Kind {
             [0x7f, b'E', b'L', b'F', ..] | [b'M', b'Z', ..] | [0xcf, 0xfa, 0xed, 0xfe, ..] => {
                 let mut magic = [0; 4];
                 magic.copy_from_slice(&bytes[..4]);
-                // For Windows programs only `MZ` is significant here.
+                // For Windows programs, only the bytes `MZ` are significant.
                 if magic.starts_with(b"MZ") {
                     magic = *b"MZ  ";
                 }
@@ -135,7 +137,7 @@ impl Kind {
         if text.starts_with(&format!("$ {WRITTEN}")) {
             return Kind::Property;
         }
-        // Every file of CarMaker begins with the same line.
+        // All files of CarMaker begin with the same line.
         if begins("#INFOFILE") {
             return if commented("#") { Kind::PlugInfo } else { Kind::Other("a file of CarMaker") };
         }
@@ -247,7 +249,7 @@ mod tests {
         assert!(matches!(Kind::detect(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::detect(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::detect(b"\x7fELF12"), Kind::detect(b"MZ\x90\x00"));
-        // A newer property file replaces an older one, and never a file of the vendor, whose first line is the same.
+        // A newer property file replaces an older one, but never a file of the vendor, which has the same first line.
         assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
         assert_eq!(
             of("<?xml version=\"1.0\"?>\n<afc>\n  <!-- Written by dashpot 0.1.0 from b.toml -->\n</afc>\n"),

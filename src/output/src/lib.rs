@@ -1,4 +1,5 @@
-//! Output of results, for all verbs: files that are replaced as a whole and only by their own kind, or standard output for `-`.
+//! Output of results, for all verbs: files, which are replaced as a whole and only by their own kind, or standard
+//! output for `-`.
 
 mod format;
 mod guard;
@@ -30,18 +31,19 @@ pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Checks, before long work, that these paths can be written and that nothing else is lost.
+/// Checks, before long work, that these paths can be written without loss of other files.
 ///
 /// # Errors
-/// A path that is a folder, an input, a device or write-protected. Also two equal paths, or a folder that is missing or not writable.
+/// A path is a folder, an input, a device or write-protected, two paths are equal, or a folder is missing or not
+/// writable.
 pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
     check_each(paths.into_iter().map(|path| (path, None)))
 }
 
-/// Checks outputs and their kinds before the work: a file of another kind is rejected.
+/// Checks outputs and their kinds before the work, and rejects a file of another kind.
 ///
 /// # Errors
-/// The errors of [`check`], and an existing file of another kind.
+/// The errors of [`check`], or an existing file of another kind.
 pub fn check_kinds<'a>(outputs: impl IntoIterator<Item = (Option<&'a Path>, Kind)>) -> anyhow::Result<()> {
     check_each(outputs.into_iter().filter_map(|(path, kind)| path.map(|path| (path, Some(kind)))))
 }
@@ -81,7 +83,7 @@ pub fn write(path: &Path, text: impl AsRef<[u8]>) -> anyhow::Result<()> {
 /// Makes a folder for results, if it does not exist.
 ///
 /// # Errors
-/// The error of the system, with the folder.
+/// The system's error, with the folder.
 pub fn make_folder(folder: &Path) -> anyhow::Result<()> {
     std::fs::create_dir_all(folder).with_context(|| format!("making the folder {}", folder.display()))
 }
@@ -93,7 +95,7 @@ pub fn json(path: &Path, value: &impl serde::Serialize) -> anyhow::Result<()> {
     write(path, text)
 }
 
-/// Prints a message on standard output, or on standard error if standard output carries `result`.
+/// Prints a message on standard output, or on standard error if `result` goes to standard output.
 pub fn say(result: Option<&Path>, text: &str) -> anyhow::Result<()> {
     if result.is_some_and(is_stdout) {
         return terminal::warn_or_fail(text);

@@ -1,13 +1,13 @@
-//! Locks: a folder receives the results of one run at a time, and temporary files show whether their run still exists.
+//! Locks: only one run at a time writes results into a folder, and temporary files show whether their run still exists.
 
 use anyhow::{Context as _, bail};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-/// Lock of a folder for this run, until it is dropped.
+/// Lock of a folder for this run. The lock ends when this value is dropped.
 pub struct FolderLock {
     held: Option<File>,
-    /// The folder, if this run made it. It is removed again if it stays empty.
+    /// The folder, if this run made it. The folder is removed again if it stays empty.
     made: Option<PathBuf>,
 }
 
@@ -39,10 +39,10 @@ impl Drop for FolderLock {
     }
 }
 
-/// Error: another run holds the lock.
+/// Error if another run has the lock.
 struct Held;
 
-/// Locks a folder; `None` if the file system has no locks.
+/// Locks a folder. Returns `None` if the file system has no locks.
 #[cfg(unix)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     let Ok(file) = File::open(folder) else { return Ok(None) };
@@ -52,8 +52,8 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// Makes a file that others cannot open and that the system removes at the end of the run. It lies next to the folder, because the content
-/// of the folder is checked.
+/// Makes a file that other runs cannot open and that the system removes at the end of the run. The file is next to the
+/// folder, because the content of the folder is checked.
 #[cfg(windows)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     use std::os::windows::fs::OpenOptionsExt as _;
@@ -75,17 +75,17 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// Marks a temporary file as belonging to an existing run. The mark disappears with the run, however it ends.
+/// Marks a temporary file as belonging to an existing run. The mark disappears at any end of the run.
 pub fn mark_alive(file: &File) {
-    // A file system without locks has no marks, and its temporary files are never removed below.
+    // A file system without locks has no marks, and its temporary files are never removed.
     #[cfg(unix)]
     let _ = rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockShared);
-    // Windows refuses to remove an open file that does not permit deletion, so no mark is needed.
+    // Windows does not remove an open file that prohibits deletion, so a mark is unnecessary.
     #[cfg(not(unix))]
     let _ = file;
 }
 
-/// Returns whether a temporary file belongs to an existing run, or this is unknown.
+/// Returns whether a temporary file belongs to an existing run, or whether this is unknown.
 pub fn is_alive(path: &Path) -> bool {
     #[cfg(unix)]
     {

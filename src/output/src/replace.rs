@@ -1,4 +1,4 @@
-//! Atomic replacement of files: a file is either old or new, never partial.
+//! Atomic replacement of files: a file has either the old or the new content, never a part.
 
 use super::guard::{Target, target};
 use super::kind::Kind;
@@ -10,13 +10,13 @@ use std::path::Path;
 
 /// Prefix of the names of temporary files.
 const TEMPORARY: &str = ".dashpot-";
-/// Number of attempts if another run removes the temporary file as that of a dead run.
+/// Number of attempts. Another run may remove the temporary file by mistake, as a file of a dead run.
 const TRIES: usize = 5;
 
-/// Writes a file, and replaces an older one of the same kind through a temporary file in the same folder.
+/// Writes a file, and replaces an older file of the same kind through a temporary file in the same folder.
 ///
-/// Symbolic links remain and point to the new file, which keeps permissions and owner of the older one. A device or a pipe is written to
-/// directly.
+/// Symbolic links remain and refer to the new file, which has the permissions and the owner of the older file. Output
+/// to a device or a pipe is direct.
 ///
 /// # Errors
 /// An existing file of another kind without `--force`, a missing or full folder, or a file that cannot be replaced. The older file then
@@ -48,7 +48,7 @@ fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
 
 fn replace_once(path: &Path, folder: &Path, contents: &[u8]) -> io::Result<()> {
     let mut builder = tempfile::Builder::new();
-    // Temporary files are private by default, but a report is meant to be shared. The user's umask still applies.
+    // Temporary files are private by default, but users share reports. The user's umask still applies.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.prefix(TEMPORARY).tempfile_in(folder)?;
@@ -67,7 +67,7 @@ fn keep_rights(file: &File, older: &fs::Metadata) -> io::Result<()> {
     use std::os::unix::fs::MetadataExt as _;
     let new = file.metadata()?;
     if (new.uid(), new.gid()) != (older.uid(), older.gid()) {
-        // Only root may change the owner. Otherwise the file belongs to the current user, as when an editor saves it.
+        // Only root may change the owner. Otherwise the file belongs to the current user, as after saving in an editor.
         let _ = std::os::unix::fs::fchown(file, Some(older.uid()), Some(older.gid()));
     }
     file.set_permissions(older.permissions())
@@ -92,7 +92,7 @@ pub fn try_folder(folder: &Path) -> io::Result<()> {
     tempfile::Builder::new().prefix(TEMPORARY).tempfile_in(folder).map(drop)
 }
 
-/// Removes temporary files of killed runs, which hold no lock. Files that cannot be removed stay.
+/// Removes temporary files of killed runs, which have no lock. Ignores files that cannot be removed.
 fn remove_of_dead_runs(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten().filter(|e| e.file_name().to_string_lossy().starts_with(TEMPORARY)) {

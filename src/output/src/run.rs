@@ -1,5 +1,6 @@
-//! Runs: units of work in one process, each with its own inputs and its own permission to replace files.
-//! A command is one run and sets both for the whole process. The Python package makes many runs, also concurrently.
+//! Runs: units of work in one process, each with its own inputs and its own permission to replace files. A command is
+//! one run and sets inputs and permission for the whole process. The Python package makes many runs, some of them
+//! concurrently.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,7 @@ thread_local! {
     static RUN: RefCell<Run> = RefCell::default();
 }
 
-/// Guard that restores the previous run, however the work ends.
+/// Guard that restores the previous run at any end of the work.
 struct Before(Option<Run>);
 
 impl Drop for Before {
@@ -28,7 +29,8 @@ impl Drop for Before {
 
 /// Runs work that writes files in this thread.
 ///
-/// With `force` the files may replace any file. Without it they may not replace a file in `reads`, as if the command line had named it.
+/// With `force`, outputs may replace any file. Without `force`, they must not replace a file in `reads`, just as on the
+/// command line.
 pub fn as_a_run<'a, T>(force: bool, reads: impl IntoIterator<Item = &'a Path>, work: impl FnOnce() -> T) -> T {
     let reads = reads.into_iter().filter_map(|path| std::fs::canonicalize(path).ok()).collect();
     let _before = Before(Some(RUN.replace(Run { force, reads })));
@@ -40,7 +42,7 @@ pub fn is_forced() -> bool {
     RUN.with_borrow(|run| run.force)
 }
 
-/// Returns the inputs of the run of this thread, with links followed.
+/// Returns the inputs of the run of this thread, after resolution of links.
 pub fn reads() -> Vec<PathBuf> {
     RUN.with_borrow(|run| run.reads.clone())
 }

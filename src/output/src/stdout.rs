@@ -12,15 +12,16 @@ mod at_start {
     static CLOSED: AtomicBool = AtomicBool::new(false);
 
     extern "C" fn look() {
-        // SAFETY: the borrowed descriptor is only queried for its flags, which is allowed for a closed one.
+        // SAFETY: the borrowed descriptor is only queried for its flags, which is allowed for a closed descriptor.
         let out = unsafe { rustix::fd::BorrowedFd::borrow_raw(1) };
         CLOSED.store(rustix::io::fcntl_getfd(out).is_err(), Ordering::Relaxed);
     }
 
-    // Before `main` the language runtime opens the null device on closed standard descriptors. A closed output is then indistinguishable
-    // from one that the user redirected there. Functions in this section run earlier.
-    // SAFETY: the section contains pointers to functions without arguments, which the loader calls once. `look` uses nothing that the
-    // runtime initializes later.
+    // Before `main`, the language runtime opens the null device on closed standard descriptors. A closed output is then
+    // indistinguishable from an output that the user redirected to the null device. Functions in this section run
+    // earlier.
+    // SAFETY: the section contains pointers to functions without arguments, which the loader calls once. `look` uses
+    // nothing that the runtime initializes later.
     #[used]
     #[cfg_attr(target_os = "linux", unsafe(link_section = ".init_array"))]
     #[cfg_attr(target_os = "macos", unsafe(link_section = "__DATA,__mod_init_func"))]

@@ -1,6 +1,5 @@
-//! Output of text to the terminal.
-//! Names of files, headings and entries of tables come from unknown sources. So characters that would move the cursor, color or reorder the
-//! text are shown in escaped form.
+//! Output of text to the terminal. Names of files, headings and entries of tables come from unknown sources. Therefore,
+//! characters that would move the cursor, color the text or reorder it are escaped.
 
 use anyhow::Context as _;
 use std::borrow::Cow;
@@ -15,7 +14,7 @@ fn acts(c: char) -> bool {
     (c.is_control() && c != '\n' && c != '\t') || is_mark
 }
 
-/// Escapes every character that affects a terminal, as in `\u{1b}`.
+/// Escapes every character that affects a terminal, in the form `\u{1b}`.
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.chars().any(acts) {
         return text.into();

@@ -1,8 +1,8 @@
 //! Measures how often the intervals of `dashpot explain` contain the truth, on dampers of the second laboratory.
 //!
-//! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With `dimensions` the fit has
-//! the priors of bore, rod, chambers and oil; with `eyes` the drawing states the stiffness of the eyes as well. `split=calibrate` or
-//! `split=check` may replace the first seed.
+//! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With
+//! `dimensions` the fit has priors from bore, rod, chambers and oil. With `eyes`, the drawing also states the stiffness
+//! of the eyes. `split=calibrate` or `split=check` may replace the first seed.
 
 use dashpot_core::list;
 use dashpot_dimensions::{Entry, explain, forward};
@@ -56,7 +56,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let model = model_file::of_text(&model_file::write(&found), Path::new("model.toml"))?;
         let (v, f) = (model.params.list(list!("fv_velocity")), model.params.list(list!("fv_force")));
         let still = v.iter().zip(f).find(|(v, _)| **v == 0.0).map_or(0.0, |(_, f)| *f);
-        // The explained gas pressure does not use the gas pressure of the drawing.
+        // The computation of the gas pressure does not use the gas pressure of the drawing.
         let explanation = explain(&model, &drawing.with(&all));
         contradictions += explanation.contradictions.len();
         for found in &explanation.contradictions {

@@ -1,8 +1,8 @@
 //! Runs the benchmark: `cargo run --release -p dashpot-proving --example prove -- full|medium|short|NAME=SEVERITY [SEED] [OUT.jsonl]`.
 //!
-//! `split=calibrate`, `split=check` or `split=locked="what for"` replaces the seed (see [`dashpot_proving::split`]). `only=BLOCK,...` runs
-//! some blocks, with their seeds of the whole suite. `alone` runs one case after the other, to measure the time that a user would wait.
-//! `whole` starts a named case from a fit with all elements.
+//! `split=calibrate`, `split=check` or `split=locked="what for"` replaces the seed (see [`dashpot_proving::split`]).
+//! `only=BLOCK,...` runs some blocks, with the seeds that they have in the whole suite. `alone` runs one case after the
+//! other, to measure the duration for a user. `whole` starts a named case from a fit with all elements.
 
 use dashpot_core::list;
 use dashpot_proving::suite::{Entry, Size, suite};

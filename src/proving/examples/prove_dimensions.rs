@@ -2,8 +2,9 @@
 //!
 //! `cargo run --release -p dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`.
 //!
-//! Each damper is diagnosed without a drawing (`none`), with a drawing of chambers, oil and gas (`chambers`), and with the eyes as well
-//! (`eyes`). `without` omits one of these ways. `split=calibrate` or `split=check` may replace the first seed.
+//! Each damper is diagnosed without a drawing (`none`) and with a drawing of chambers, oil and gas (`chambers`). In the
+//! third case, the drawing also contains the eyes (`eyes`). `without` omits one of these three cases. `split=calibrate`
+//! or `split=check` may replace the first seed.
 
 use dashpot_diagnosis::Options;
 use dashpot_dimensions::{Entry, forward};
@@ -29,7 +30,8 @@ const CHAMBERS: [Entry; 7] = [
 #[derive(Default)]
 struct Score {
     cases: usize,
-    /// Sum of the probabilities of the injected effect, and of the largest among the other two.
+    /// Sum over all dampers of the probability of the injected effect. `wrong` is the sum of the larger probability of
+    /// the two other effects.
     right: f64,
     wrong: f64,
     named: usize,

@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p dashpot-proving --example prove_semi_active -- COUNT FIRST_SEED [OUT.jsonl]`.
 //!
-//! `split=calibrate`, `split=check` or `split=locked="what for"` may replace the first seed. The locked split opens unused seeds and
-//! retires them.
+//! `split=calibrate`, `split=check` or `split=locked="what for"` may replace the first seed. The locked split issues
+//! unused seeds, which are never issued again.
 
 use dashpot_proving::semi_active::{Lag, SemiActiveOutcome, evaluate};
 use dashpot_proving::split::first_seed;

@@ -1,4 +1,4 @@
-//! Drawing of a damper of the second laboratory, with errors of measurement, and the true values.
+//! Drawing of a damper of the second laboratory, with measurement errors, and the true values.
 
 use dashpot_dimensions::{Dimensions, Entry, orifice, read};
 use dashpot_other_lab::Kind;
@@ -16,13 +16,13 @@ pub struct Drawing {
     errors: Vec<f64>,
 }
 
-/// Bar and GPa in Pa.
+/// Pascals per bar. [`GPA`] is pascals per GPa.
 const BAR: f64 = 1e5;
 const GPA: f64 = 1e9;
 /// Atmospheric pressure in the laboratory, bar.
 const AIR: f64 = 1.0;
 
-/// Entries of a drawing in the order of their errors, with the tolerance of each.
+/// Entries of a drawing with their tolerances, in the order in which errors are drawn.
 const ENTRIES: [(Entry, f64); 9] = [
     (Entry::Bore, 0.005),
     (Entry::Rod, 0.005),
@@ -50,7 +50,7 @@ fn normal(seed: u64, place: u64) -> f64 {
 }
 
 impl Drawing {
-    /// Makes the drawing of a seed's damper; `None` if the damper has no chambers.
+    /// Makes the drawing of a seed's damper. Returns `None` if the damper has no chambers.
     pub fn new(kind: Kind, seed: u64) -> Option<Drawing> {
         let plant = Plant::new(kind, seed);
         let errors = (0..ENTRIES.len() as u64).map(|place| normal(seed, 10 + place)).collect();
@@ -81,7 +81,8 @@ impl Drawing {
         }
     }
 
-    /// Makes the drawing with some of its entries, each with an error within its tolerance. The laboratory's tubes are rigid.
+    /// Makes the drawing with some of its entries, each with an error within its tolerance. The tubes of the laboratory
+    /// are rigid.
     ///
     /// # Panics
     /// If the reader of dimensions rejects the drawing.
@@ -97,7 +98,8 @@ impl Drawing {
         read::parse(&text, Path::new("drawing.toml")).expect("a drawing of the laboratory")
     }
 
-    /// Returns the true value of a quantity of an explanation, in its unit; `force` is the largest force of the FV table on its stroke.
+    /// Returns the true value of a quantity of an explanation, in its unit. `force` is the largest force of the FV
+    /// table on its stroke.
     pub fn truth(&self, quantity: &str, force: f64) -> Option<f64> {
         let built = &self.built;
         let stroke = usize::from(quantity.starts_with("compression"));

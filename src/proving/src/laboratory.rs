@@ -1,5 +1,5 @@
-//! Campaigns of the second laboratory as cases: measured, read back from files, with an identified base model. The strength of an effect is
-//! found from its severity.
+//! Campaigns of the second laboratory as cases, which are measured, read back from files, and have an identified base
+//! model. The severity of an effect determines its strength.
 
 use crate::EvaluationError;
 use crate::outcome::{Outcome, judged};
@@ -14,11 +14,11 @@ use dashpot_severity::case::{Measured, model_of};
 use dashpot_severity::measured::{base_model, write_and_read};
 use std::collections::BTreeMap;
 
-/// Largest logarithmic deviation from the wanted severity.
+/// Largest logarithmic deviation from the requested severity.
 const NEAR: f64 = 0.1;
-/// Largest number of strengths tried.
+/// Largest number of trial strengths.
 const TRIES: usize = 8;
-/// Range of strengths of a case: beyond it an effect is not that of any damper.
+/// Range of strengths of a case. Beyond it, no damper has such an effect.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
@@ -26,13 +26,13 @@ const LEAST_NOISE: f64 = 0.5;
 /// Options of a diagnosis: the diagnosed model and the reference.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
-    /// Whether the damper is compared with itself before an effect was injected.
+    /// Whether the damper is compared with itself without the injected effect.
     pub reference: bool,
-    /// Whether the model is a fit with all elements, as a user has it, instead of [`base_model`].
+    /// Whether the model is a user's fit with all elements instead of [`base_model`].
     pub whole_fit: bool,
 }
 
-/// Measures the campaign of a case as the diagnosis gets it. The numbers of the case are strengths.
+/// Measures the campaign of a case in the form for the diagnosis. The numbers of the case are strengths.
 ///
 /// # Errors
 /// Errors of laboratory, reader or fit.
@@ -70,7 +70,8 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError
     Ok(measured)
 }
 
-/// Effects that a free FV curve, the base's own friction or its springs absorb almost completely: no severity is in reach.
+/// Effects that a free FV curve, the friction of the base or its springs absorb almost completely. No strength of these
+/// effects gives a measurable severity.
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
@@ -79,9 +80,10 @@ const PAIRS: usize = 8;
 
 /// Returns cases of the second laboratory at typical strengths.
 ///
-/// They contain every visible effect, every effect outside the vocabulary, and as many cases without an effect. The latter have white
-/// noise, or colored noise with hum. Pairs of effects follow. Then every visible effect is repeated with the sampling, cycles and channels
-/// of some laboratory. The kinds of dampers alternate. The suite repeats `repetitions` times, with seeds from `first_seed` on.
+/// They contain every visible effect, every effect outside the vocabulary, and an equal number of cases without an
+/// effect. These have white noise, or colored noise with hum. Pairs of effects follow. Then every visible effect is
+/// repeated with a random laboratory protocol. The kinds of dampers alternate. The suite is repeated `repetitions`
+/// times. The first seed is `first_seed`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
     let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
@@ -103,7 +105,7 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
         };
         all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
         all.extend((0..PAIRS).map(|k| {
-            // Strides without a common divisor lead through all effects, and never pair an effect with itself.
+            // With coprime strides, the pairs include all effects, and never pair an effect with itself.
             let a = (5 * (k + PAIRS * round) + 1) % hidden.len();
             let b = (a + 1 + (7 * k + round) % (hidden.len() - 1)) % hidden.len();
             ("pair", next(k).hiding(hidden[a], 1.0).hiding(hidden[b], 1.0))
@@ -129,12 +131,12 @@ pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagn
     judged(block, case.seed, &case.effects, &measured, &options)
 }
 
-/// Replaces each severity of a case by the strength that gives it, each effect alone.
+/// Replaces each severity of a case by the strength that has this severity if the effect acts alone.
 ///
-/// A severity is the root mean square that a refit of the base model cannot absorb, in units of the noise.
+/// A severity is the root mean square that a refit of the base model cannot absorb, relative to the noise.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit; a severity that no strength reaches.
+/// Errors of laboratory, reader or fit, or a severity that no strength reaches.
 pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
     let ground = SeverityContext::new(case, &neutral)?;
@@ -145,7 +147,7 @@ pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     Ok(found)
 }
 
-/// Reads records as a user does: written to files and loaded.
+/// Writes records to files and loads them, like a user.
 ///
 /// # Errors
 /// Errors of laboratory or reader.
@@ -169,7 +171,7 @@ fn base_of(case: &Case, records: &[&Record]) -> Result<Params, EvaluationError> 
 struct SeverityContext {
     base: Params,
     noise: Vec<f64>,
-    /// Residual of the base model for that campaign, in units of the noise.
+    /// Residual of the base model for that campaign, relative to the noise.
     own: Vec<f64>,
 }
 
@@ -197,7 +199,7 @@ impl SeverityContext {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        // The refit may have ended early; a newly identified model may fit better.
+        // The refit may have ended early, and a newly identified model may have a better fit.
         Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
     }
 
@@ -210,7 +212,7 @@ impl SeverityContext {
         Ok((square / left.len().max(1) as f64).sqrt())
     }
 
-    /// Finds the strength of a severity by a bracketed search on a logarithmic scale.
+    /// Finds the strength for a severity by a bracketed search on a logarithmic scale.
     fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, EvaluationError> {
         if wanted <= 0.0 {
             return Ok(0.0);
@@ -229,7 +231,8 @@ impl SeverityContext {
             }
             *(if off < 0.0 { &mut low } else { &mut high }) = Some((libm::log(strength), off));
             let next = match (low, high) {
-                // The logarithm of the severity is nearly linear in that of the strength; the step stays inside the bracket.
+                // The logarithm of the severity is nearly linear in the logarithm of the strength. The step stays
+                // inside the bracket.
                 (Some((a, fa)), Some((b, fb))) => a + (b - a) * (fa / (fa - fb)).clamp(0.15, 0.85),
                 (Some((a, fa)), None) => a - fa.max(-2.0),
                 (None, Some((b, fb))) => b - fb.min(3.0),

@@ -1,4 +1,4 @@
-//! Evaluation of the diagnosis: dampers with effects injected at a stated severity, and the rate of correct names.
+//! Evaluation of the diagnosis: dampers with injected effects of stated severity, and the rate of correct names.
 //!
 //! Only this crate uses both sides: the rig that injects effects, and the diagnosis.
 //!
@@ -9,8 +9,8 @@
 //! | [`semi_active`] | accuracy of the identification of a semi-active damper of the second laboratory |
 //! | [`outcome`] | the result of the diagnosis, compared with the truth |
 //! | [`suite`] | the cases of the benchmark |
-//! | [`split`] | the seeds that a figure may come from, and the ledger of the opened ones |
-//! | [`score`] | the table of figures and the confusion matrix |
+//! | [`split`] | the splits of the seeds, and the ledger of used seeds |
+//! | [`score`] | the table of results and the confusion matrix |
 
 pub mod drawing;
 pub mod laboratory;
@@ -20,7 +20,7 @@ pub mod semi_active;
 pub mod split;
 pub mod suite;
 
-/// Why a case cannot be run.
+/// Reason why a case cannot be run.
 #[derive(Debug, thiserror::Error)]
 pub enum EvaluationError {
     /// The case cannot be made.
@@ -29,10 +29,10 @@ pub enum EvaluationError {
     /// The fit of a family to its records fails.
     #[error("the family of the case's records: {0}")]
     Family(String),
-    /// The second laboratory rejects it.
+    /// The second laboratory rejects the case.
     #[error(transparent)]
     Laboratory(#[from] dashpot_other_lab::LabError),
-    /// The diagnosis rejects it.
+    /// The diagnosis rejects the case.
     #[error(transparent)]
     Diagnosis(#[from] dashpot_diagnosis::DiagnosisError),
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// One scored case.
 #[derive(Debug, Clone, Serialize)]
 pub struct Outcome {
-    /// Block of the suite that it belongs to.
+    /// Block of the suite to which the case belongs.
     pub block: &'static str,
     /// Seed.
     pub seed: u64,
@@ -23,34 +23,35 @@ pub struct Outcome {
     pub verdict: Verdict,
     /// Named effects with their confidences, in order.
     pub named: Vec<(String, f64)>,
-    /// Whether the fit has found all injected effects, in the diagnosed model or in the measurement.
+    /// Whether the fit has found all injected effects, as elements of the model or as measurement errors.
     ///
     /// In that case the diagnosis should name no effect.
     pub in_the_model: bool,
-    /// Injected effects that are among the names, or that the fit has found and the diagnosis has kept.
+    /// Injected effects that the diagnosis names, or that the fit has found and the diagnosis has kept.
     pub found: Vec<String>,
-    /// Effects whose removal from the simulator changes the force visibly, if the laboratory states them.
+    /// Effects with a visible change of force if they are removed from the simulator. `None` if the laboratory does not
+    /// state them.
     pub true_set: Option<Vec<String>>,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
-    /// Suspected effects of a result without a name.
+    /// Suspected effects, if the diagnosis named no effect.
     pub suspects: Vec<String>,
     /// Error of the starting model relative to the noise-free force of the left-out tests, N.
     pub clean_before: f64,
-    /// Error of the improved model relative to that force, N.
+    /// Error of the improved model relative to the noise-free force, N.
     pub clean_after: f64,
-    /// Fraction of the gap that is closed on left-out tests, from the diagnosis.
+    /// Closed fraction of the gap on left-out tests, from the diagnosis.
     pub gap_closed: Option<f64>,
     /// Duration of the diagnosis, s.
     pub seconds: f64,
-    /// Effects tried in every iteration, likeliest first, with the evidence of each, named or not.
+    /// Trial effects of every iteration, most probable first, with the evidence of each.
     pub evidence: Vec<Vec<(String, f64, Evidence)>>,
     /// Effects that these records cannot show, from the diagnosis.
     pub could_not_test: Vec<String>,
-    /// For a result without a name: the effect named first after the proposed test was run as well; empty if there is still none. `None` if
-    /// no test was proposed or if the rig cannot run the test.
+    /// If the diagnosis named no effect: the first name after the proposed test was added. Empty if that diagnosis
+    /// names none either. `None` if there was no proposed test, or if the rig cannot run it.
     pub with_proposed: Option<String>,
-    /// The effect named first after all proposed sines were run.
+    /// The first name after all proposed sines were added.
     pub with_all_proposed: Option<String>,
 }
 
@@ -60,12 +61,12 @@ impl Outcome {
         self.injected.first().map(|(name, _)| plain(name))
     }
 
-    /// Whether an effect is true of the damper: injected or, without a reference, in the true set.
+    /// Returns whether the damper has an effect: injected or, without a reference, in the true set.
     pub fn is_true(&self, name: &str) -> bool {
         self.is_injected(name) || !self.against_reference && self.true_set.iter().flatten().any(|effect| effect == name)
     }
 
-    /// Whether an effect of this name was injected.
+    /// Returns whether an effect with this name was injected.
     pub fn is_injected(&self, name: &str) -> bool {
         self.injected.iter().any(|(hidden, _)| plain(hidden) == name)
     }
@@ -150,7 +151,7 @@ pub fn judged(
 /// Smallest amplitude, m, and largest speed, m/s, of the rig.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// Returns the effects named first after the first proposed sine, and after all proposed sines, were run too.
+/// Returns the first name after the first proposed sine was added, and after all proposed sines were added.
 fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
     let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;
@@ -170,7 +171,8 @@ fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<Stri
     (with_first, with_all)
 }
 
-/// Returns the effect named first after tests beyond the plan were run; empty if none is named, `None` without tests.
+/// Returns the first name after tests beyond the plan were added. Empty if no effect is named, `None` if there are no
+/// such tests.
 fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
     if more.is_empty() {
         return None;
@@ -181,7 +183,8 @@ fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<Str
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))
 }
 
-/// Computes the root mean square error relative to the noise-free force of the left-out tests, before and after.
+/// Computes the root mean square error relative to the noise-free force of the left-out tests, before and after the
+/// diagnosis.
 fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let records: Vec<&Record> = measured.clean.iter().collect();
     let clean = dashpot_diagnosis::mean_cycles(&records);

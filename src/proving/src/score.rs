@@ -1,4 +1,4 @@
-//! Table of the benchmark's figures.
+//! Table of the benchmark's results.
 
 use crate::outcome::{Outcome, plain};
 use dashpot_diagnosis::Verdict;
@@ -30,7 +30,7 @@ fn closed(o: &Outcome) -> f64 {
     1.0 - o.clean_after / o.clean_before.max(1e-9)
 }
 
-/// Formats the figures as lines.
+/// Formats the results as lines.
 pub fn table(all: &[Outcome]) -> String {
     let mut out = String::new();
     let of = |block: &str| all.iter().filter(|o| o.block == block).collect::<Vec<_>>();
@@ -172,7 +172,7 @@ fn calibration(all: &[Outcome]) -> String {
     )
 }
 
-/// Formats the confusion matrix: injected effects by the effect named first, nonzero entries only.
+/// Formats the confusion matrix: injected effects by first name, nonzero entries only.
 pub fn confusion(all: &[Outcome]) -> String {
     let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for o in all.iter().filter(|o| o.block == "single" || o.block == "unknown" || o.block.starts_with("null")) {

@@ -1,4 +1,5 @@
-//! A semi-active damper of the second laboratory, identified over its current: accuracy of the family's predictions for excluded data.
+//! A semi-active damper of the second laboratory, identified over its current. Evaluates the family's predictions for
+//! excluded data.
 
 use crate::EvaluationError;
 use dashpot_core::Input;
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
 
-/// Samples per second of the compared responses.
+/// Sampling rate of the compared responses, 1/s.
 const RATE: f64 = 10_000.0;
 /// Grid of a response: start and end, s, and number of intervals.
 const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
@@ -30,7 +31,7 @@ const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 /// Time to 63 % of a step, s, of the plant and of the identified model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Lag {
-    /// Current before and after the step, A.
+    /// Currents before and after the step, A.
     pub step_a: [f64; 2],
     /// Time of the plant, s.
     pub plant_s: f64,
@@ -50,19 +51,20 @@ impl Lag {
 pub struct SemiActiveOutcome {
     /// Seed of the damper, its steps and its noise.
     pub seed: u64,
-    /// Ratio of the error of the family fitted without a current to the error of a fit of that current alone, at the worst current.
+    /// Error ratio at the worst current: the family fitted without that current, relative to a fit of that current
+    /// alone.
     pub worst_ratio: f64,
-    /// That ratio at each current inside the grid.
+    /// Error ratio at each current inside the grid.
     pub ratios: Vec<f64>,
     /// Largest error of the family fitted without a current, in percent of the largest force of each test.
     pub left_out_percent: f64,
     /// Mean error over the left-out test with random current, as a fraction of the largest force.
     pub random_error: f64,
-    /// Lags of the valve's position, expressed as its steady-state current.
+    /// Lags of the valve position, expressed as the steady-state current.
     pub valve: Vec<Lag>,
     /// Lags of the force at constant speed.
     pub force: Vec<Lag>,
-    /// Parts of the actuator that were found, and its parameters with their intervals.
+    /// Parts of the identified actuator, and its parameters with their intervals.
     pub actuator: String,
     /// Duration of the fit, s.
     pub seconds: f64,
@@ -107,7 +109,7 @@ pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
     evaluate_tests(&plant, &tests, seed)
 }
 
-/// Measures, fits and evaluates a damper with some tests.
+/// Measures, fits and evaluates a damper with the given tests.
 ///
 /// # Errors
 /// Errors of laboratory, reader or fit.
@@ -157,13 +159,13 @@ fn constant(test: &SemiActiveTest, level: f64) -> SemiActiveTest {
     SemiActiveTest { command: Command::Levels(vec![[0.0, level]]), ..test.clone() }
 }
 
-/// Computes the times to 63 % of the steps of valve position and force, without noise, of the plant and of the model.
+/// Computes the times to 63 % of the steps of valve position and force, for plant and model without noise.
 fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<Lag>, Vec<Lag>), EvaluationError> {
     let clean = Protocol { noise_percent: 0.0, sample_rate_hz: RATE, ..Protocol::default() };
     let grid: Vec<f64> = (0..=GRID.2).map(|k| GRID.0 + (GRID.1 - GRID.0) * k as f64 / GRID.2 as f64).collect();
     let map = plant.stage_map();
     let family = prepared_family(damper).map_err(|error| EvaluationError::Family(error.to_string()))?;
-    // The three pairs of levels at their common speed.
+    // Use the three pairs of levels with a common speed.
     let tests: Vec<SemiActiveTest> = steps(seed).into_iter().filter(|test| test.name.ends_with("_300mm_s")).collect();
     let (mut valves, mut forces) = (Vec::new(), Vec::new());
     for test in &tests {

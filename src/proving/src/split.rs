@@ -1,7 +1,7 @@
 //! Splits of the seeds: one for calibration, one for development, one locked for published figures.
 //!
-//! Figures on seeds that were used in development are biased. The ledger issues the seeds of the locked split and records the opened ones;
-//! it never issues a seed twice.
+//! Results on seeds that were used in development are biased. The ledger issues seeds of the locked split and records
+//! them, so that no seed is issued twice.
 
 use std::path::{Path, PathBuf};
 
@@ -12,19 +12,19 @@ pub enum Split {
     Calibrate,
     /// Seeds for development.
     Check,
-    /// Seeds that are opened once for a published figure.
+    /// Seeds that are issued once for a published result.
     Locked,
 }
 
 /// Number of seeds of a split.
 const SIZE: u64 = 1_000_000;
-/// Number of seeds of one opening of the locked split: larger than any suite.
+/// Number of seeds in one issue of the locked split. It is larger than any suite.
 const OPENING: u64 = 10_000;
-/// First seed of the splits: smaller seeds were used before the splits existed.
+/// First seed of the splits. Smaller seeds were used before the splits existed.
 const OLD: u64 = SIZE;
 
 impl Split {
-    /// Returns the split of a name.
+    /// Returns the split with a name.
     pub fn named(name: &str) -> Option<Split> {
         match name {
             "calibrate" => Some(Split::Calibrate),
@@ -34,7 +34,7 @@ impl Split {
         }
     }
 
-    /// Returns its first seed.
+    /// Returns the first seed of the split.
     pub fn first_seed(self) -> u64 {
         match self {
             Split::Calibrate => OLD,
@@ -44,7 +44,7 @@ impl Split {
     }
 }
 
-/// Record of the opened seeds of the locked split, in a file that is part of the project.
+/// Record of the issued seeds of the locked split, in a file of the project.
 #[derive(Debug)]
 pub struct Ledger {
     path: PathBuf,
@@ -52,11 +52,11 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Reads the project's own ledger. Its folder is determined at run time: a compiled-in path would reveal the build folder in every
-    /// package.
+    /// Reads the ledger of the project. Its folder is determined at run time, because a compiled-in path would reveal
+    /// the build folder in every package.
     ///
     /// # Errors
-    /// If cargo did not start this program, or if the file cannot be read.
+    /// Cargo did not start this program, or the file cannot be read.
     pub fn of_the_project() -> std::io::Result<Ledger> {
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or_else(|| {
             std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is")
@@ -67,21 +67,21 @@ impl Ledger {
     /// Reads a ledger.
     ///
     /// # Errors
-    /// If the file cannot be read.
+    /// The file cannot be read.
     pub fn read(path: &Path) -> std::io::Result<Ledger> {
         Ok(Ledger { path: path.to_owned(), text: std::fs::read_to_string(path)? })
     }
 
-    /// Returns the first seeds of all openings.
+    /// Returns the first seeds of all issues.
     pub fn opened(&self) -> Vec<u64> {
         let first = |line: &str| line.strip_prefix("first_seed = ").and_then(|v| v.trim().parse().ok());
         self.text.lines().filter_map(first).collect()
     }
 
-    /// Opens unused seeds and retires them: the entry is written before the first case runs. Returns the first seed.
+    /// Issues unused seeds and returns the first one. The entry is written before the first case runs.
     ///
     /// # Errors
-    /// If the file cannot be replaced.
+    /// The file cannot be replaced.
     pub fn open(&mut self, for_what: &str) -> std::io::Result<u64> {
         let first = self.opened().into_iter().map(|s| s + OPENING).fold(Split::Locked.first_seed(), u64::max);
         let what = for_what.replace(['"', '\\'], " ");
@@ -94,11 +94,11 @@ impl Ledger {
     }
 }
 
-/// Returns the first seed that the arguments of an example request by `split=NAME`; `None` without such an argument. A request for the
-/// locked split opens seeds.
+/// Returns the first seed that the arguments of an example request by `split=NAME`, or `None` without such an argument.
+/// A request for the locked split issues unused seeds and records them in the ledger.
 ///
 /// # Errors
-/// An unknown split, the locked split without a purpose, a ledger that cannot be written.
+/// An unknown split, a request for the locked split without a purpose, or a ledger that cannot be written.
 pub fn first_seed(args: &[String]) -> Result<Option<u64>, String> {
     let Some(asked) = args.iter().find_map(|a| a.strip_prefix("split=")) else { return Ok(None) };
     let (name, purpose) = asked.split_once('=').unwrap_or((asked, ""));

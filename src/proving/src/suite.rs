@@ -16,7 +16,7 @@ pub struct Entry {
 pub const BLOCKS: [&str; 9] =
     ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor", "whole_fit", "null_whole_fit"];
 
-/// Effects that a fit with all elements contains already.
+/// Effects that a fit with all elements already contains.
 const FITTED: [&str; 2] = ["stribeck_friction", "side_force_friction"];
 
 /// Numbers of cases of each kind.
@@ -34,7 +34,8 @@ pub struct Size {
     pub pairs: u64,
     /// Number of cases with sparse plans.
     pub poor: u64,
-    /// Severities of single effects for a fit with all elements, one seed each, with as many cases without effects.
+    /// Severities of single effects for a fit with all elements, one seed each. The number of cases without effects is
+    /// equal.
     pub whole_fit: &'static [f64],
 }
 
@@ -49,7 +50,7 @@ impl Size {
         poor: 40,
         whole_fit: &[1.0, 2.0, 4.0],
     };
-    /// Suite of some ten minutes, for the figures in the README.
+    /// Suite of some ten minutes, for the results in the README.
     pub const MEDIUM: Size = Size {
         seeds: 1,
         severities: &[0.5, 1.0, 2.0, 4.0],
@@ -64,7 +65,7 @@ impl Size {
         Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4, whole_fit: &[] };
 }
 
-/// Returns all cases of a size, from a first seed on. Each case has its own seed.
+/// Returns all cases of a size, beginning with a first seed. Each case has a separate seed.
 pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
     let mut seed = first_seed;
     let mut next = || {

@@ -1,13 +1,13 @@
 //! Comparison of the second laboratory's laws with the model's.
 //!
-//! A law that enters the kernel can no longer prove a diagnosis, so the laboratory must drop it.
+//! If a law becomes part of the kernel, it is no longer independent evidence, so the laboratory must drop it.
 
 use dashpot_core::parameter::GROUPS;
 use dashpot_other_lab::effects::KNOWN;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Every element of the kernel: its number of parameters, and its laws by their names in the second laboratory. A new parameter may be a
-/// new form, so the test compares the numbers too.
+/// Every element of the kernel: its number of parameters, and its laws by their names in the second laboratory. A new
+/// parameter may mean a new form, so the test also compares the numbers.
 const KERNEL: &[(&str, usize, &[&str])] = &[
     ("fv_curve", 12, &["table", "piecewise_linear"]),
     ("integration", 2, &[]),

@@ -1,4 +1,4 @@
-//! Errors of reading a record or a campaign. Each message names the place and the remedy.
+//! Errors of reading a record or a campaign. Each message states the location and the remedy.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use dashpot_messages::{Sentence, Template};
 
-/// Lists the file extensions that can be read, for messages.
+/// Lists the supported file extensions, for messages.
 fn kinds() -> Sentence {
     let all = crate::file_extensions::EXTENSIONS.map(|ending| format!(".{ending}"));
     let (last, others) = (&all[all.len() - 1], &all[..all.len() - 1]);
@@ -30,7 +30,7 @@ fn size(bytes: u64) -> String {
 pub struct Place {
     /// The file.
     pub file: PathBuf,
-    /// Sheet or test within the file, if the file holds several.
+    /// Sheet or test within the file, if the file contains several.
     pub part: Option<String>,
 }
 
@@ -60,24 +60,25 @@ pub struct FilesUnit {
     pub others: Vec<String>,
     /// Number of all tests.
     pub all: usize,
-    /// Name of the test whose figures the message states.
+    /// Name of the test with the values that the message states.
     pub shown: String,
-    /// A velocity of the test `shown`, m/s, and its force against the motion there, N.
+    /// A velocity of the test `shown`, m/s, and the damping force of the test at this velocity, N.
     pub at: (f64, f64),
-    /// The closest velocity of the other tests, m/s, and their force there, N.
+    /// The closest velocity of the other tests, m/s, and their damping force at that velocity, N.
     pub expected: (f64, f64),
     /// The channel.
     pub channel: Channel,
     /// The unit in which the channel was read.
     pub written: Unit,
-    /// The likely units. There are several if they are nearly equal.
+    /// The likely units. The list contains several units if their ratios are nearly equal.
     pub likely: Vec<Unit>,
 }
 
 impl FilesUnit {
     fn sentence(&self) -> Sentence {
         let several = |tests: &[String]| {
-            /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
+            /// Largest number of tests that the message names. The message states only the number of the other tests,
+            /// to stay readable.
             const NAMED: usize = 12;
             let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
             match tests.len().saturating_sub(NAMED) {
@@ -85,7 +86,7 @@ impl FilesUnit {
                 more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
             }
         };
-        // If the other tests are not clearly in the majority, theirs may be the wrong unit.
+        // If the other tests are not clearly in the majority, the wrong unit may be that of the other tests.
         let either = (2 * self.others.len() < 3 * self.tests.len())
             .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", several(&self.others)));
         let figure = |value: f64| match value {
@@ -111,9 +112,9 @@ impl FilesUnit {
     }
 }
 
-/// Reason for which a campaign is rejected. Every message names the file, the line if there is one, and the remedy.
+/// Reason for which a campaign is rejected. Every message states the file, the line if known, and the remedy.
 ///
-/// Lines count from 1, as in an editor. They are the rows of a sheet and the elements of a MAT file.
+/// Lines count from 1, as in an editor. For a sheet, they are rows. For a MAT file, they are elements.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 #[allow(missing_docs)] // the messages are the meaning of variants and fields
@@ -236,7 +237,7 @@ pub enum RecordError {
         cause: String,
     },
 
-    /// The file holds a table of peaks instead of a record.
+    /// The file contains a table of peaks instead of a record.
     IsPeakTable {
         file: PathBuf,
     },
@@ -639,7 +640,8 @@ impl RecordError {
         }
     }
 
-    /// Returns the sentence for a file or test that the campaign leaves out. It asks nothing of the user.
+    /// Returns the sentence for a file or test that the campaign leaves out. The sentence requires no action of the
+    /// user.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

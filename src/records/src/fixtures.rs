@@ -107,7 +107,7 @@ impl Default for SineTest {
     }
 }
 
-/// Damping 1500 N s/m in rebound, 800 in compression, friction 40 N, gas spring 200 N/m.
+/// Damper force. Damping 1500 N s/m in rebound and 800 N s/m in compression, friction 40 N, gas spring 200 N/m.
 pub(crate) fn damper_force(x: f64, v: f64) -> f64 {
     let damping = if v > 0.0 { 1500.0 } else { 800.0 };
     damping * v + 40.0 * libm::tanh(v / 0.002) + 200.0 * x
@@ -131,7 +131,7 @@ impl SineTest {
         let (mut time, mut x, mut v, mut force) = (vec![], vec![], vec![], vec![]);
         let mut noise = random.normal();
         for i in 0..n {
-            // Shift the phase by a fraction of a sample, so that no sample lies on a turning point.
+            // Shift the phase by a fraction of a sample, so that every sample is off a turning point.
             let phase = (i as f64 + 0.37) / self.per_cycle as f64 - self.rest;
             let envelope = phase.min(self.cycles as f64 + 2.0 - phase).clamp(0.0, 1.0);
             let slope = if envelope > 0.0 && envelope < 1.0 {

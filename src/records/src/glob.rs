@@ -1,8 +1,8 @@
-//! Patterns for names of files and tests: `*` stands for anything, `?` for one character.
+//! Patterns for names of files and tests: `*` matches any text, `?` matches one character.
 
 use wildmatch::WildMatch;
 
-/// Returns whether a name matches a pattern. The time is proportional to both lengths for every pattern.
+/// Returns whether a name matches a pattern. For every pattern, the computing time is proportional to both lengths.
 pub fn matches(pattern: &str, name: &str) -> bool {
     WildMatch::new(pattern).matches(name)
 }

@@ -1,9 +1,10 @@
 //! Rig records: reads files of all common formats, cleans them and reports each change.
 //!
-//! [`load`] is the entry point. All data after it are in SI units, with rebound (extension) and tension positive.
+//! [`load`] is the entry point. Its results are in SI units, with rebound (extension) and tension positive.
 //!
-//! The folders follow in order of dependency. Each uses only the folders before it and the files of this folder:
-//! `messages`, `quantities`, `dates`, `data`, `columns`, `formats`, `signal`, `cleaning`, `checks`, `settings`, `peaks`, `campaign`.
+//! The list gives the folders in order of dependency. Each folder uses only the folders before it and the files of this
+//! folder: `messages`, `quantities`, `dates`, `data`, `columns`, `formats`, `signal`, `cleaning`, `checks`, `settings`,
+//! `peaks`, `campaign`.
 
 mod campaign;
 mod checks;

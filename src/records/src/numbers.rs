@@ -1,14 +1,14 @@
 //! Statistics of lists of numbers.
 
-/// Limits a value to an interval whose computed limits may be in the wrong order. The upper limit then takes
-/// precedence. `clamp` panics in that case and would end the program.
+/// Limits a value to an interval. If the limits are in the wrong order, the upper limit has precedence, whereas `clamp`
+/// would panic.
 pub fn restrict<T: PartialOrd>(value: T, low: T, high: T) -> T {
     let raised = if value < low { low } else { value };
     if raised > high { high } else { raised }
 }
 
-/// Splits a text such as `500mA` into the number at its start and the unit after it. Returns `None` without a finite
-/// number.
+/// Splits a text such as `500mA` into the number at its start and the unit after it. Returns `None` if the text does
+/// not begin with a finite number.
 pub fn split_unit(text: &str) -> Option<(f64, &str)> {
     let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
     // Use the longest prefix that is a number, so that the e of 1e-3s belongs to the number.
@@ -16,12 +16,12 @@ pub fn split_unit(text: &str) -> Option<(f64, &str)> {
     longest.filter(|(value, _)| value.is_finite())
 }
 
-/// Returns the median, 0 for an empty list. Reorders its argument.
+/// Returns the median, or 0 for an empty list. Reorders its argument.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     quantile(values, 0.5)
 }
 
-/// Returns the value below which the fraction `q` of the values lies (nearest rank), 0 for an empty list. Reorders its
+/// Returns the quantile of the values at the fraction `q` (nearest rank), or 0 for an empty list. Reorders its
 /// argument.
 pub(crate) fn quantile(values: &mut [f64], q: f64) -> f64 {
     if values.is_empty() {
@@ -31,7 +31,7 @@ pub(crate) fn quantile(values: &mut [f64], q: f64) -> f64 {
     *values.select_nth_unstable_by(rank, f64::total_cmp).1
 }
 
-/// Returns the difference of the largest and the smallest value, 0 for an empty list.
+/// Returns the difference between the largest and the smallest value, or 0 for an empty list.
 pub(crate) fn range(values: &[f64]) -> f64 {
     let (low, high) =
         values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
@@ -48,12 +48,12 @@ pub(crate) fn quantum(values: &[f64]) -> f64 {
     if smallest.is_finite() { smallest } else { 0.0 }
 }
 
-/// Estimates the standard deviation of white noise from differences of neighboring samples. The median makes steps
-/// harmless.
+/// Estimates the standard deviation of white noise from differences of neighboring samples. The median suppresses the
+/// effect of steps.
 pub(crate) fn white_noise(values: &[f64]) -> f64 {
     let mut differences: Vec<f64> =
         values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|difference| difference.is_finite()).collect();
-    // The difference has the gain √2. The median of |normal| is 0.6745.
+    // Differences increase the noise by √2. The median of |normal| is 0.6745.
     if differences.is_empty() { 0.0 } else { median(&mut differences) / (0.6745 * std::f64::consts::SQRT_2) }
 }
 

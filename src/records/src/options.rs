@@ -15,9 +15,9 @@ use crate::tuning::options::{GAINS, LARGEST_FORCE_ZERO, LARGEST_MASS, LARGEST_PO
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Positive {
-    /// Extension and tension positive, the internal convention.
+    /// Extension and tension are positive. This is the internal convention.
     Rebound,
-    /// Compression positive.
+    /// Compression is positive.
     Compression,
 }
 
@@ -59,19 +59,20 @@ pub struct Options {
     pub units: BTreeMap<Channel, Unit>,
     /// Column headings given by the user (`--column force="Load Cell 1"`), or numbers of columns from 1.
     pub columns: BTreeMap<Channel, String>,
-    /// Channels not to be read even if there is a column for them (`--ignore velocity`).
+    /// Channels that are not read, even if the file has a column for them (`--ignore velocity`).
     pub ignore: BTreeSet<Channel>,
-    /// Positive direction of the files after the flips below (`--positive`). Estimated from the data if not given.
+    /// Positive direction of the files after the sign reversals below (`--positive`). If `None`, it is estimated from
+    /// the data.
     pub positive: Option<Positive>,
     /// Reverse the sign of the force (`--flip force`).
     pub flip_force: bool,
     /// Reverse the sign of displacement and velocity (`--flip motion`).
     pub flip_motion: bool,
-    /// Samples per second of files that have no column of time, 1/s (`--sample-rate`).
+    /// Sampling rate of files without a time column, 1/s (`--sample-rate`).
     pub sample_rate_hz: Option<f64>,
-    /// Order of day and month in dates such as 3/11/2026 (`--dates`). Determined from the files if not given.
+    /// Order of day and month in dates such as 3/11/2026 (`--dates`). If `None`, it is determined from the files.
     pub dates: Option<DateOrder>,
-    /// Displacement at the first sample, m, in the file's direction. Used if only a velocity was recorded.
+    /// Displacement at the first sample, m, in the direction of the file. Used if only a velocity was recorded.
     pub initial_position: f64,
     /// Lag of the recorded force behind the motion, s (`--delay`).
     pub delay_s: f64,
@@ -81,8 +82,8 @@ pub struct Options {
     pub displacement_zero_m: f64,
     /// Factor on the force, applied after the zero is subtracted (`--gain`).
     pub gain: f64,
-    /// Factors on channels other than the force (`--gain displacement=1.02` for a displacement sensor that reads too
-    /// low).
+    /// Factors on channels other than the force (`--gain displacement=1.02` for a displacement sensor with readings
+    /// that are too low).
     pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
@@ -93,7 +94,7 @@ pub struct Options {
     pub exclude: Vec<String>,
     /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
     pub subfolders: bool,
-    /// Reject files that are no records and faulty tests instead of leaving them out (`--strict`).
+    /// Reject faulty tests and files that are not records, instead of leaving them out (`--strict`).
     pub strict: bool,
 }
 
@@ -173,7 +174,7 @@ impl Options {
         }
     }
 
-    /// Merges these options with those of a profile. These options take precedence.
+    /// Merges these options with the options of a profile. Entries of `self` have precedence.
     pub fn over(&self, profile: &Options) -> Options {
         let number = |own: f64, other: f64, nothing: f64| if own == nothing { other } else { own };
         let mut all = self.clone();

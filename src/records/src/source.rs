@@ -1,7 +1,7 @@
 //! The bytes of a record file, and the budget of work and memory for reading them.
 //!
-//! Every reader gets its bytes here. A file that states a size, refers twice to one block or repeats a text is charged
-//! for each use. The size of the file thus limits the cost of reading.
+//! Every reader obtains its bytes from this module. Stated sizes, blocks with several references and repeated texts are
+//! charged to the budget for each use. Thus, the size of the file limits the cost of reading.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -13,12 +13,12 @@ use crate::error::{Place, RecordError};
 
 /// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;
-/// Memory for the data that a reader makes of a file, bytes: a constant for any file, plus a multiple of the file's
-/// size. 16-bit numbers become numbers of eight bytes; compressed ones pack three to one. Cleaning then needs up to
-/// three times as much. A file of 10 MiB stays within 1 GiB.
+/// Memory for the data that a reader makes of a file, bytes. It is a constant for any file, plus a multiple of the file
+/// size. Numbers of 16 bits become eight bytes long, and compression reduces numbers to a third. Cleaning then uses up
+/// to three times the memory. A file of 10 MiB stays within 1 GiB.
 const MEMORY: (u64, u64) = (192 << 20, 10);
-/// Work for a file, in steps of about a nanosecond: a constant for any file, plus a number per byte. A text costs 30
-/// per byte.
+/// Work for a file, in steps of about a nanosecond: a constant for any file, plus a number per byte. A text requires 30
+/// steps per byte.
 const WORK: (u64, u64) = (2_000_000_000, 200);
 
 /// A record file in memory.
@@ -41,7 +41,7 @@ impl Source {
         Ok(Source { file: file.into(), budget: Budget::new(bytes.len() as u64), bytes })
     }
 
-    /// Returns the file as the location of a message.
+    /// Returns the location of the file, for messages.
     pub fn place(&self) -> Place {
         Place::file(&self.file)
     }
@@ -106,7 +106,7 @@ pub fn read_small_text(file: &Path) -> std::io::Result<String> {
         .map_err(|_| std::io::Error::new(std::io::ErrorKind::InvalidData, "it is no text in UTF-8"))
 }
 
-/// The remaining work and memory for reading one file. Clones share the remainder.
+/// The remaining work and memory for reading one file. Clones share one remainder.
 #[derive(Debug, Clone)]
 pub(crate) struct Budget(Arc<Left>);
 
@@ -116,12 +116,12 @@ struct Left {
     memory: AtomicU64,
 }
 
-/// The error of a budget that is used up.
+/// Error for an exhausted budget.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Exhausted;
 
 impl Budget {
-    /// Makes the budget of a file with the given number of bytes.
+    /// Makes the budget of a file from its number of bytes.
     pub fn new(bytes: u64) -> Budget {
         let of = |(any, per_byte): (u64, u64)| AtomicU64::new(any + per_byte * bytes);
         Budget(Arc::new(Left { work: of(WORK), memory: of(MEMORY) }))
@@ -155,17 +155,17 @@ impl Budget {
 }
 
 fn charge(left: &AtomicU64, amount: u64) -> Result<(), Exhausted> {
-    // One thread reads a file. The atomic only lets parts of a reader share the budget.
+    // One thread reads a file. The counter is atomic only so that parts of a reader can share the budget.
     let rest = left.load(Relaxed).checked_sub(amount);
     left.store(rest.unwrap_or(0), Relaxed);
     rest.map(|_| ()).ok_or(Exhausted)
 }
 
 impl Exhausted {
-    /// The cause in the messages of readers.
+    /// Description of this error in the messages of readers.
     pub const CAUSE: &'static str = "it unpacks to more than a file of its size may, or uses its parts too often";
 
-    /// Converts to the error of a location.
+    /// Converts this error to the record error at a location.
     pub fn into_error(self, at: &Place) -> RecordError {
         RecordError::TooCostly { at: at.clone() }
     }
@@ -203,7 +203,7 @@ mod tests {
         std::fs::write(&file, "12345678901").unwrap();
         assert_eq!(bytes(&file, 11).unwrap().len(), 11);
         assert!(message(bytes(&file, 10).unwrap_err()).contains("a.csv: has 11 bytes"));
-        // A sparse file uses no space on the disk.
+        // The file is sparse and uses no space on the disk.
         std::fs::File::create(&file).unwrap().set_len(2 << 30).unwrap();
         assert!(message(Source::read(&file).err().unwrap()).contains("2048 MiB"));
     }

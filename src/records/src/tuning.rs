@@ -1,20 +1,22 @@
-//! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses some has a module.
+//! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses such constants has
+//! a module here.
 //!
 //! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled or halved,
-//! or changed by a factor of five if a smaller change has no effect. `tests/tests/tuning.rs` checks the form. Budgets
-//! of readers, names and physical constants stand in the files that use them.
+//! or changed by a factor of five if doubling and halving have no effect. `tests/tests/tuning.rs` checks the form.
+//! Budgets of readers, names and physical constants are in the files that use them.
 
 /// Constants of `campaign/date_agreement.rs`.
 pub(crate) mod date_agreement {
-    /// Ratio of the time spans of a campaign in the two orders of day and month above which the shorter span decides.
+    /// Smallest ratio of a campaign's time spans in the two orders of day and month at which the order with the shorter
+    /// span is used.
     ///
-    /// A campaign takes days, and a month read as a day scatters it over the year.
+    /// A campaign takes days. With day and month exchanged, its tests are scattered over the year.
     ///
     /// Test: `dates_decide_only_where_one_reading_lies_much_closer_together`.
     pub(crate) const CLOSER: f64 = 5.0;
 
-    /// Smallest time span of a campaign, s, in the wrong order of day and month. A month read as a day scatters a
-    /// campaign over the year.
+    /// Smallest time span of a campaign, s, in the wrong order of day and month. With day and month exchanged, the
+    /// tests of a campaign are scattered over the year.
     ///
     /// Test: `tests_of_one_campaign_lie_close_together`.
     pub(crate) const APART: f64 = 20.0 * 86_400.0;
@@ -22,9 +24,9 @@ pub(crate) mod date_agreement {
 
 /// Constants of `campaign/rig_sign.rs`.
 pub(crate) mod rig_sign {
-    /// Confidence in a campaign's sign above which no other campaign overrules it.
+    /// Confidence in a campaign's sign above which other campaigns have no influence on it.
     ///
-    /// Two campaigns with that confidence and opposite signs come from two rigs or from two exports.
+    /// If two campaigns have this confidence and opposite signs, they come from two rigs or two exports.
     ///
     /// Test: `the_surest_decides_for_those_that_hardly_tell`.
     pub(crate) const OWN: f64 = 0.9;
@@ -32,13 +34,13 @@ pub(crate) mod rig_sign {
 
 /// Constants of `campaign/common_clock.rs`.
 pub(crate) mod common_clock {
-    /// Longest campaign, s, whose files state only the time of day. Beyond half a day the order of two tests is
+    /// Longest campaign, s, if its files state only the time of day. Beyond half a day, the order of two tests is
     /// uncertain.
     ///
     /// Test: `what_is_no_one_clock_is_said`.
     pub(crate) const WITHOUT_DATE: f64 = 0.5 * 86_400.0;
 
-    /// Longest campaign, s, whose files state the date too: a year. In a longer one a date is wrong.
+    /// Longest campaign, s, if its files state the date too: a year. In a longer campaign, a date is wrong.
     ///
     /// Test: `a_campaign_with_dates_lasts_a_year_at_most`.
     pub(crate) const WITH_DATE: f64 = 366.0 * 86_400.0;
@@ -47,20 +49,20 @@ pub(crate) mod common_clock {
 /// Constants of `signal/consistency.rs`.
 pub(crate) mod consistency {
     /// Acceptable time shift of a velocity relative to the displacement, as a fraction of a sample. A converter samples
-    /// the two one after the other.
+    /// the two channels one after the other.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_SAMPLE: f64 = 0.25;
 
     /// Acceptable phase shift of a velocity relative to the displacement, rad.
     ///
-    /// A hundredth opens the force loop by 1 %, as much as the noise of good rigs. Half a sample is less than twice
-    /// that.
+    /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. Half a sample is less
+    /// than twice that shift.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_PHASE: f64 = 0.02;
 
-    /// Fraction of the displacement's variance that a velocity must explain before its lag is known.
+    /// Fraction of the displacement's variance that a velocity must explain for its lag to be reliable.
     ///
     /// Test: `gain_and_lag_are_found`.
     pub(crate) const SAME_MOTION: f64 = 0.98;
@@ -68,7 +70,7 @@ pub(crate) mod consistency {
 
 /// Constants of `signal/delay.rs`.
 pub(crate) mod delay {
-    /// Longest delay in the search, s. Filters and bus systems of rigs have shorter delays. A longer one indicates
+    /// Longest delay in the search, s. Filters and bus systems of rigs have shorter delays. A longer delay indicates
     /// channels that do not belong together.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
@@ -79,7 +81,7 @@ pub(crate) mod delay {
     /// Test: none.
     pub(crate) const STEP: f64 = 0.001;
 
-    /// Smallest ratio of the longest delay to the period for which a test can show a delay. In slower tests friction
+    /// Smallest ratio of the longest delay to the period for which a test can show a delay. In slower tests, friction
     /// would mask a delay.
     ///
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
@@ -90,28 +92,28 @@ pub(crate) mod delay {
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const SAMPLES: usize = 1500;
 
-    /// Nodes of the curve over velocity on one side, relative to the highest velocity. They are dense at zero, where
-    /// friction reverses.
+    /// Nodes of the FV curve on one side, relative to the highest velocity. They are dense near zero, where friction
+    /// reverses.
     ///
     /// Test: `nodes_of_the_curve_join`.
     pub(crate) const NODES: [f64; 7] = [0.015, 0.03, 0.06, 0.12, 0.25, 0.5, 1.0];
 
-    /// Normalized power below which a test neither dissipates nor feeds energy clearly.
+    /// Normalized power below which its sign is uncertain: the test may dissipate or feed energy.
     ///
     /// Test: `power_near_zero_is_neither_dissipation_nor_its_contrary`.
     pub(crate) const UNCLEAR: f64 = 0.1;
 
-    /// Shortest delay that is reported, s. Shorter ones are indistinguishable from series compliance and filters.
+    /// Shortest delay that is reported, s. Shorter delays are indistinguishable from series compliance and filters.
     ///
     /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
     pub(crate) const SHORTEST_REPORTED: f64 = 0.005;
 
-    /// Largest ratio of the unexplained variance with the delay to that without, for a delay to be reported.
+    /// Largest ratio of the unexplained variances with and without the delay at which the delay is reported.
     ///
     /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of the unexplained variances of two causes below which the better one is preferred.
+    /// Ratio of the unexplained variances of two causes below which the cause with the smaller variance is selected.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
     pub(crate) const CLEARLY: f64 = 0.7;
@@ -119,7 +121,7 @@ pub(crate) mod delay {
 
 /// Constants of `signal/derivative.rs`.
 pub(crate) mod derivative {
-    /// Largest number of samples on either side of the window. More samples cost time and reduce the noise little.
+    /// Largest number of samples on either side of the window. More samples cost time and hardly reduce the noise.
     ///
     /// Test: `a_window_holds_a_bounded_number_of_samples`.
     pub(crate) const REACH: usize = 250;
@@ -127,14 +129,14 @@ pub(crate) mod derivative {
     /// Tolerance of the agreement between the derivatives of a long and a shorter window, in standard deviations of
     /// their noise.
     ///
-    /// With 4, one sample in a thousand of a smooth motion gets a shorter window by chance, and thus a noisy
-    /// derivative. A corner differs by tens.
+    /// With 4, one sample in a thousand of a smooth motion has a shorter window by chance, and thus a noisy derivative.
+    /// At a corner, the difference is tens of standard deviations.
     ///
     /// Test: `a_triangle_keeps_its_velocity_up_to_its_corners`.
     pub(crate) const SAME: f64 = 5.0;
 
-    /// Ratio of the length of a window to that of the window before. A smaller ratio costs time. A larger one leaves
-    /// some samples a window that is shorter by this ratio.
+    /// Ratio of the lengths of successive windows. A smaller ratio costs time. With a larger ratio, some samples have a
+    /// window that is too short by up to this ratio.
     ///
     /// Test: none.
     pub(crate) const LONGER: f64 = 1.4;
@@ -152,17 +154,18 @@ pub(crate) mod noise {
 pub(crate) mod load_cell {
     /// Expected zero offset of a load cell, N, for a car damper.
     ///
-    /// The value is a tenth of a percent of a cell of 15 kN. A smaller force at standstill says nothing about gas. A
-    /// test that deviates from the others by less does not count as different.
+    /// The value is 0.1 % of the range of a 15 kN cell. A smaller force at standstill is no evidence of gas. A smaller
+    /// deviation of a test from the others is not significant.
     ///
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub(crate) const OFFSET: f64 = 15.0;
 
-    /// Range of the largest force, N, of car dampers. In this range the expected offset is constant, so that soft and
-    /// firm dampers are judged alike.
+    /// Range of the largest force, N, of car dampers. In this range the expected offset is constant, so that the
+    /// criteria are equal for soft and firm dampers.
     ///
     /// The range covers the virtual rigs and the measured dampers of the book, 0.4 to 6 kN. A narrower range would
-    /// change the results for cars. Weaker dampers are measured with a smaller cell, stronger ones with a larger one.
+    /// change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for stronger
+    /// dampers.
     ///
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
@@ -188,26 +191,26 @@ pub(crate) mod force_offset {
     /// Acceptable deviation of a test from the others, in addition to the offset of a load cell, in multiples of their
     /// scatter.
     ///
-    /// Load cells creep and gas warms up.
+    /// Creep of the load cell and warming of the gas cause scatter.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
-    /// Multiple of the acceptable deviation above which a test counts as reversed, if reversal brings it within the
-    /// acceptable deviation.
+    /// Multiple of the acceptable deviation above which a test counts as reversed, if the reversal reduces the
+    /// deviation to the acceptable one.
     ///
     /// Test: none.
     pub(crate) const STRONG: f64 = 2.0;
 
-    /// Largest ratio of a test's scatter to its offset at which the offset is one zero offset. A larger scatter
-    /// indicates another stroke or position.
+    /// Largest ratio of a test's scatter to its offset at which the cause is a changed zero. A larger scatter indicates
+    /// an effect of stroke or position.
     ///
-    /// The offset at the ends of the strokes may differ by the same fraction.
+    /// The offset at the ends of the strokes may differ by this fraction.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const CONSTANT: f64 = 0.3;
 
-    /// Largest fraction of the tests that a note reports. With more of them, the other tests would be the exception.
+    /// Largest fraction of the tests that a note reports. If more tests deviate, the other tests may be wrong.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const FEW: f64 = 0.34;
@@ -225,13 +228,13 @@ pub(crate) mod truncated_test {
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const OF_A_CYCLE: usize = 4;
 
-    /// Fraction of the peak velocity above which a test does not end at standstill. A sine is slower than that for a
-    /// fifth of its time.
+    /// Fraction of the peak velocity above which a test ends in motion. A sine is below this fraction for a fifth of
+    /// its time.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const MOVING: f64 = 0.3;
 
-    /// Number of last samples whose median velocity is the velocity at the end.
+    /// Number of last samples from which the median velocity at the end is computed.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const LAST: usize = 5;
@@ -241,62 +244,64 @@ pub(crate) mod truncated_test {
 pub(crate) mod file_units {
     /// Natural logarithm of the force ratio below which two tests agree.
     ///
-    /// A damper that is 30 % softer when warm agrees, and so do the two sides of a hysteresis. Two tests of faultless
-    /// campaigns mostly differ by less than 0.1, also with real dampers. With free play they differ by up to 0.3.
+    /// The limit includes a damper that is 30 % softer when warm, and the two branches of a hysteresis loop. Two tests
+    /// of faultless campaigns, even of real dampers, mostly differ by less than 0.1. With free play, they differ by up
+    /// to 0.3.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AGREE: f64 = 0.4;
 
-    /// Logarithm of the force ratio above which the damper cannot cause the difference: a factor of three and a half.
+    /// Natural logarithm of the force ratio above which the damper cannot cause the difference: a factor of 3.5.
     ///
     /// The pound-force is the unit of force closest to the newton. The logarithm of their ratio is 1.49. Free play and
-    /// presliding reach 0.7.
+    /// presliding cause differences of up to 0.7.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const OFF: f64 = 1.25;
 
-    /// Ratio of two units above which no damper causes the difference. The force of an adjustable damper changes by up
-    /// to fifteen times.
+    /// Ratio of two units above which no damper causes the difference. The force of an adjustable damper changes by a
+    /// factor of up to 15.
     ///
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
     /// Largest logarithmic deviation of a test from the others in its likely unit. Two tests that agree deviate by up
-    /// to that.
+    /// to this value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
 
-    /// Largest logarithmic deviation in the likely unit if the unit ratio exceeds [`BEYOND_DAMPERS`]. 0.7 is a factor
-    /// of two.
+    /// Largest logarithmic deviation in the likely unit if the unit ratio exceeds [`BEYOND_DAMPERS`]. The value is a
+    /// factor of two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
-    /// Difference of the residuals of two units below which both are likely. Kilogram-force and decanewton differ by
-    /// 0.02.
+    /// Difference of the residuals of two units below which both are likely. The logarithms of kilogram-force and
+    /// decanewton differ by 0.02.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AS_LIKELY: f64 = 0.05;
 
-    /// Smallest number of velocities shared with the others. A triangle has hardly more than two.
+    /// Smallest number of velocities shared with the other tests. A triangle rarely has more than two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
 
-    /// Force between the directions, N, above which gas and not only the zero of the load cell is the cause.
+    /// Mean force of the two directions, N, above which the zero of the load cell cannot be the only cause. The other
+    /// cause is gas.
     ///
     /// Test: none.
     pub(crate) const CELL_OFFSET: f64 = 15.0;
 
-    /// Smallest ratio of the force between the directions to its scatter between tests.
+    /// Smallest ratio of the mean force of the two directions to its scatter between tests.
     ///
     /// Test: none.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
     /// Smallest ratio of a test's stroke to that of the others for a comparison of all forces.
     ///
-    /// Mounts, oil under pressure and free play take a fraction of short strokes.
+    /// Mounts, oil compressibility and free play absorb a fraction of short strokes.
     ///
     /// Test: none.
     pub(crate) const AS_LONG: f64 = 0.67;
@@ -310,7 +315,7 @@ pub(crate) mod file_units {
 
 /// Constants of `checks/plausibility.rs`.
 pub(crate) mod plausibility {
-    /// Largest displacement amplitude, m. The longest suspensions travel half of that.
+    /// Largest displacement amplitude, m. The amplitude of the longest suspensions is half of that.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LARGEST_AMPLITUDE: f64 = 0.5;
@@ -325,39 +330,39 @@ pub(crate) mod plausibility {
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LARGEST_FORCE: f64 = 2e5;
 
-    /// Smallest range of the force, N, that some test of every damper exceeds. The smallest dampers, of toys and
-    /// drawers, reach a newton.
+    /// Force range, N, that at least one test of every damper exceeds. Even the dampers of toys and drawers reach a
+    /// newton.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LEAST_FORCE: f64 = 0.05;
 
-    /// Amplitude, m, below which a unit is likely wrong if every test stays below.
+    /// Amplitude, m. If every test has a smaller amplitude, a unit is likely wrong.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_AMPLITUDE: f64 = 2e-4;
 
-    /// Peak velocity, m/s, below which a unit is likely wrong if every test stays below.
+    /// Peak velocity, m/s. If every test has a lower peak velocity, a unit is likely wrong.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_SPEED: f64 = 6e-3;
 
-    /// Peak-to-peak force, N, below which a unit is likely wrong if every test stays below.
+    /// Peak-to-peak force, N. If every test has a smaller force, a unit is likely wrong.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_FORCE: f64 = 20.0;
 
-    /// Range of the force, in standard deviations of its noise, below which it contains only noise. White noise of a
-    /// hundred thousand samples stays within this range.
+    /// Range of the force, in standard deviations of its noise, below which the force contains only noise. White noise
+    /// of a hundred thousand samples stays within this range.
     ///
     /// Test: `noise_is_known_by_its_range_and_its_spread`.
     pub(crate) const NOISE_RANGE: f64 = 10.0;
 
-    /// Standard deviation of the force, in standard deviations of its noise, below which it contains only noise.
+    /// Ratio of the standard deviation of the force to that of its noise below which the force contains only noise.
     ///
     /// Test: `noise_is_known_by_its_range_and_its_spread`.
     pub(crate) const NOISE_SPREAD: f64 = 1.1;
 
-    /// Peak velocity, m/s, below which a damper is at standstill and need not show a force.
+    /// Peak velocity, m/s, below which a damper counts as at standstill, so that a force is not required.
     ///
     /// Test: `noise_is_known_by_its_range_and_its_spread`.
     pub(crate) const STANDSTILL: f64 = 1e-4;
@@ -365,8 +370,8 @@ pub(crate) mod plausibility {
 
 /// Constants of `data/rig_frame.rs`.
 pub(crate) mod rig_frame {
-    /// Relative margin by which a test may exceed the range of the recorded tests. Amplitudes of a list are rounded,
-    /// those of a record are measured.
+    /// Relative margin by which a test may exceed the range of the recorded tests. Amplitudes of a test list are
+    /// rounded, whereas amplitudes of a record are measured.
     ///
     /// Test: `tests_are_given_as_the_rig_counts_and_within_its_reach`.
     pub(crate) const BEYOND: f64 = 0.02;
@@ -379,10 +384,10 @@ pub(crate) mod sign {
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const HYSTERESIS: f64 = 0.1;
 
-    /// Fraction of the rigs whose force was zeroed with the damper mounted, or never.
+    /// Fraction of the rigs with a force zero that was set with the damper mounted, or never set.
     ///
-    /// The force at standstill then says nothing about the gas. This is a conservative guess. Without it one number
-    /// would be certain, whatever was done to the rig.
+    /// On such rigs, the force at standstill is no evidence of gas. The value is a conservative guess. Without it, a
+    /// single force would make the direction certain, regardless of the rig.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const TARED: f64 = 0.05;
@@ -392,12 +397,12 @@ pub(crate) mod sign {
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const PRIOR_RATIO: f64 = 0.6;
 
-    /// Standard deviation of that logarithm between dampers.
+    /// Standard deviation of the logarithm of that ratio between dampers.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const RATIO_SCATTER: f64 = 0.5;
 
-    /// Largest contribution of the asymmetry, as a logarithm of odds: seven to one.
+    /// Largest contribution of the asymmetry, as log odds: seven to one.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const MOST_BY_SHAPE: f64 = 2.0;
@@ -407,14 +412,14 @@ pub(crate) mod sign {
     /// Test: `no_direction_that_was_worked_out_is_certain`.
     pub(crate) const SUREST: f64 = 4.595;
 
-    /// Confidence in a direction above which no warning is given.
+    /// Confidence in a direction above which there is no warning.
     ///
     /// Test: `the_surest_decides_for_those_that_hardly_tell`.
     pub(crate) const UNSURE: f64 = 0.8;
 
     /// Fraction of a test's peak velocity above which a sample counts as fast.
     ///
-    /// At this velocity a damper's force exceeds that at slow velocities by more than hysteresis.
+    /// At this velocity, the force of a damper exceeds the force at low velocities by more than the hysteresis.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const FAST: f64 = 0.9;
@@ -433,25 +438,27 @@ pub(crate) mod sign {
 
 /// Constants of `checks/unit_magnitude.rs`.
 pub(crate) mod unit_magnitude {
-    /// Current, A, above which values in mA were likely read as A. Valves of dampers take up to 3 A, coils of
-    /// magnetorheological ones up to 10 A.
+    /// Current, A, above which values in mA were likely read as A. Damper valves use up to 3 A, and the coils of
+    /// magneto-rheological dampers up to 10 A.
     ///
     /// Test: `milliamperes_that_are_called_amperes_are_refused`.
     pub(crate) const MOST_CURRENT: f64 = 30.0;
 
-    /// Damping of the fastest test, N s/m, below which a force is likely written in kN.
+    /// Damping of the fastest test, N s/m, below which the force is likely in kN.
     ///
-    /// A damper of 20 N at 1 m/s has 20 N s/m. A passenger-car damper in kN that is read as N has a few N s/m.
+    /// A damper of 20 N at 1 m/s has 20 N s/m. If the force of a passenger-car damper in kN is read as N, it has a few
+    /// N s/m.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAKEST: f64 = 10.0;
 
-    /// Force of the strongest test, N, above which its unit is not doubted. The smallest dampers reach twice that.
+    /// Force of the strongest test, N, above which the unit counts as correct. The smallest dampers reach twice that
+    /// force.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAK: f64 = 8.0;
 
-    /// Speed, m/s, above which a damper shows damping and not friction alone.
+    /// Speed, m/s, above which the force is not only friction but also damping.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const MOVING: f64 = 0.02;
@@ -461,8 +468,8 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const STIFFEST: f64 = 3e5;
 
-    /// Amplitude, m, below which a displacement in m was likely read as mm. Friction alone gives such damping only in
-    /// strokes of some tenths of a millimeter, which are longer.
+    /// Amplitude, m, below which a displacement in m was likely read as mm. In strokes of some tenths of a millimeter,
+    /// friction alone can give such damping, but those strokes are longer than this limit.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SHORTEST: f64 = 1.5e-4;
@@ -482,12 +489,12 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const LONG: f64 = 3600.0;
 
-    /// Frequency, Hz, that no damper rig reaches with an amplitude of a tenth of a millimeter or more.
+    /// Frequency, Hz, above the range of all damper rigs at an amplitude of 0.1 mm or more.
     ///
     /// Test: `a_frequency_that_no_rig_reaches_is_another_unit_of_time`.
     pub(crate) const FASTEST: f64 = 150.0;
 
-    /// Correlation of force and velocity above which the force follows the velocity, in any unit.
+    /// Correlation of force and velocity above which the force depends on the velocity.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const FOLLOWS: f64 = 0.3;
@@ -497,21 +504,21 @@ pub(crate) mod unit_magnitude {
 pub(crate) mod force_levels {
     /// Ratio of successive velocities at which a test is evaluated.
     ///
-    /// The force grows by at most this ratio between two of them. A sine has nine of them in the upper nine tenths of
-    /// its velocities.
+    /// Between two successive velocities, the force grows by at most this ratio. A sine has nine such velocities in the
+    /// upper 90 % of its velocity range.
     ///
     /// Test: `a_sine_shows_force_against_motion_and_between_at_its_velocities`.
     pub(crate) const STEP: f64 = 1.3;
 
-    /// Fraction of a test's peak velocity below which the test is not evaluated, because the noise of a derived
-    /// velocity dominates.
+    /// Fraction of a test's peak velocity below which samples are not evaluated. The noise of a derived velocity
+    /// dominates there.
     ///
     /// Test: `a_sine_shows_force_against_motion_and_between_at_its_velocities`.
     pub(crate) const LOWEST: f64 = 0.1;
 
     /// Fraction of the peak velocity above which a test is in the middle of its stroke.
     ///
-    /// A sine has then covered less than seven eighths of the distance to its end.
+    /// A sine is then within seven eighths of the distance from its middle to its end.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const MIDDLE: f64 = 0.5;
@@ -529,13 +536,13 @@ pub(crate) mod options {
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LONGEST_DELAY: f64 = 1.0;
 
-    /// Sampling rates that the options accept, 1/s: from a slow test of a day to the fastest acquisition of force.
+    /// Sampling rates that the options accept, 1/s: from a slow test of a day to the fastest force acquisition.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const SAMPLE_RATES: (f64, f64) = (1e-3, 1e7);
 
-    /// Calibration factors that the options accept: three decades of a unit either way, and a further factor of ten for
-    /// the error of a sensor.
+    /// Calibration factors that the options accept. They allow a unit wrong by a factor of 1000, and a further factor
+    /// of ten for a sensor error.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const GAINS: (f64, f64) = (1e-4, 1e4);
@@ -550,8 +557,8 @@ pub(crate) mod options {
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LARGEST_POSITION: f64 = 10.0;
 
-    /// Largest mass on a load cell that the options accept, kg. The damper of a heavy truck with its clamps has less. A
-    /// larger number was meant in grams. A negative mass reverses an excessive compensation by the rig.
+    /// Largest mass on a load cell that the options accept, kg. A heavy truck damper with its clamps has a smaller
+    /// mass. A larger number is likely in grams. A negative mass reverses an excessive compensation by the rig.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LARGEST_MASS: f64 = 100.0;
@@ -559,8 +566,8 @@ pub(crate) mod options {
 
 /// Constants of `cleaning/duplicates.rs`.
 pub(crate) mod duplicates {
-    /// Shortest block with new time stamps that counts as repeated. Measured rows rarely agree to the last digit over
-    /// such a length.
+    /// Shortest block with new time stamps, in rows, that counts as repeated. Measured rows rarely agree to the last
+    /// digit over such a length.
     ///
     /// Test: `a_short_block_is_no_repetition`.
     pub(crate) const BLOCK: usize = 10;
@@ -568,15 +575,15 @@ pub(crate) mod duplicates {
 
 /// Constants of `cleaning/order.rs`.
 pub(crate) mod order {
-    /// Largest displacement of a row from its position, in samples, for it to be put back. Beyond that the row belongs
-    /// to another block of data.
+    /// Largest distance, in rows, over which a misplaced row is moved to its position in time. Beyond that, the row
+    /// belongs to another block of data.
     ///
     /// Test: `a_row_far_out_of_its_place_is_another_block`.
     pub(crate) const REACH: usize = 10;
 
-    /// Largest fraction of rows from an earlier run that a logger's buffer may still contain.
+    /// Largest fraction of rows from an earlier run in the buffer of a logger.
     ///
-    /// More rows may be a test of their own.
+    /// More rows may be a separate test.
     ///
     /// Test: `rows_of_an_earlier_run_are_left_out`.
     pub(crate) const STALE: f64 = 0.1;
@@ -584,7 +591,8 @@ pub(crate) mod order {
 
 /// Constants of `cleaning/trim.rs`.
 pub(crate) mod trim {
-    /// Ratio of the last cycle's deviation to the typical deviation of the others above which it is removed.
+    /// Ratio of the last cycle's deviation to the typical deviation of the others above which the last cycle is
+    /// removed.
     ///
     /// Test: `a_disturbed_last_cycle_is_left_out`.
     pub(crate) const NOISY: f64 = 3.0;
@@ -597,7 +605,7 @@ pub(crate) mod missing {
     /// Test: `a_small_fraction_and_a_short_run_may_be_missing`.
     pub(crate) const FRACTION: f64 = 0.02;
 
-    /// Longest run of rows that may be dropped. A longer run is not due to single bad cells.
+    /// Longest run of rows that may be dropped. A longer run has another cause than single bad cells.
     ///
     /// Test: `a_small_fraction_and_a_short_run_may_be_missing`.
     pub(crate) const RUN: usize = 10;
@@ -605,17 +613,18 @@ pub(crate) mod missing {
 
 /// Constants of `cleaning/rests.rs`.
 pub(crate) mod rests {
-    /// Shortest standstill between tests, s. A shorter pause lies within a test, or is the turning point of a slow one.
+    /// Shortest standstill between tests, s. A shorter pause is within a test, or is the turning point of a slow test.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const REST: f64 = 1.0;
 
-    /// Number of pieces of the shortest standstill, each of which must be still.
+    /// Number of pieces into which the shortest standstill is divided. Each piece must be still.
     ///
     /// Test: none.
     pub(crate) const PIECES: usize = 4;
 
-    /// Range of a channel at standstill, in standard deviations of its noise. Ten thousand samples stay within eight.
+    /// Range of a channel at standstill, in standard deviations of its noise. Ten thousand samples stay within eight
+    /// standard deviations.
     ///
     /// Test: `pauses_between_equal_cycles_part_nothing`.
     pub(crate) const STILL: f64 = 10.0;
@@ -633,27 +642,27 @@ pub(crate) mod rests {
 
     /// Largest difference between the ends of two equal motions, relative to the stroke.
     ///
-    /// Amplitudes of a list differ by more. Those of a drive at one setting differ by less.
+    /// The amplitudes of a test list differ by more. At one setting, the amplitudes of a drive differ by less.
     ///
     /// Test: none.
     pub(crate) const SAME_ENDS: f64 = 0.1;
 
     /// Largest relative difference between the mean speeds of two equal motions.
     ///
-    /// Frequencies of a list differ by more. Those of a drive at one setting differ by less.
+    /// The frequencies of a test list differ by more. At one setting, the frequencies of a drive differ by less.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const SAME_SPEED: f64 = 0.15;
 
-    /// Samples of the standstill on either side that stay with a motion. The search for cycles needs them if a cycle
-    /// begins at standstill.
+    /// Number of standstill samples on each side that stay with a motion. The search for cycles requires them if a
+    /// cycle begins at standstill.
     ///
     /// Test: none.
     pub(crate) const MARGIN: usize = 2;
 
     /// Ratio of a pause to the apparent standstill at a turning point above which the pause is a standstill.
     ///
-    /// The search works in pieces, and noise makes the apparent standstill longer.
+    /// The search works piece by piece, and noise makes the apparent standstill longer.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const TURN: f64 = 3.0;
@@ -666,12 +675,14 @@ pub(crate) mod rests {
 
 /// Constants of `cleaning/cycles.rs`.
 pub(crate) mod cycles {
-    /// Tolerance of stroke and period about their medians: the scatter of most cycles, limited to this interval.
+    /// Limits of the tolerance of stroke and period about their medians. Within the limits, the tolerance follows from
+    /// the scatter of most cycles.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const TOLERANCE: (f64, f64) = (0.03, 0.15);
 
-    /// Tolerance of the first and the last cycle once the crossings are exact. The tail of a run-up is small.
+    /// Tolerance of the first and the last cycle after refinement of the crossings. The end of a run-up causes only a
+    /// small deviation.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const END_TOLERANCE: f64 = 0.003;
@@ -681,13 +692,14 @@ pub(crate) mod cycles {
     /// Test: `a_record_that_is_whole_cycles_already_keeps_them_all`.
     pub(crate) const LIKENESS: f64 = 0.97;
 
-    /// Smallest fraction of variance in the fundamental if there are only one or two cycles, without others for
-    /// comparison. A triangle has 0.985.
+    /// Smallest fraction of variance in the fundamental if there are only one or two cycles, so that a comparison is
+    /// impossible. A triangle has 0.985.
     ///
     /// Test: `rest_run_up_and_run_down_are_no_cycles`.
     pub(crate) const LONELY: f64 = 0.98;
 
-    /// Fraction of the stroke up to which one or two cycles may reverse within a stroke.
+    /// Fraction of the stroke below which a reversal within a stroke is acceptable, if there are only one or two
+    /// cycles.
     ///
     /// Test: none.
     pub(crate) const WIGGLE: f64 = 0.01;
@@ -700,19 +712,19 @@ pub(crate) mod clipped {
     /// Test: `a_rounded_peak_is_none_where_other_tests_go_further`.
     pub(crate) const RUN: usize = 4;
 
-    /// Largest fraction of clipped force samples for which the record is used without them.
+    /// Largest fraction of clipped force samples at which the record is used, without these samples.
     ///
     /// Test: `a_little_clipped_force_is_masked_and_much_is_refused`.
     pub(crate) const FORCE_FRACTION: f64 = 0.05;
 
-    /// Largest fraction of the samples in a rounded peak. More are an end of the range, because a range may be switched
-    /// between tests.
+    /// Largest fraction of the samples in a rounded peak. More samples indicate the end of a measuring range, because a
+    /// range may be switched between tests.
     ///
     /// Test: `a_rounded_peak_is_none_where_other_tests_go_further`.
     pub(crate) const ROUNDED_FRACTION: f64 = 0.05;
 
-    /// Fraction of the estimated overshoot of a clipped channel above which the other channel proves the clipping. A
-    /// parabola has two thirds of it on average.
+    /// Fraction of the estimated overshoot of a clipped channel above which the other channel proves the clipping. The
+    /// mean overshoot of a parabola is two thirds of the estimate.
     ///
     /// Test: `a_clipped_motion_channel_gives_way_to_the_other`.
     pub(crate) const SHOWN: f64 = 1.0 / 3.0;
@@ -720,8 +732,8 @@ pub(crate) mod clipped {
 
 /// Constants of `cleaning/gaps.rs`.
 pub(crate) mod gaps {
-    /// Ratio of a time step to the neighboring steps above which it is a gap. Loggers change their rate for many
-    /// samples. Lost telegrams cost a few.
+    /// Ratio of a time step to the neighboring steps above which the step is a gap. A change of the logging rate lasts
+    /// for many samples. Lost telegrams are only a few samples.
     ///
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;
@@ -731,12 +743,12 @@ pub(crate) mod gaps {
     /// Test: none.
     pub(crate) const AROUND: usize = 15;
 
-    /// Largest ratio of the range of a stump to the strokes of the cycles.
+    /// Largest ratio of the range of an interrupted piece to the strokes of the cycles.
     ///
     /// Test: none.
     pub(crate) const BEYOND: f64 = 1.1;
 
-    /// Largest number of turning points of a stump. A motion of another kind has more.
+    /// Largest number of turning points of an interrupted piece. A motion of another kind has more turning points.
     ///
     /// Test: none.
     pub(crate) const TURNS: usize = 5;
@@ -744,20 +756,20 @@ pub(crate) mod gaps {
 
 /// Constants of `cleaning/still.rs`.
 pub(crate) mod still {
-    /// Ratio of a channel's standard deviation to that of its noise below which it contains only noise.
+    /// Ratio of a channel's standard deviation to that of its noise below which the channel contains only noise.
     ///
     /// The smallest detectable sine has an amplitude of two thirds of the noise.
     ///
     /// Test: `rest_is_told_from_the_smallest_motion`.
     pub(crate) const SPREAD: f64 = 1.1;
 
-    /// Range of a channel, in standard deviations of its noise, below which it contains only noise. White noise of a
-    /// hundred thousand samples stays within this range.
+    /// Range of a channel, in standard deviations of its noise, below which the channel contains only noise. White
+    /// noise of a hundred thousand samples stays within this range.
     ///
     /// Test: `rest_is_told_from_the_smallest_motion`.
     pub(crate) const RANGE: f64 = 10.0;
 
-    /// Largest number of distinct values of a sensor at rest, whose last digit flickers.
+    /// Largest number of distinct values of a sensor at rest, due to changes of its last digit.
     ///
     /// Test: none.
     pub(crate) const FLICKER: usize = 3;
@@ -783,7 +795,7 @@ pub(crate) mod stairs {
 
     /// Largest ratio of two speeds within one test.
     ///
-    /// Drives keep the speed to a few percent. Time stamps of slow loggers are rounded.
+    /// Drives keep the speed constant within a few percent. Slow loggers round their time stamps.
     ///
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const SAME: f64 = 1.15;
@@ -793,7 +805,7 @@ pub(crate) mod stairs {
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const FEWEST_STROKES: usize = 2;
 
-    /// Number of samples of a stroke below which its mean speed is its velocity.
+    /// Number of samples of a stroke below which the mean speed of the stroke is its velocity.
     ///
     /// A window of a few samples would include both turning points.
     ///
@@ -803,7 +815,7 @@ pub(crate) mod stairs {
 
 /// Constants of `cleaning/swapped_columns.rs`.
 pub(crate) mod swapped_columns {
-    /// Largest range of displacement, m, that a damper rig has.
+    /// Largest displacement range of a damper rig, m.
     ///
     /// Test: none.
     pub(crate) const LONGEST: f64 = 1.0;
@@ -813,26 +825,27 @@ pub(crate) mod swapped_columns {
     /// Test: `swapped_headings_are_told_with_the_evidence`.
     pub(crate) const FORWARD: f64 = 0.9;
 
-    /// Roughness ratio of displacement to force above which the two channels are exchanged. A motion is smooth, a force
-    /// is not.
+    /// Roughness ratio of displacement to force above which the two channels are exchanged. A motion is smoother than a
+    /// force.
     ///
     /// Test: none.
     pub(crate) const ROUGHER: f64 = 2.5;
 
-    /// Ratio of harmonics to the fundamental of a motion above which a rig did not drive it as a sine.
+    /// Ratio of harmonics to the fundamental of a motion above which the drive motion was not a sine.
     ///
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const NO_SINE: f64 = 0.03;
 
     /// Ratio of the displacement's harmonics to those of the force above which the two channels are exchanged.
     ///
-    /// A force proportional to the motion or to its velocity has at least the motion's harmonics. A vibrating rig has
-    /// them in both channels.
+    /// A force proportional to the motion or to its velocity has at least the harmonics of the motion. A vibrating rig
+    /// has harmonics in both channels.
     ///
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const PURER: f64 = 3.0;
 
-    /// Highest harmonic that is evaluated. Friction and knees have lower harmonics. Noise is spread over all.
+    /// Highest harmonic that is evaluated. Friction and knees mainly cause harmonics up to this one. Noise contributes
+    /// to all harmonics.
     ///
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const HIGHEST: usize = 7;
@@ -851,14 +864,14 @@ pub(crate) mod cleaning {
     /// Test: none.
     pub(crate) const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 
-    /// Length of the differentiating window without cycles, s. The error is 1 % at 25 Hz, the upper end of road motion
-    /// at a damper.
+    /// Length of the differentiating window if there are no cycles, s. The error is 1 % at 25 Hz, the upper end of road
+    /// motion at a damper.
     ///
     /// Test: none.
     pub(crate) const WINDOW_NO_CYCLE: f64 = 0.017;
 
-    /// Fraction of samples with a shorter window below which no note is added. In a smooth motion some thousandths of
-    /// the samples get one by chance.
+    /// Fraction of samples with a shorter window below which no note is added. In a smooth motion, some thousandths of
+    /// the samples have a shorter window by chance.
     ///
     /// Test: none.
     pub(crate) const BY_CHANCE: f64 = 0.01;
@@ -866,7 +879,7 @@ pub(crate) mod cleaning {
 
 /// Constants of `cleaning/frozen.rs`.
 pub(crate) mod frozen {
-    /// Smallest number of equal samples in a row that can be frozen.
+    /// Smallest number of consecutive equal samples at which a channel counts as frozen.
     ///
     /// Test: `clipped_force_samples_are_left_out`.
     pub(crate) const RUN: usize = 30;
@@ -887,21 +900,21 @@ pub(crate) mod outliers {
 
 /// Constants of `cleaning/settings.rs`.
 pub(crate) mod settings {
-    /// Smallest swing that counts as a cycle, relative to the whole range. Small tests next to large ones are found
-    /// down to this limit.
+    /// Smallest swing that counts as a cycle, relative to the whole range. If a record contains large and small tests,
+    /// the small ones are found down to this limit.
     ///
     /// Test: none.
     pub(crate) const SMALLEST: f64 = 0.01;
 
     /// Largest deviation of stroke and period within one setting from their median, as a logarithm.
     ///
-    /// Drives keep both to a few percent.
+    /// Drives keep both constant within a few percent.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const SAME: f64 = 0.05;
 
-    /// Smallest number of cycles of a setting. A drive with four cycles at each setting changes within the first and
-    /// the last. On a road two similar cycles are rare.
+    /// Smallest number of cycles of a setting. If a drive has four cycles at each setting, the first and the last
+    /// contain the change. On a road, two similar cycles are rare.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const STAYS: usize = 2;
@@ -911,8 +924,8 @@ pub(crate) mod settings {
     /// Test: none.
     pub(crate) const BEFORE: usize = 3;
 
-    /// Smallest fraction of all cycles that belong to a setting. A motion that changes all the time, as on a road, has
-    /// none.
+    /// Smallest fraction of all cycles that belong to a setting. A motion that changes all the time, such as a road,
+    /// has no setting.
     ///
     /// Test: `frequencies_and_amplitudes_that_are_stepped_through_are_tests_of_their_own`.
     pub(crate) const COVERED: f64 = 0.7;
@@ -925,9 +938,9 @@ pub(crate) mod settings {
 
 /// Constants of `formats/lvm.rs`.
 pub(crate) mod lvm {
-    /// Largest gap or overlap between consecutive packets of one record, relative to the packet length.
+    /// Largest gap or overlap between consecutive packets of one record, relative to the length of a packet.
     ///
-    /// The clock is read once per packet.
+    /// The acquisition system reads the clock once per packet.
     ///
     /// Test: none.
     pub(crate) const TOGETHER: f64 = 0.02;

@@ -1,9 +1,9 @@
 //! Small files that are constructed to cost gigabytes or minutes.
 //!
-//! Examples are a part that is used many times, counts that no file contains, and trees that lead twice to a node. Each
-//! is read or rejected within a gibibyte and ten seconds of processor time.
+//! Examples are a part with many uses, counts beyond the content of a file, and trees in which two paths lead to one
+//! node. Each file is read or rejected within a gibibyte and ten seconds of processor time.
 //!
-//! A reader that asks for more memory ends this process with a signal, which fails the test.
+//! If a reader requests more memory, a signal ends this process, and the test fails.
 
 use dashpot_records::{Options, Unit, load};
 use std::io::Write as _;
@@ -23,7 +23,7 @@ fn limit_memory() {
     }
 }
 
-/// Returns the processor time of this process, s. Without Linux it is the wall-clock time.
+/// Returns the processor time of this process, s. On systems other than Linux, it is the wall-clock time.
 fn seconds() -> f64 {
     static START: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
     // User and system time in hundredths of a second.
@@ -121,7 +121,7 @@ fn known() {
 }
 
 fn texts(folder: &Path) {
-    // As many rows as ten mebibytes contain, of a damper on a sine.
+    // Rows of a damper on a sine, ten mebibytes in total.
     let rows: String = (0..560_000_u32)
         .map(|i| {
             let t = 0.001 * f64::from(i);
@@ -135,7 +135,7 @@ fn texts(folder: &Path) {
     let _ = answer(&folder.join("short.csv"));
     rejected(folder, "line.csv", "a,".repeat(5 << 20).as_bytes());
     rejected(folder, "quotes.csv", "\"a\"\"".repeat(5 << 19).as_bytes());
-    // A heading with many keys and one with many names, each compared with the other.
+    // One header with many keys and one with many names. The reader compares each key with each name.
     let head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\n\nChannels\t2\n";
     let keys = "k\tv\n".repeat(400_000);
     let names = "n\t".repeat(400_000);
@@ -144,7 +144,7 @@ fn texts(folder: &Path) {
         "keys.lvm",
         format!("{head}{keys}***End_of_Header***\nX_Value\tx_mm\tF_N\t{names}\n0\t1\t2\n").as_bytes(),
     );
-    // A long note that would be stored with each of many tests.
+    // A long note, which would be stored with each of many tests.
     let tests: String = (0..300_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let columns = "c".repeat(20_000);
     rejected(folder, "notes.csv", format!("test,time_s,x_mm,F_N,{columns}\n{tests}").as_bytes());
@@ -200,7 +200,7 @@ mod mdf {
         fn new() -> File {
             let mut bytes = vec![0; 64];
             bytes[..16].copy_from_slice(b"MDF     4.10    ");
-            // The heading comes first. Its link to the first group is filled in at the end.
+            // The header block comes first. Its link to the first group is inserted at the end.
             let mut file = File(bytes);
             file.put(b"HD", &[0; 6], &[0; 32]);
             file
@@ -224,7 +224,7 @@ mod mdf {
             self.put(b"TX", &[], &[text.as_bytes(), &[0]].concat())
         }
 
-        /// Adds a channel of one byte with links to the next one, its name and its conversion.
+        /// Adds a channel of one byte with links to the next channel, its name and its conversion.
         fn channel(&mut self, next: u64, name: u64, conversion: u64) -> u64 {
             let mut data = [0_u8; 72];
             data[8] = 8;
@@ -248,7 +248,7 @@ mod mdf {
     }
 
     pub fn files(folder: &Path) {
-        // Thousands of groups that share one block of data.
+        // Thousands of groups share one block of data.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -256,7 +256,7 @@ mod mdf {
         let group = file.group(0, channel, 0, 8 << 20);
         let first = (0..4000).fold(0, |next, _| file.data_group(next, group, data, 0));
         rejected(folder, "data.mf4", &file.done(first));
-        // The block is compressed, and a list names it many times.
+        // The block is compressed, and a list refers to it many times.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -270,7 +270,7 @@ mod mdf {
         let group = file.group(0, channel, 0, 48 << 20);
         let first = (0..4000).fold(0, |next, _| file.data_group(next, group, list, 0));
         rejected(folder, "list.mf4", &file.done(first));
-        // Groups times channels: every group has the same thousands of channels.
+        // All groups have the same thousands of channels.
         let mut file = File::new();
         let name = file.text("force");
         let mut channel = 0;
@@ -302,7 +302,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "texts.mf4", &file.done(first));
-        // Records of many groups with numbers. All records belong to the last group.
+        // Many groups have record numbers. All records belong to the last group.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -346,7 +346,7 @@ mod hdf5 {
         [(1, shape), (3, number)]
     }
 
-    /// Makes a file with `names` links to one object. `object` gets the position of the object.
+    /// Makes a file with `names` links to one object. The argument of `object` is the position of the object.
     fn file(names: usize, object: impl Fn(u64) -> Vec<u8>) -> Vec<u8> {
         let (root, tree, heap) = (96_u64, 200_u64, 300_u64);
         let segment: Vec<u8> = (0..names).flat_map(|k| format!("n{k:05}\0\0").into_bytes()).collect();
@@ -399,7 +399,7 @@ mod hdf5 {
     }
 
     pub fn files(folder: &Path) {
-        // A tree in which each level leads twice to the next: two to the thirtieth paths.
+        // In this tree, each level refers twice to the next level, which gives 2³⁰ paths.
         let dag = |first: u64| -> Vec<u8> {
             let length = node(1, 0, &[0, 0]).len() as u64;
             let levels = (0..30).flat_map(|k| node(30 - k, 0, &[first + length * (u64::from(k) + 1); 2]));
@@ -407,7 +407,7 @@ mod hdf5 {
         };
         let message = rejected(folder, "tree.mat", &file(1, |at| chunked(1000, 100, false, at, dag)));
         assert!(message.contains("twice to the same node"), "{message}");
-        // One chunk of zeros at hundreds of positions.
+        // One chunk of zeros is used at hundreds of positions.
         let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
         std::io::Write::write_all(&mut packer, &vec![0; 32 << 20]).unwrap();
         let packed = packer.finish().unwrap();
@@ -416,7 +416,7 @@ mod hdf5 {
             [node(0, packed.len() as u32, &[first + length; 3000]), packed.clone()].concat()
         };
         rejected(folder, "chunk.mat", &file(1, |at| chunked(1000, 4 << 20, true, at, many)));
-        // Thousands of names for one data set, and a data set that was never written.
+        // Thousands of names refer to one data set. Another data set was never written.
         let set = |at: u64| -> Vec<u8> {
             let [shape, number] = doubles(1 << 20);
             let layout = |data: u64| (8, [&[3, 1][..], &data.to_le_bytes(), &(8_u64 << 20).to_le_bytes()].concat());
@@ -429,7 +429,7 @@ mod hdf5 {
             messages(&[shape, number, (8, [&[3, 1][..], &NOWHERE, &LOW].concat())])
         };
         rejected(folder, "nothing.mat", &file(1, nothing));
-        // A header that continues in itself.
+        // The continuation of this header is the header itself.
         let circle = |at: u64| messages(&[(0x10, [(at + 16).to_le_bytes(), 24_u64.to_le_bytes()].concat())]);
         rejected(folder, "circle.mat", &file(1, circle));
     }
@@ -491,7 +491,7 @@ fn tdms(folder: &Path) {
             let path = format!("/'g'/'c{k}'");
             out.extend((path.len() as u32).to_le_bytes());
             out.extend(path.bytes());
-            // Type: bytes in one dimension with the given number of values. There are no properties.
+            // The layout is bytes in one dimension, with the stated number of values. There are no properties.
             out.extend(20_u32.to_le_bytes());
             out.extend([5_u32.to_le_bytes(), 1_u32.to_le_bytes()].concat());
             out.extend(values.to_le_bytes());
@@ -499,14 +499,14 @@ fn tdms(folder: &Path) {
         }
         out
     };
-    // Segments that reuse a long list of channels.
+    // Segments that refer to the long list of channels of an earlier segment.
     let first = segment(0b1110, &objects(16_000, 1), &[]);
     let again = segment(0b1000, &[], &[]);
     rejected(folder, "segments.tdms", &[first.clone(), again.repeat(300_000)].concat());
-    // Segments that each name the same objects again.
+    // Segments of which each lists all objects again.
     let named = segment(0b1010, &objects(16_000, 1)[..], &[]);
     rejected(folder, "objects.tdms", &[first, named.repeat(12)].concat());
-    // Channels without values and one with a byte, in chunks of one byte.
+    // All channels are without values except for one with a byte, in chunks of one byte.
     let mut meta = objects(16_000, 0);
     let last = meta.len() - 12;
     meta[last..last + 8].copy_from_slice(&1_u64.to_le_bytes());

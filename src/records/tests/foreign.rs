@@ -1,4 +1,4 @@
-//! Files of third-party writers (`foreign/make.py`). All contain the same test and must be read to the same data.
+//! Files of third-party writers (`foreign/make.py`). All contain the same test, so all must give the same data.
 
 use dashpot_records::{Options, Record, load};
 use std::f64::consts::TAU;
@@ -20,11 +20,11 @@ fn check(name: &str, tolerance: f64) {
     assert!((record.amplitude - 0.020).abs() < 2e-5, "{name}: {} m", record.amplitude);
     let w = 2.0 * TAU;
     for i in 0..record.time.len() {
-        // Compute the velocity from the displacement alone, with the sign of the derived one. The reader must reproduce
-        // this relation.
+        // Compute the magnitude of the velocity from the displacement, and its sign from the derived velocity. The
+        // records must have this relation.
         let x = record.displacement[i] / 0.020;
         let v_true = (0.020 * w * (1.0 - (x * x).min(1.0)).sqrt()).copysign(record.velocity[i]);
-        // Near the ends of the stroke the root is sensitive to the last digit of the displacement.
+        // Near the ends of the stroke, the square root is sensitive to the last digit of the displacement.
         if v_true.abs() < 0.06 {
             continue;
         }
@@ -38,7 +38,8 @@ fn mdf_of_asammdf() {
     for name in ["plain.mf4", "deflated.mf4", "apart.mf4"] {
         check(name, 1.0);
     }
-    // The resolution is a micrometer. The velocity near the end of the stroke depends on it.
+    // The resolution of the displacement is a micrometer, which limits the accuracy of the velocity near the end of the
+    // stroke.
     check("transposed.mf4", 12.0);
 }
 
@@ -46,7 +47,7 @@ fn mdf_of_asammdf() {
 fn mdf_3_of_asammdf() {
     check("plain.mdf", 1.0);
     check("counts.mdf", 12.0);
-    // Loggers name such files .dat, as rigs name their text files.
+    // Loggers give such files the extension .dat, which rigs also give to their text files.
     let folder = tempfile::tempdir().unwrap();
     let dat = folder.path().join("counts.dat");
     std::fs::copy(Path::new(FOLDER).join("counts.mdf"), &dat).unwrap();
@@ -74,7 +75,6 @@ fn when_a_file_says_the_test_began_is_read() {
         let from = seconds(made).unwrap();
         assert!(at(name).is_some_and(|t| (from..from + 1.0).contains(&t)), "{name}: {:?}", at(name));
     }
-    // MDF 3 without a start time contains the earliest time that its writers know. A TDMS channel of times contains no
-    // start time.
+    // An MDF 3 file without a start time states the earliest time of its format. A TDMS time channel has no start time.
     assert_eq!([at("plain.mdf"), at("time.tdms")], [None, None]);
 }

@@ -1,6 +1,6 @@
 //! Damaged and malicious files. Each is read or rejected with a message, within a gibibyte of memory.
 //!
-//! A reader that asks for more ends this process with a signal, which fails the test.
+//! If a reader requests more memory, a signal ends this process, and the test fails.
 
 #[allow(dead_code)] // texts are damaged elsewhere
 #[path = "../../../tests/hostile.rs"]
@@ -23,7 +23,7 @@ fn limit_memory() {
     }
 }
 
-/// Loads a file. Panics and signals are failures. Success and an error message both pass.
+/// Loads a file. A panic or a signal fails the test. A record and an error message are both acceptable.
 fn answer(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize, String> {
     let file = folder.join(name);
     std::fs::write(&file, bytes).unwrap();
@@ -227,7 +227,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
         let (name, seed) = &seeds[round % seeds.len()];
         let mut bytes = seed.clone();
         if *name == "e.xlsx" && round % 3 > 0 {
-            // Damage inside the parts, which the archive's checksums do not reveal.
+            // The parts are damaged before compression, so the checksums of the archive are correct.
             let mut parts = workbook();
             let k = random.below(parts.len());
             mutate(&mut random, &mut parts[k].1);
@@ -246,7 +246,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
 }
 
 fn bombs(folder: &Path) {
-    // A sheet that unpacks to gigabytes.
+    // This sheet unpacks to gigabytes.
     let mut parts = workbook();
     let cells = "<row><c><v>1</v></c><c><v>2</v></c><c><v>3</v></c></row>".repeat(6 << 20).into_bytes();
     let sheet = String::from_utf8(parts[5].1.clone()).unwrap();
@@ -257,7 +257,7 @@ fn bombs(folder: &Path) {
     drop(parts);
     assert!(bomb.len() < 10 << 20);
     assert!(answer(folder, "bomb.xlsx", &bomb).unwrap_err().contains("unpacks to more"));
-    // Announced strings that do not exist, and a cell at the end of the largest sheet.
+    // The workbook announces strings that do not exist, and has a cell at the end of the largest possible sheet.
     let mut parts = workbook();
     parts[4].1 = String::from_utf8(parts[4].1.clone())
         .unwrap()
@@ -268,12 +268,13 @@ fn bombs(folder: &Path) {
     let far = "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row></sheetData>";
     parts[5].1 = String::from_utf8(parts[5].1.clone()).unwrap().replace("</sheetData>", far).into();
     assert_eq!(answer(folder, "far.xlsx", &zip(&parts)), Ok(1));
-    // A variable that unpacks to far more than the file.
+    // The unpacked size of this variable is far above the size of the file.
     let zeros = variable("time_s", &vec![0.0; 8 << 20]);
     let bomb = mat(&[zeros], true);
     assert!(bomb.len() < 1 << 20);
     assert!(answer(folder, "bomb.mat", &bomb).unwrap_err().contains("unpacks to more"));
-    // Hundreds of thousands of tests with one row each, a file with as many columns, and rows that all repeat.
+    // Files with hundreds of thousands of tests with one row each, with as many columns, and with rows that are all
+    // equal.
     let names: String = (0..450_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let refused = answer(folder, "names.csv", format!("test,time_s,x_mm,F_N\n{names}").as_bytes()).unwrap_err();
     assert!(refused.contains("only 1 usable") && refused.len() < 1000, "{refused}");

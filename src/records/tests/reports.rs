@@ -1,5 +1,5 @@
-//! Situations that users reported, as synthetic inputs (`../shared/data/reports`, whose README states the correct
-//! result of each).
+//! Situations that users reported, as synthetic inputs. They are in `../shared/data/reports`, where the README states
+//! the correct results.
 
 use dashpot_records::{Campaign, Options, PeakOptions, Positive, Unit, load, peak_clicks, read_peaks};
 use dashpot_test_support::reported;
@@ -46,10 +46,10 @@ fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     assert!(told(&campaign).contains("the first 7 rows"), "{}", told(&campaign));
-    // The stale rows are 33 s late and contain almost no force.
+    // The times of the stale rows are 33 s too late, and these rows contain almost no force.
     let first: Vec<(f64, f64)> = campaign.records.iter().map(|r| (r.time[0], r.force[0])).collect();
     assert!(first.iter().all(|(time, force)| *time < 10.0 && force.abs() > 1.0), "{first:?}");
-    // Repeat the test with the heading of small boards.
+    // Repeat the test with a heading of microcontroller boards.
     let folder = tempfile::tempdir().unwrap();
     for entry in std::fs::read_dir(&path).unwrap().flatten() {
         let text = std::fs::read_to_string(entry.path()).unwrap().replace("Time [ms]", "Millis");
@@ -69,7 +69,7 @@ fn a_late_velocity_is_not_used() {
     };
     let campaign = smoothed("Smoothed_Velocity");
     assert!(told(&campaign).contains("'Smoothed_Velocity [mm/s]' comes"), "{}", told(&campaign));
-    // The velocity in use is derived from the displacement, whichever column was named.
+    // The record's velocity is derived from the displacement, whichever displacement column the user selects.
     let without =
         load(&[path.clone()], &Options { ignore: ["velocity".parse().unwrap()].into(), ..Options::default() }, &|_| ())
             .unwrap();
@@ -163,10 +163,10 @@ fn a_staircase_of_speeds_is_a_test_a_speed() {
         for (speed, wanted) in speeds.iter().zip([10.0, 20.0, 30.0, 50.0, 75.0, 100.0, 150.0]) {
             assert!((speed / wanted - 1.0).abs() < 0.05, "{name}: {speeds:?}");
         }
-        // There is no standstill, so the direction is uncertain, and a note says so.
+        // There is no standstill, so the direction is uncertain, and a note reports the uncertainty.
         let unsure = campaign.notes.iter().any(|note| note.kind == "sign_unsure");
         assert!(unsure == (campaign.sign.confidence < 0.8), "{name}: {:?}", campaign.sign);
-        // Half the force jump at the turning points of the slowest test, which is mostly friction.
+        // Half the force jump at the turning points of the slowest test is mostly friction.
         let slowest = &campaign.records[0];
         let mean = |up: bool| {
             let forces: Vec<f64> = slowest

@@ -1,6 +1,6 @@
 //! Texts with the layouts of rigs, testing machines and loggers.
 //!
-//! All contain the same motion and force, and must be read to the same data.
+//! All contain the same motion and force, so all must give the same data.
 
 use dashpot_records::{Campaign, Options, load};
 use std::f64::consts::TAU;
@@ -11,7 +11,7 @@ const FREQUENCY: f64 = 2.0;
 const SAMPLES: usize = 2500;
 const STEP: f64 = 0.001;
 
-/// Returns time, s, displacement, m, and force, N, of a damper whose gas pushes the rod out with 90 N.
+/// Returns time, s, displacement, m, and force, N, of a damper with a gas force of 90 N.
 fn truth(sample: usize) -> (f64, f64, f64) {
     let t = sample as f64 * STEP;
     let v = AMPLITUDE * TAU * FREQUENCY * libm::cos(TAU * FREQUENCY * t);
@@ -41,7 +41,7 @@ fn plain(delimiter: &str) -> String {
 fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Campaign, String> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join(name), bytes).unwrap();
-    // Read a folder, as a laboratory delivers it.
+    // Read a folder, the form in which a laboratory delivers data.
     load(&[folder.path().to_owned()], options, &|_| ()).map_err(|e| e.to_string())
 }
 
@@ -50,7 +50,7 @@ fn check(what: &str, name: &str, bytes: &[u8], options: &Options) -> Campaign {
     let campaign = read(name, bytes, options).unwrap_or_else(|e| panic!("{what}: {e}"));
     assert_eq!(campaign.records.len(), 1, "{what}");
     let record = &campaign.records[0];
-    // Run-up and half cycles are removed, so samples are identified by displacement and direction.
+    // Cleaning removes the run-up and half cycles, so displacement and direction identify the samples.
     let (mut worst, mut extreme) = (0.0_f64, 0.0_f64);
     for ((x, v), f) in record.displacement.iter().zip(&record.velocity).zip(&record.force) {
         let phase = if *v >= 0.0 {
@@ -60,7 +60,7 @@ fn check(what: &str, name: &str, bytes: &[u8], options: &Options) -> Campaign {
         };
         let speed = AMPLITUDE * TAU * FREQUENCY * libm::cos(phase);
         let wanted = if speed > 0.0 { 4000.0 } else { 2000.0 } * speed / (1.0 + speed.abs()) - 90.0;
-        // Near its ends the motion hardly determines the phase.
+        // Near the ends of the stroke, the displacement hardly determines the phase.
         if (x / AMPLITUDE).abs() < 0.95 {
             worst = worst.max((f - wanted).abs());
         }
@@ -96,7 +96,7 @@ fn files_of_mts_stations_in_their_three_forms() {
         .to_owned()
         + &rows(|_, t, x, f| format!("{t:.4},{x:.5},{f:.4},{}", (t * FREQUENCY) as usize));
     check_text("commas", "specimen.dat", &commas);
-    // Plain form: a single blank separates names that are wider than their columns.
+    // In the plain form, a single blank separates names that are wider than their columns.
     let blanks =
         "MTS793|MPT|ENU|1|0|.|/|:|1|0|0|A\n\nData Acquisition: Timed\nStation Name: EML.cfg\nTest File Name: d.000\n\
                   Time      Axial Force Axial Displacement Axial Count\ns         N         mm       cycles\n"
@@ -134,7 +134,7 @@ fn exports_of_loggers_with_names_of_sensors_and_rates_below_the_heading() {
     check_text("catman, English", "d.txt", &english);
     let sensors = "Zeit;Weg/AI 1;Kraft/AI 2\ns;mm;N\nZeitkanal;LVDT 1;U9B\n".to_owned() + &comma(&plain(";"));
     check_text("sensors below units", "d.csv", &sensors);
-    // A longer text is no table.
+    // A longer text is not a table.
     let text = "Time [s],x [mm],F [N]\n".to_owned() + &"some,more,text\n".repeat(6) + &plain(",");
     assert!(read("d.csv", text.as_bytes(), &Options::default()).unwrap_err().contains("'some' is no number"));
 }
@@ -145,7 +145,7 @@ fn what_stands_below_a_table_is_told_and_not_read() {
     let foot = "\nMax,,20.0\nMin,,-20.0\nEnd of test\n";
     let told = notes(&check_text("results", "d.csv", &(table.clone() + foot)));
     assert!(told.contains("from line 2503 on, below the table, not read: 'Max 20.0'"), "{told}");
-    // Figures below the text make the text an error of the table.
+    // If rows of numbers follow the text, the text is an error.
     let broken = read("d.csv", (table + foot + &plain(",")).as_bytes(), &Options::default()).unwrap_err();
     assert!(broken.contains("line 2503") && broken.contains("'Max' is no number"), "{broken}");
 }
@@ -160,7 +160,7 @@ fn numbers_as_programs_write_them() {
     let exponents = "Time [s]   Displacement [mm]   Force [N]\n".to_owned()
         + &rows(|_, t, x, f| format!(" {t:.5E}   {x:.6E}   {f:.6E}").replace('E', "D"));
     check_text("Fortran", "d.dat", &exponents);
-    // Columns of figures that touch except for the blank of the sign.
+    // Only the blank for the sign separates the columns of numbers.
     let fixed = "    Time    Displ    Force\n       s       mm        N\n".to_owned()
         + &rows(|_, t, x, f| format!("{t:8.4} {x:8.5} {f:9.4}"));
     check_text("columns of fixed width", "d.asc", &fixed);

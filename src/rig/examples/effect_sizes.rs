@@ -1,4 +1,4 @@
-//! Prints the force of every injected effect at strength 1, over several dampers and in every drawn physical form.
+//! Prints the force of every injected effect at strength 1, for several dampers and for every drawn physical form.
 //!
 //! `cargo run --release -p dashpot-rig --example effect_sizes [SEEDS] [STRENGTH]`
 

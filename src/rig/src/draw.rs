@@ -1,4 +1,4 @@
-//! Random draws that record the drawn values, so that the truth of a case can be written.
+//! Random draws that record the drawn values for the truth of a case.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

@@ -7,11 +7,11 @@ use crate::draw::Draw;
 
 /// Standstill before and after the motion, s.
 const REST_S: f64 = 0.25;
-/// Shortest ramp, s. A ramp has whole cycles; an actuator does not start at 25 Hz within one cycle.
+/// Shortest ramp, s. A ramp has whole cycles, because an actuator does not reach 25 Hz within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
-/// Frequency, Hz, below which tests ramp over half a cycle only, because half a cycle takes ten seconds and more.
+/// Frequency, Hz, below which a ramp has only half a cycle, because half a cycle takes at least ten seconds.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
-/// Limits of a brief test's standstill, a quarter cycle, s.
+/// Limits of the standstill in a brief test, s. Within the limits, it is a quarter cycle.
 const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
 const BRIEF_RAMP_S: f64 = 0.08;
 
@@ -72,7 +72,7 @@ impl Drive {
         }
     }
 
-    /// Returns the time from which the rig stays at standstill, s.
+    /// Returns the time at which the final standstill begins, s.
     pub fn duration_s(&self) -> f64 {
         self.full.1 + self.ramp + self.rest
     }
@@ -126,7 +126,7 @@ struct Road {
 
 impl Road {
     const WAVES: usize = 24;
-    /// Lowest and highest frequency of the components, Hz: from body motion to above the wheel's resonance.
+    /// Lowest and highest frequency of the components, Hz: from body motion to above the wheel resonance.
     const BAND_HZ: (f64, f64) = (0.4, 16.0);
 
     fn new(seed: u64, point: &TestPoint, full: std::ops::Range<f64>) -> Self {

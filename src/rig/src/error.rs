@@ -1,4 +1,4 @@
-//! Errors of the rig; the messages name the location and a remedy.
+//! Errors of the rig; the messages state the location and a remedy.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -57,7 +57,7 @@ pub enum RigError {
         /// Reason for which the solver stopped.
         problem: String,
     },
-    /// The output folder contains anything but an earlier campaign.
+    /// The output folder contains other files than an earlier campaign.
     #[error("{}: {problem}", folder.display())]
     Folder {
         /// The output folder.

@@ -28,7 +28,7 @@ pub(crate) fn replace_file(
     let outcome =
         write_file(&aside, content).and_then(|()| fs::rename(&aside, path).map_err(RigError::io("write", path)));
     if outcome.is_err() {
-        // An error of the removal is ignored, because the first error is the one to report.
+        // Ignore an error of the removal, because the first error is reported.
         let _ = fs::remove_file(&aside);
     }
     outcome

@@ -1,5 +1,5 @@
-//! Two thermal nodes of a damper on the rig: the dissipated power heats the oil, which heats the body, which heats the
-//! air.
+//! Two thermal nodes of a damper on the rig. The dissipated power heats the oil, the oil heats the body, and the body
+//! heats the air.
 
 use crate::draw::Draw;
 
@@ -61,7 +61,7 @@ mod tests {
         assert!((warm.oil_c - warm.body_c - 100.0 / heat.oil_to_body_w_k).abs() < 0.01, "{warm:?}");
         let cooled = heat.after(warm, 0.0, 20_000.0);
         assert!((cooled.oil_c - AIR_C).abs() < 0.01);
-        // In a short time there are no losses: the oil stores all heat.
+        // In a short time, losses are negligible, and the oil stores all heat.
         let short = heat.after(cold, 1000.0, 0.1);
         assert!((short.oil_c - AIR_C - 100.0 / heat.oil_j_k).abs() < 1e-3);
     }

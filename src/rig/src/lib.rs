@@ -1,13 +1,13 @@
 //! The virtual rig: a physical damper on a test rig, and the measured campaigns.
 //!
 //! It is an independent reference for identification and diagnosis, so its equations differ from those of the
-//! identified model. It has chambers with compressible oil instead of a spring, valves instead of a force-velocity
-//! table, and a bristle seal instead of a friction curve.
+//! identified model. It has compressible oil chambers instead of a spring, valves instead of a force-velocity table,
+//! and a bristle seal instead of a friction curve.
 //!
 //! A second, *neutral* damper with the model's own topology allows the injection of physical effects for a diagnosis:
 //! [`InjectedCase`].
 //!
-//! All values are in SI units; extension (rebound) displacement and velocity are positive, and so is tension force.
+//! All values are in SI units; extension (rebound) and tension are positive.
 //!
 //! `tests/first_use.rs` shows both dampers.
 

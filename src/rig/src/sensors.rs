@@ -29,7 +29,7 @@ const RANGES_N: [f64; 8] = [500.0, 1e3, 2e3, 5e3, 10e3, 20e3, 50e3, 100e3];
 /// Smallest ratio of the load cell's range to the largest force.
 const RESERVE: f64 = 1.2;
 
-/// A measured channel. The numbers select the random stream, so they must never be reused.
+/// A measured channel. The numbers of the variants select the random stream, so they must never be reused.
 #[derive(Debug, Clone, Copy)]
 pub enum Channel {
     Displacement = 1,
@@ -47,13 +47,13 @@ pub struct Sensors<'a> {
 }
 
 impl<'a> Sensors<'a> {
-    /// Makes the sensors of a campaign in the test named `test`. With `noise_percent` 0 no sensor has noise.
+    /// Makes the sensors of a campaign in the test named `test`. If `noise_percent` is 0, no sensor has noise.
     pub fn new(options: &'a Options, test: &'a str) -> Self {
         Self { options, test }
     }
 
-    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the record's first sample, whose time is
-    /// `start_s`; `peak_n` is the largest force of the campaign.
+    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the first sample, at time `start_s`.
+    /// `peak_n` is the largest force of the campaign.
     pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
         let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
         self.disturb_force(rms_n, &mut record.force_n);
@@ -69,7 +69,7 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus the amplifier's noise, in the selected color.
+    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus amplifier noise, with the selected color.
     fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
         let deviation = 0.01 * self.options.noise_percent * rms_n + FORCE_FLOOR_N;
         let colour = self.options.noise_colour;
@@ -115,7 +115,7 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Makes a random stream that depends only on campaign, test name and channel, and not on test order or threads.
+    /// Makes a random stream that depends only on campaign, test name and channel, not on test order or threads.
     fn stream(&self, channel: Channel) -> ChaCha8Rng {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&self.options.seed.to_le_bytes());
@@ -135,7 +135,7 @@ fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
 
 impl Record {
     /// Computes the rms of the noise-free force over the cycles at full amplitude, N, without standstill and ramps. For
-    /// a test without such cycles it covers all samples.
+    /// a test without such cycles, it includes all samples.
     pub(crate) fn rms_n(&self, (start, end): (f64, f64)) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (time, force) in self.time_s.iter().zip(&self.clean_force_n) {

@@ -1,13 +1,13 @@
 //! Implicit integration with error control for the stiff motion of the damper.
 //!
-//! Oil chambers and bristles have time constants below a millisecond, but a slow test lasts minutes, so an explicit
-//! method would need millions of steps.
+//! Oil chambers and bristles have time constants below a millisecond, but a slow test lasts minutes. An explicit method
+//! would require millions of steps.
 //!
-//! The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third order of Kennedy &
+//! The method is the L-stable, stiffly accurate six-stage ESDIRK of order 4 with an embedded third order: Kennedy &
 //! Carpenter, *Additive Runge-Kutta schemes for convection-diffusion-reaction equations*, Appl. Numer. Math. 44 (2003),
 //! ARK4(3)6L\[2\]SA. A test verifies the coefficients by their order conditions.
 
-// Matrices and vectors of a few components are most readable with explicit indices.
+// Matrices and vectors of a few components are easiest to read with explicit indices.
 #![allow(clippy::needless_range_loop)]
 
 const STAGES: usize = 6;
@@ -63,13 +63,13 @@ pub struct Integrator<const N: usize, F> {
     tolerance: Tolerance<N>,
     time: f64,
     state: [f64; N],
-    /// Derivative at `time` and `state`. It is evaluated anew, because reusing the last stage would amplify stiff
+    /// Derivative at `time` and `state`. It is evaluated again, because the value of the last stage would amplify stiff
     /// errors.
     rate: [f64; N],
     step: f64,
     jacobian: [[f64; N]; N],
     jacobian_is_fresh: bool,
-    /// LU factors of `1 - gamma h J` and their `h`.
+    /// LU factors of `1 - gamma h J`, and the step `h` for which they were computed.
     factors: Option<(f64, Factors<N>)>,
 }
 
@@ -104,7 +104,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
     pub fn advance_to(&mut self, end: f64) -> Result<(), Stuck> {
         while self.time < end {
             let remaining = end - self.time;
-            // Two equal steps avoid a very short last step.
+            // Use two equal steps to avoid a very short last step.
             let (step, is_last) = if self.step >= remaining {
                 (remaining, true)
             } else if self.step > 0.5 * remaining {
@@ -137,7 +137,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 self.renew_jacobian();
             }
             let proposal = step * factor;
-            // A step shortened by `end` does not reduce the previously proposed step.
+            // If `end` shortens a step, the previously proposed step stays unchanged.
             self.step = if step < self.step { proposal.max(self.step.min(4.0 * proposal)) } else { proposal };
         }
         Ok(())
@@ -150,7 +150,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         Err(Stuck { time_s: self.time, reason: "no step is small enough for the accuracy asked for" })
     }
 
-    /// Returns the largest component in units of the tolerance; NaN if any is not a number.
+    /// Returns the largest component relative to the tolerance, or NaN if any is not a number.
     fn norm(&self, change: &[f64; N], state: &[f64; N]) -> f64 {
         let mut largest = 0.0;
         for i in 0..N {
@@ -182,7 +182,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         self.factors = None;
     }
 
-    /// Computes the stages of one step and its filtered error; `None` if the Newton iteration does not converge.
+    /// Computes the stages of one step and its filtered error. Returns `None` if the Newton iteration does not
+    /// converge.
     fn try_step(&mut self, step: f64) -> Option<(Attempt<N>, [f64; N])> {
         if self.factors.as_ref().is_none_or(|(h, _)| *h != step) {
             let mut matrix = [[0.0; N]; N];
@@ -255,7 +256,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
             if !converged {
                 return None;
             }
-            // Computing the rate from the stage equation keeps stiff components damped within the step.
+            // With the rate from the stage equation, stiff components stay damped within the step.
             for i in 0..N {
                 rates[stage][i] = (value[i] - base[i]) / (step * GAMMA);
             }
@@ -267,7 +268,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 error[i] += step * (weight - EMBEDDED[stage]) * rate[i];
             }
         }
-        // Without this filter, the estimate is too large for stiff components, which the method damps anyway.
+        // Without this filter, the estimate is too large for stiff components, which the method itself damps.
         let filtered = solve(error);
         Some((Attempt { state: value, rate: (self.rates)(self.time + step, &value), slow_newton }, filtered))
     }
@@ -287,7 +288,7 @@ struct Factors<const N: usize> {
 }
 
 impl<const N: usize> Factors<N> {
-    /// Factorizes a matrix; `None` if it is singular or not finite.
+    /// Factorizes a matrix. Returns `None` if it is singular or not finite.
     fn of(mut lu: [[f64; N]; N]) -> Option<Self> {
         let mut rows = [0; N];
         for (index, row) in rows.iter_mut().enumerate() {
@@ -369,7 +370,7 @@ mod tests {
         for defect in third(&weights).into_iter().chain(third(&EMBEDDED)).chain(fourth) {
             assert!(defect.abs() < 1e-14, "{defect}");
         }
-        // The error estimate must be of fourth order; otherwise step control would be ineffective.
+        // The error estimate must contain a fourth-order error. Otherwise, step control would be ineffective.
         assert!((dot(&EMBEDDED, |i| c(i).powi(3)) - 0.25).abs() > 1e-4);
     }
 

@@ -1,4 +1,4 @@
-//! The rig from its first user's view.
+//! First use of the rig.
 
 use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError};
 

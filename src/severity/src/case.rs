@@ -1,4 +1,4 @@
-//! A case: the injected effects with their severities, the measurement, and the model that is diagnosed.
+//! A case: the injected effects with their severities, the measurement, and the diagnosed model.
 
 use crate::SeverityError;
 use crate::context;
@@ -19,15 +19,15 @@ pub struct Case {
     pub plan: Plan,
     /// Seed, noise, channels.
     pub options: Options,
-    /// Whether the base model's FV curve is piecewise linear, independent of the damper's own curve.
+    /// Whether the base model's FV curve is piecewise linear, regardless of the damper's curve.
     pub linear_curve: bool,
-    /// Whether the base model is a fit with all elements, as a user has it.
+    /// Whether the base model is a user's fit with all elements.
     pub whole_fit: bool,
 }
 
 /// A measured case with its identified base model.
 pub struct Measured {
-    /// The noisy records, as a user reads them.
+    /// The noisy records, read from files.
     pub records: Vec<Record>,
     /// The records without noise, at the same samples.
     pub clean: Vec<Record>,
@@ -35,14 +35,14 @@ pub struct Measured {
     pub left_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
-    /// Measurement errors that the fit found; the records are corrected for them, as by the command line.
+    /// Measurement errors that the fit found. The records are corrected for them, as on the command line.
     pub taken_out: Vec<&'static str>,
     /// Strengths of the injected effects.
     pub strengths: Vec<f64>,
     /// The injected effects and the parameters of the damper.
     pub truth: Truth,
-    /// Effects whose removal from the simulator changes the force visibly; `None` for the own rig, whose dampers have only the injected
-    /// effects.
+    /// Effects with a visible change of force if they are removed from the simulator. `None` for the first virtual rig,
+    /// because its dampers have only the injected effects.
     pub true_set: Option<Vec<String>>,
 }
 
@@ -53,7 +53,7 @@ impl Case {
         Case { effects: Vec::new(), plan: Plan::Diagnosis, options, linear_curve: false, whole_fit: false }
     }
 
-    /// Injects one more effect.
+    /// Injects an additional effect.
     #[must_use]
     pub fn hiding(mut self, effect: &str, severity: f64) -> Case {
         self.effects.push((effect.to_owned(), severity));
@@ -80,19 +80,19 @@ impl Case {
         Ok(case.run_matrix(&matrix, watch)?)
     }
 
-    /// Finds the strength for each severity, each effect alone. The severity of all effects together is not controlled.
+    /// Finds the strength for each severity, with each effect alone. The severity of all effects together may differ.
     ///
     /// # Errors
-    /// Errors of rig, reader or fit; a severity that no strength reaches.
+    /// Errors of rig, reader or fit, or a severity that no strength reaches.
     pub fn strengths(&self) -> Result<Vec<f64>, SeverityError> {
         self.strengths_watched(&|_, _| ())
     }
 
-    /// Finds the strength for each severity. `watch` receives the number of tests measured and their total for every strength that is
-    /// tried.
+    /// Finds the strength for each severity. For every trial strength, `watch` receives the number of measured tests
+    /// and of all tests.
     ///
     /// # Errors
-    /// Those of [`Case::strengths`].
+    /// The errors of [`Case::strengths`].
     pub fn strengths_watched(&self, watch: &dyn Fn(usize, usize)) -> Result<Vec<f64>, SeverityError> {
         let mut strengths = vec![0.0; self.effects.len()];
         if self.effects.iter().all(|(_, wanted)| *wanted <= 0.0) {
@@ -108,7 +108,7 @@ impl Case {
                 Ok(self.at(&alone, &[], watch)?.campaign)
             });
             strengths[k] = match found {
-                // A sparse plan may not show the effect at any strength. The effect then gets its typical strength, 1.
+                // A sparse plan may be unable to show the effect. The strength is then the typical strength, 1.
                 Err(SeverityError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
                 other => other?,
             };
@@ -119,7 +119,7 @@ impl Case {
     /// Finds the strengths, measures, and identifies the base model.
     ///
     /// # Errors
-    /// Errors of rig, reader or fit; a severity that no strength reaches.
+    /// Errors of rig, reader or fit, or a severity that no strength reaches.
     pub fn measure(&self) -> Result<Measured, SeverityError> {
         self.measure_at(self.strengths()?, &[])
     }
@@ -167,9 +167,9 @@ impl Measured {
     }
 }
 
-/// Identifies the model that is diagnosed, with the measurement errors that its fit found.
+/// Identifies the diagnosed model, with the measurement errors that the fit found.
 ///
-/// With `whole_fit` it is a fit with all elements, as a user has it. Otherwise it is [`base_model`], for which the records are not
+/// With `whole_fit`, it is a user's fit with all elements. Otherwise, it is [`base_model`], and the records are not
 /// corrected.
 pub fn model_of(
     records: &[&Record],

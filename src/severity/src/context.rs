@@ -1,9 +1,9 @@
-//! Severity of an effect: the part that a refit of the base model cannot absorb, in units of the noise. The search finds the strength for a
-//! severity.
+//! Severity of an effect: the part that a refit of the base model cannot absorb, relative to the noise. The search
+//! finds the strength for a severity.
 //!
-//! The neutral damper has a residual too, since the base model does not have exactly its form. Severity is the root mean square of the
-//! difference of both residuals. A difference of two root mean squares would depend on the direction of the effect relative to the neutral
-//! residual.
+//! The neutral damper also has a residual, because its form differs from that of the base model. Severity is the root
+//! mean square of the difference of the two residuals. A difference of two root mean squares would depend on the
+//! direction of the effect relative to the neutral residual.
 
 use crate::SeverityError;
 use crate::measured::{base_model, read, without_noise};
@@ -13,9 +13,9 @@ use dashpot_diagnosis::refitted;
 use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
-/// Largest logarithmic deviation from the wanted severity.
+/// Largest logarithmic deviation from the requested severity.
 const NEAR: f64 = 0.08;
-/// Largest number of strengths tried.
+/// Largest number of trial strengths.
 const TRIES: usize = 7;
 /// Range of strengths of a case.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
@@ -28,7 +28,7 @@ pub struct SeverityContext {
     base: Params,
     /// Noise of each record, N.
     noise: Vec<f64>,
-    /// Residual of the base model for that campaign, in units of the noise.
+    /// Residual of the base model for that campaign, relative to the noise.
     own: Vec<f64>,
 }
 
@@ -44,7 +44,8 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 }
 
 impl SeverityContext {
-    /// Makes the context from the neutral damper's campaign; `knows_side_force` if the diagnosed model has side force friction.
+    /// Makes the context from the neutral damper's campaign. `knows_side_force` is true if the diagnosed model has
+    /// side-force friction.
     ///
     /// # Errors
     /// Errors of reader or fit.
@@ -63,11 +64,11 @@ impl SeverityContext {
         Ok(SeverityContext { base, noise, own })
     }
 
-    /// Computes the severity of a campaign; it is exact only if it does not exceed `wanted`.
+    /// Computes the severity of a campaign. A result above `wanted` may be too large.
     ///
-    /// The refit starts from the neutral damper's model. If its result exceeds `wanted`, a newly identified model is refitted as well, and
-    /// the smaller residual counts. An example is friction in the FV curve behind the series spring, which acts like an elastic contact. A
-    /// refit of a model with parallel friction never reaches that form step by step.
+    /// The refit starts from the neutral damper's model. If its result exceeds `wanted`, a newly identified model is
+    /// refitted as well, and the smaller residual counts. For example, friction in the FV curve behind the series
+    /// spring acts like an elastic contact. The refit of a model with parallel friction cannot reach that form.
     ///
     /// # Errors
     /// Errors of reader or fit.
@@ -92,10 +93,10 @@ impl SeverityContext {
         Ok((of_effect / left.len().max(1) as f64).sqrt())
     }
 
-    /// Finds the strength at which an effect has the wanted severity.
+    /// Finds the strength at which an effect has the requested severity.
     ///
     /// # Errors
-    /// Errors of rig or reader; a severity out of reach.
+    /// Errors of rig or reader, or a severity that no strength reaches.
     pub fn strength(
         &self,
         effect: &str,
@@ -105,7 +106,7 @@ impl SeverityContext {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
-        // The severity grows continuously with strength: regula falsi on logarithms, inside the bracket.
+        // The severity grows continuously with strength, so use regula falsi on logarithms, inside the bracket.
         let (mut low, mut high) = (None::<(f64, f64)>, None::<(f64, f64)>);
         let mut strength: f64 = 0.3;
         let mut best = (f64::INFINITY, strength, 0.0);

@@ -1,27 +1,27 @@
-//! Dampers of the virtual rig with effects injected at a stated severity.
+//! Dampers of the virtual rig with injected effects of stated severity.
 //!
-//! Severity is the part of an effect that a refit of the base model cannot absorb, in units of the noise. Any other measure would count
-//! effects that no data can show.
+//! Severity is the part of an effect that a refit of the base model cannot absorb, relative to the noise. Other
+//! measures would include effects that no data can show.
 //!
 //! | file | contents |
 //! |---|---|
-//! | [`case`] | a case: the injected effects with their severities, and the model that is diagnosed |
+//! | [`case`] | a case: the injected effects with their severities, and the diagnosed model |
 //! | [`request`] | the strengths of the effects that a user requests |
-//! | [`context`] | the strength that gives a severity |
-//! | [`measured`] | a campaign of the rig as a user has it |
+//! | [`context`] | the strength for a severity |
+//! | [`measured`] | a campaign of the rig in the form that a user has |
 
 pub mod case;
 pub mod context;
 pub mod measured;
 pub mod request;
 
-/// Why a case cannot be made.
+/// Reason why a case cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum SeverityError {
-    /// The rig rejects it.
+    /// The rig rejects the case.
     #[error(transparent)]
     Rig(#[from] dashpot_rig::RigError),
-    /// Its records cannot be read back.
+    /// The records cannot be read back.
     #[error("reading the case's own records: {0}")]
     Records(String),
     /// The base model cannot be fitted.
@@ -36,14 +36,14 @@ pub enum SeverityError {
     /// The samples differ from those of the neutral damper.
     #[error("the case's records have other samples than those of the neutral damper")]
     OtherSamples,
-    /// No strength gives this severity with these tests.
+    /// No strength has this severity with these tests.
     #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
     OutOfReach {
         /// The effect.
         effect: String,
         /// The largest severity found.
         reached: f64,
-        /// The wanted severity.
+        /// The requested severity.
         wanted: f64,
     },
     /// A severity is requested with tests outside the rig's plans.

@@ -1,4 +1,4 @@
-//! A campaign of the virtual rig as a user has it: read from files, with an identified model.
+//! A campaign of the virtual rig in the form that a user has: read from files, with an identified model.
 
 use crate::SeverityError;
 use dashpot_core::parameter::Element;
@@ -8,11 +8,11 @@ use dashpot_records::{self as records, Record};
 use dashpot_rig::Campaign;
 use std::path::Path;
 
-/// Elements of the model that is diagnosed: those of the thesis's model without the break-away peak.
+/// Elements of the diagnosed model: those of the thesis's model without the break-away peak.
 pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
-/// Identifies the model that is diagnosed: an ordinary fit of the records, with a weak linear spring as a start.
+/// Identifies the diagnosed model: an ordinary fit to the records, with a weak linear spring in the start.
 pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     let options =
         FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
@@ -46,7 +46,7 @@ pub fn without_noise(campaign: &Campaign) -> Campaign {
     clean
 }
 
-/// Reads the records as a user does: written to files and loaded.
+/// Writes the records to files and loads them, like a user.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, SeverityError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }

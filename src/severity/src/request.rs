@@ -4,31 +4,32 @@ use crate::SeverityError;
 use crate::case::Case;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
-/// Requested effects by name, with `name:form` for one physical form, each with its number if given.
+/// Requested effects: name, or `name:form` for one physical form, with the number if stated.
 pub type RequestedEffects = Vec<(String, Option<f64>)>;
 
 /// Meaning of the numbers of requested effects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// Severities: the part that a refit of the model cannot absorb, in units of the noise.
+    /// Severities: the part that a refit of the model cannot absorb, relative to the noise.
     Severities,
     /// Physical strengths; 1 is a typical strong case.
     Strengths,
 }
 
-/// Strength of a typical strong case, the default without a number.
+/// Strength of a typical strong case. It is the default if no number is stated.
 const TYPICAL: f64 = 1.0;
 
 fn refused(problem: String) -> SeverityError {
     RigError::Option { option: "hide", problem }.into()
 }
 
-/// Converts requested effects to names with strengths; empty for `nothing`. Severities need a `plan` of the rig, whose tests determine the
-/// strengths. `watch` receives the number of tests measured and their total for every strength that is tried.
+/// Converts requested effects to names with strengths. Empty for `nothing`. Severities require a `plan` of the rig,
+/// because its tests determine the strengths. For every trial strength, `watch` receives the number of measured tests
+/// and of all tests.
 ///
 /// # Errors
-/// `nothing` together with an effect, an invalid number, severities without plan or noise, a severity that no strength reaches, and errors
-/// of the rig.
+/// `nothing` together with an effect, an invalid number, severities without plan or noise, a severity that no strength
+/// reaches, or errors of the rig.
 pub fn strengths(
     asked: RequestedEffects,
     numbers: Numbers,

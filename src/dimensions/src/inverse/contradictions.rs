@@ -10,19 +10,19 @@ use crate::uncertain::Uncertain;
 use dashpot_core::number;
 use dashpot_messages::Sentence;
 
-/// Adds the contradictions: parameters whose interval does not overlap that of the drawing.
+/// Adds the contradictions: parameters with an interval that does not overlap that of the drawing.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
     let column = all.iter().find(|e| e.number == number!("oil_stiffness"));
     let has_column = model.number(number!("oil_stiffness")) != Standing::Off;
     for expectation in &all {
         let Standing::Known(own) = model.number(expectation.number) else { continue };
-        // A zero shortening is a form of the column (constant length), not an estimate.
+        // A shortening of zero means a column of constant length, not an estimate.
         if expectation.number == number!("oil_shortening") && own.value == 0.0 {
             continue;
         }
         let is_series = expectation.number == number!("series_stiffness");
-        // Without an oil column the series spring includes eyes and oil: it may be softer than the eyes.
+        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes.
         let is_below = own.high < expectation.expected.low && (!is_series || has_column);
         if is_below || own.low > expectation.expected.high {
             to.contradictions.push(contradiction(own, expectation, drawing));
@@ -78,7 +78,7 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     Sentence::as_it_is(all.join(", "))
 }
 
-/// Formats a number as in the file, without rounding digits from the conversion to SI.
+/// Formats a number as in the file, without digits due to rounding in the conversion to SI.
 fn plain(value: f64) -> String {
     let text = format!("{value:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

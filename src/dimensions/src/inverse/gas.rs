@@ -11,7 +11,7 @@ use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
 use dashpot_messages::Template;
 
-/// Units in SI: bar in Pa and cm³ in m³.
+/// Pascals per bar. [`CM3`] is cubic meters per cm³.
 const BAR: f64 = 1e5;
 const CM3: f64 = 1e-6;
 

@@ -17,7 +17,7 @@ use dashpot_messages::Sentence;
 
 /// Explains a model by a drawing.
 ///
-/// Intervals include those of the model file, the drawing and the handbooks' oil data, and the error of the model's form.
+/// The intervals include the uncertainties of model file, drawing and handbook data, and the form error of the model.
 pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     let mut to = Explanation::default();
     let model = model::Identified(model);

@@ -38,7 +38,7 @@ impl Identified<'_> {
         }
     }
 
-    /// Whether the fit of the model had a prior from the dimensions for a parameter, according to its notes.
+    /// Returns whether the fit of the model had a prior from the dimensions for a parameter, according to its notes.
     pub fn had_prior(&self, name: &str) -> bool {
         let said = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
         // The notes of an adjustable damper begin with the setting.
@@ -46,12 +46,13 @@ impl Identified<'_> {
         self.0.identification.notes.iter().any(|note| said.iter().any(|said| is_said(note, said)))
     }
 
-    /// Whether the FV curve of the model is a table.
+    /// Returns whether the FV curve of the model is a table.
     pub fn has_table(&self) -> bool {
         self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0
     }
 
-    /// Returns the forces of one stroke over the speed, both positive and without the force at zero velocity, slowest first.
+    /// Returns speeds and forces of one stroke, slowest first. Speeds and forces are positive, and the force at zero
+    /// velocity is subtracted.
     pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
         let Identified(file) = self;
         let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));
@@ -71,7 +72,7 @@ impl Identified<'_> {
                 let [low, high] = ends.get(k).map_or([0.0; 2], |[low, high]| {
                     if stroke > 0.0 { [half(*low), half(*high)] } else { [half(*high), half(*low)] }
                 });
-                // A point whose interval reaches zero counts as a small force of its sign.
+                // If the interval of a point reaches zero, its lower end is a small force of the point's sign.
                 let low = (value - low).max(SMALLEST * value);
                 (velocity.abs(), Uncertain { value, low, high: value + high })
             })

@@ -12,9 +12,10 @@ use dashpot_core::number;
 use dashpot_messages::Sentence;
 use dashpot_messages::Template;
 
-/// GPa in Pa.
+/// Pascals per GPa.
 const GPA: f64 = 1e9;
-/// Entries of the chamber that is compressed in rebound, and of both chambers that are compressed in compression of a twin tube.
+/// Entries of the chamber that is compressed in rebound. [`BOTH_CHAMBERS`] contains those of both chambers, which are
+/// compressed in compression of a twin tube.
 const CHAMBER: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber];
 const BOTH_CHAMBERS: &[Entry] = &[Entry::Bore, Entry::Rod, Entry::ReboundChamber, Entry::CompressionChamber];
 
@@ -34,7 +35,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     air(model, drawing, effective, to);
 }
 
-/// A column stiffness with its inputs, and the error factor due to the form of the model.
+/// A column stiffness with its inputs and the error factor due to the form of the model.
 struct Column {
     inputs: Vec<Uncertain>,
     /// Computes the stiffness of the column from the inputs.
@@ -50,9 +51,10 @@ struct Column {
     is_bound: bool,
 }
 
-/// Returns the column stiffness: from the model's oil column, from its series spring less the eyes, or as a bound from its series spring.
+/// Returns the column stiffness: from the model's oil column, from its series spring without the eyes, or as a bound
+/// from the whole series spring.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
-    // In compression a twin tube's column is the softest element in series; in rebound the eyes are softer.
+    // In compression, the column of a twin tube is the softest element in series. In rebound, the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
         (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
         && ratio.value != 1.0
@@ -110,7 +112,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
     }
 }
 
-/// Computes the stiffness of a series spring without one of its parts; infinite if the part is the softer one.
+/// Computes the stiffness of a series spring without one of its parts. Infinite if the part is softer than the whole.
 fn in_line_with(whole: f64, part: f64) -> f64 {
     if whole < part { 1.0 / (1.0 / whole - 1.0 / part) } else { f64::INFINITY }
 }
@@ -172,7 +174,7 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
 
-/// Adds the content of free air: from the stroke of the aeration element, or from the reduction of the oil's modulus.
+/// Adds the content of free air, from the stroke of the aeration element or from the reduced modulus of the oil.
 fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "air_content";
     let chamber = [Entry::GasPressure, Entry::ReboundChamber];

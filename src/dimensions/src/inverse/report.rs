@@ -10,17 +10,17 @@ use serde::Serialize;
 pub struct Quantity {
     /// Name.
     pub name: &'static str,
-    /// Value; `None` if only a bound is known.
+    /// Value, or `None` if only a bound is known.
     pub value: Option<f64>,
-    /// Lower end of the 95 % interval; `None` if unbounded.
+    /// Lower end of the 95 % interval, or `None` if unbounded.
     pub low: Option<f64>,
-    /// Upper end; `None` if unbounded.
+    /// Upper end of the interval, or `None` if unbounded.
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
     /// Parameters of the model and entries of the drawing from which it follows.
     pub from: Vec<&'static str>,
-    /// Error factor due to the model's form in 95 of 100 dampers; the interval includes it.
+    /// Error factor due to the model's form in 95 of 100 dampers. The interval includes this error.
     pub model_error: f64,
     /// Further remark, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -53,7 +53,7 @@ pub struct Contradiction {
     pub ratio: f64,
     /// Unit of both.
     pub unit: &'static str,
-    /// Entries of the drawing that the value was computed from: at least one of them is wrong, or the model is.
+    /// Entries of the drawing from which the value was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
     /// Message.
     pub text: Sentence,
@@ -71,7 +71,7 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// Returns the quantity of a name.
+    /// Returns the quantity with a name.
     pub fn find(&self, name: &str) -> Option<&Quantity> {
         self.quantities.iter().find(|quantity| quantity.name == name)
     }
@@ -104,7 +104,7 @@ pub fn digits(value: f64) -> String {
 }
 
 impl Quantity {
-    /// Makes a quantity from an interval in its own unit.
+    /// Makes a quantity from an interval in the unit of the quantity.
     pub(super) fn new(
         name: &'static str,
         unit: &'static str,
@@ -113,12 +113,12 @@ impl Quantity {
         model_error: f64,
     ) -> Quantity {
         let Interval { value, low, high } = found;
-        // If one end is unbounded, a central value would claim too much.
+        // If one end is unbounded, a central value would be misleading.
         let value = value.filter(|_| low.is_some() && high.is_some());
         Quantity { name, value, low, high, unit, from, model_error, note: None }
     }
 
-    /// Returns its English name.
+    /// Returns the English name of the quantity.
     pub fn noun(&self) -> &'static str {
         noun(self.name)
     }

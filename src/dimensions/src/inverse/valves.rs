@@ -1,8 +1,8 @@
 //! Bleed, leak and blow-off, from the FV curve of each stroke.
 //!
-//! Below the knee the passages have the force a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems, 1967, chapter 3). The
-//! coefficient b belongs to an orifice; 1/a is proportional to the leak at creeping speed. At the largest force, the flow in excess of the
-//! bleed passes the blow-off valve.
+//! Below the knee, the force of the passages is a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems,
+//! 1967, chapter 3). The coefficient b belongs to an orifice, and 1/a is proportional to the leak at very low speed. At
+//! the largest force, the flow in excess of the bleed flow passes the blow-off valve.
 
 use super::errors;
 use super::model::Identified;
@@ -15,12 +15,12 @@ use crate::phrases;
 use crate::uncertain::{Uncertain, through};
 use dashpot_messages::Template;
 
-/// Units in SI: mm² in m² and cm³/(s bar) in m³/(s Pa).
+/// Square meters per mm². [`CM3_PER_BAR`] is m³/(s Pa) per cm³/(s bar).
 const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
 /// Ratio of the slope to the steepest slope below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Largest number of bleed points that are used: more points add no information.
+/// Largest number of bleed points that are used. More points add no information.
 const POINTS: usize = 8;
 
 /// A stroke with the names of its quantities.
@@ -41,7 +41,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     }
 }
 
-/// Returns the number of points up to the end of the steepest segment: beyond it a valve has opened.
+/// Returns the number of points up to the end of the steepest segment. Beyond it, a valve has opened.
 fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
     let ends = std::iter::once((0.0, 0.0)).chain(points.iter().map(|(w, h)| (*w, h.value)));
     let slopes: Vec<f64> =
@@ -76,7 +76,8 @@ fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
 }
 
 impl Stroke {
-    /// Returns the effective piston area of the stroke: the valves' pressure difference acts on it, and it displaces their flow.
+    /// Returns the effective piston area of the stroke: the pressure difference of the valves acts on this area, and
+    /// the area displaces their flow.
     fn area(&self, design: Option<Design>, bore: f64, rod: f64) -> f64 {
         if self.sign < 0.0 && design == Some(Design::TwinTube) { area(rod) } else { annulus(bore, rod) }
     }
@@ -175,7 +176,7 @@ impl Stroke {
     }
 }
 
-/// Removes the value of a quantity without an upper end, and adds a note.
+/// Removes the value and adds a note if a quantity has no upper end.
 fn bounded(quantity: Quantity, note: Template) -> Quantity {
     if quantity.high.is_some() { quantity } else { Quantity { value: None, note: Some(note.into()), ..quantity } }
 }

@@ -1,9 +1,10 @@
 //! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the test.
 //!
-//! The damper at constant settings is given. Free parameters are those of the actuator, and relative errors of the family's force. The
-//! errors apply at each setting of the grid and midway between two settings, in each direction. Without them, an error of the family would
-//! become a part of the response. The [instant](super::command_time) within a sample at which the command changes is unknown, and widens
-//! the intervals.
+//! The damper at constant settings is known. The free parameters are those of the actuator, and relative errors of the
+//! family's force. There is one error for each direction at each setting of the grid, and one midway between two
+//! settings. Without these errors, an error of the family would become a part of the response. The
+//! [instant](super::command_time) within a sample at which the command changes is unknown. This uncertainty widens the
+//! intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -18,7 +19,7 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
-/// Directions of the valve for which a parameter holds.
+/// Directions of the valve to which a parameter applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ways {
     /// The parameter does not exist.
@@ -48,7 +49,7 @@ impl ActuatorForm {
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
 
-/// A parameter of an actuator: the entries of the axis that it sets, and its scale.
+/// A parameter of an actuator: the axis entries that it determines, and its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
     /// Names of the entries.
@@ -65,25 +66,27 @@ pub struct ActuatorNumber {
     pub prior: (f64, f64),
 }
 
-/// Response time of a proportional damper valve, s. Published ones rise in 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control
-/// Design for Vehicles, 2010, chapter 2). The spread includes a magneto-rheological coil and a slow pilot stage.
+/// Response time of a proportional damper valve, s. Published response times are 5 to 30 ms (Savaresi et al.,
+/// Semi-Active Suspension Control Design for Vehicles, 2010, chapter 2). The spread includes a magneto-rheological coil
+/// and a slow pilot stage.
 const TIME: f64 = 0.01;
 const TIME_SPREAD: f64 = 1.0;
-/// Dead time of driver and pilot stage, s: a few milliseconds, seldom ten.
+/// Dead time of driver and pilot stage, s: a few milliseconds, rarely ten.
 const DEAD_TIME: (f64, f64) = (0.003, 0.004);
-/// Hysteresis of solenoid valves as a fraction of their range: friction and magnetic remanence make one to six percent.
+/// Hysteresis of solenoid valves as a fraction of their range: friction and magnetic remanence cause one to six
+/// percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
-/// Time in which a typical rate limit crosses the range, s: some tens of milliseconds.
+/// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds.
 const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
 /// Standard deviation of the error of the force at a setting, as a fraction of the force.
 const LEVEL_SPREAD: f64 = 0.05;
-/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. A larger error means an
-/// unusable family.
+/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. If
+/// the error is larger, the family is unusable.
 const MOST_BETWEEN: f64 = 0.3;
 /// Bound of the error of a force between neighbors, in standard deviations.
 const WITHIN: f64 = 2.0;
-/// Standard deviation of the error of a fixed force: far below the resolution of any record.
+/// Standard deviation of the force error if the force is fixed. It is far below the resolution of any record.
 const HELD_SPREAD: f64 = 1e-6;
 /// Largest hysteresis as a fraction of the range. The kernel accepts a quarter.
 const MOST_HYSTERESIS: f64 = 0.24;
@@ -149,13 +152,13 @@ impl ActuatorNumber {
         numbers
     }
 
-    /// Converts the free parameter to the value of the entries.
+    /// Converts the free parameter to the common value of its entries.
     pub fn value(&self, free: f64) -> f64 {
         if self.is_log { libm::exp(free) } else { free }
     }
 }
 
-/// Given data for the identification of an actuator.
+/// Known data for the identification of an actuator.
 pub struct ActuatorContext<'a> {
     /// The damper at constant settings.
     pub definition: &'a Definition,
@@ -186,15 +189,15 @@ pub struct ActuatorRefit {
     pub numbers: Vec<ActuatorNumber>,
     /// Values of the free parameters, followed by the relative errors of the force at each setting and between neighbors.
     pub theta: Vec<f64>,
-    /// Standard deviations of those errors.
+    /// Standard deviations of the relative force errors.
     spreads: Vec<f64>,
     /// Derivatives and weighted residuals of each test, computed minus measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
-    /// Negative log prior: half the sum of the squared distances from the priors' means, each over its variance.
+    /// Negative log prior: half the sum of squared distances from the prior means, each divided by its variance.
     pub negative_log_prior: f64,
 }
 
-/// An actuator at one point of the search.
+/// Values and derivatives of an actuator at one point of the search.
 pub struct ActuatorPoint {
     family: Box<Family>,
     x: Vec<f64>,
@@ -254,7 +257,7 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Computes the forces at the scored samples of the test of a block, and the wanted derivatives.
+    /// Computes the forces at the scored samples of a block's test, and the requested derivatives.
     ///
     /// The command is delayed by `later` samples.
     fn forces(&self, block: usize, family: &Family, x: &[f64], wanted: Wanted, later: f64) -> (Vec<f64>, DMatrix<f64>) {
@@ -290,7 +293,7 @@ impl<'a> ActuatorProblem<'a> {
         if wanted == Wanted::Forces {
             return (forces, columns);
         }
-        // A filtered force channel has several steps for each sample.
+        // If the force channel is filtered, the computation has several steps for each sample.
         let every = ((length - 1) / (test.segment.input.len() - 1).max(1)).max(1);
         let at = |row: usize, level: usize| columns[((row + test.segment.from) * every, level)];
         let scored = DMatrix::from_fn(forces.len(), count, at);
@@ -303,7 +306,7 @@ impl<'a> ActuatorProblem<'a> {
         residual.iter().all(|r| r.is_finite()).then_some(residual)
     }
 
-    /// Refits the parameters from a start; without a start, from the typical valve.
+    /// Refits the parameters from a start. If there is no start, begins with the typical valve.
     pub fn refit(
         &self,
         form: ActuatorForm,
@@ -314,8 +317,9 @@ impl<'a> ActuatorProblem<'a> {
         self.refit_with(form, start, (steps, tolerance), LEVEL_SPREAD)
     }
 
-    /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start, free force errors
-    /// absorb a part of the response. With one step of the command, 30 ms came out as 61 ms.
+    /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start,
+    /// free force errors absorb a part of the response. In a test with one command step, the estimate was then 61 ms
+    /// instead of 30 ms.
     pub fn refit_from_far(
         &self,
         form: ActuatorForm,
@@ -336,11 +340,11 @@ impl<'a> ActuatorProblem<'a> {
     ) -> Option<ActuatorRefit> {
         let most_between = if spread_of_levels == HELD_SPREAD { HELD_SPREAD } else { MOST_BETWEEN };
         let gaps = self.context.gap_spreads.iter().map(|spread| restrict(*spread, HELD_SPREAD, most_between));
-        // One set of gaps for each direction.
+        // Each direction has its own errors between settings.
         let spreads: Vec<f64> =
             std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
-        // A form error is equal at all samples of a step, but the sum of squares counts each sample. A prior alone would be too weak, so
-        // bounds apply.
+        // A form error is equal at all samples of a step, but the sum of squares counts every sample. Therefore, a
+        // prior alone would be too weak, and bounds apply.
         let most: Vec<f64> = spreads
             .iter()
             .enumerate()
@@ -375,7 +379,7 @@ impl<'a> ActuatorProblem<'a> {
         if !found.cost.is_finite() {
             return None;
         }
-        // Errors between settings are bounded. They are no evidence for or against a form.
+        // Errors between settings are bounded. They are not evidence for or against a form.
         let counted = found.x.iter().zip(&priors).take(self.numbers.len() + 2 * self.grid().len());
         let distances = counted.map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
         let negative_log_prior = 0.5 * distances.sum::<f64>();
@@ -415,7 +419,7 @@ impl ActuatorRefit {
         own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
-    /// Makes a start for another form: values of the common entries, and the force errors.
+    /// Makes a start for another form from the values of the common entries and the force errors.
     pub fn start_of(&self, form: ActuatorForm, range: f64) -> Vec<f64> {
         let own = |number: &ActuatorNumber| {
             let known =

@@ -1,4 +1,5 @@
-//! Search for the most probable actuator: none, a lag, one lag for each direction, with dead time, rate limit or hysteresis.
+//! Search for the most probable actuator: none, one lag, or one lag for each direction, with optional dead time, rate
+//! limit and hysteresis.
 
 use super::actuator::{ActuatorContext, ActuatorForm, ActuatorProblem, ActuatorRefit, Ways};
 use crate::cancel;
@@ -7,7 +8,7 @@ use crate::structure::evidence::{Evidence, mean_square};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Prior log odds of a lag: every valve has one, but records of slow loggers do not resolve it.
+/// Prior log odds of a lag: every valve has a lag, but records of slow loggers do not resolve the lag.
 const LAG: f64 = 1.0;
 /// Prior log odds that rising and falling have different time constants.
 const EACH_WAY: f64 = -0.5;
@@ -17,11 +18,11 @@ const DEAD_TIME: f64 = 0.0;
 const HYSTERESIS: f64 = -1.0;
 /// Prior log odds of a rate limit, which is hard to distinguish from a lag.
 const RATE: f64 = -2.0;
-/// Smallest rise of the log posterior for which a move is made.
+/// Smallest rise of the log posterior at which the search makes a change.
 const RISE: f64 = 0.5;
-/// Time after a change of the command in which the force depends on the valve, s. It is five times the longest typical time constant of
-/// dampers, 30 ms (Savaresi et al. 2010, chapter 2). With the whole test and 60 N of noise, the search found one time constant of 18 ms
-/// instead of 10 and 18 ms.
+/// Time after a change of the command during which the force depends on the valve dynamics, s. It is five times the
+/// longest typical time constant of dampers, 30 ms (Savaresi et al. 2010, chapter 2). With the whole test and 60 N
+/// noise, the search found one time constant of 18 ms instead of two, 10 ms and 18 ms.
 const RESPONSE: f64 = 0.15;
 /// Starts of the time constant, s.
 const STARTS: [f64; 3] = [0.003, 0.012, 0.08];
@@ -34,9 +35,9 @@ const FINE: (usize, f64) = (20, 1e-5);
 pub struct ActuatorPart {
     /// Name in files: `lag`, `lag_each_way`, `dead_time`, `rate_limit`, `hysteresis`.
     pub name: &'static str,
-    /// Whether the most probable actuator has it.
+    /// Whether the most probable actuator has the part.
     pub is_present: bool,
-    /// Log posterior of the actuator with the part minus that without it.
+    /// Log posterior of the actuator with the part minus the log posterior without the part.
     pub log_odds: f64,
 }
 
@@ -70,7 +71,7 @@ fn toggled(form: ActuatorForm, part: &str) -> Option<ActuatorForm> {
     Some(with)
 }
 
-/// Forms of most valves: a shared lag or one for each direction, without and with a dead time.
+/// Forms of most valves: a shared lag or one lag for each direction, without and with a dead time.
 const VALVES: [ActuatorForm; 4] = {
     let lag = ActuatorForm { lag: Ways::Shared, ..ActuatorForm::NONE };
     let each = ActuatorForm { lag: Ways::Each, ..ActuatorForm::NONE };
@@ -94,7 +95,8 @@ fn log_prior(form: ActuatorForm) -> f64 {
     PARTS.iter().zip(odds).map(|(part, odds)| if has(form, part) { odds } else { 0.0 }).sum()
 }
 
-/// Returns the scored samples of a test at which the valve may respond; all samples if there are none.
+/// Returns the scored samples of a test at which the valve may respond. Returns all samples if the valve responds at
+/// none.
 ///
 /// A steady force contains no information about the valve. Its noise would mask the samples after a step.
 fn responding(test: &Test) -> Vec<usize> {
@@ -165,8 +167,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     };
     let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;
     known.insert(ActuatorForm::NONE, Some((best_posterior, best.clone())));
-    // If rising and falling differ, a shared lag is less probable than none. A search that changes single parts would then miss the right
-    // form.
+    // If rising and falling settings differ, a shared lag may be less probable than no lag. A search that changes
+    // single parts would then miss the correct form.
     let mut from = best.clone();
     for form in VALVES {
         let found = fit(form, Some(&from));

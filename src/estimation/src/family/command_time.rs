@@ -1,17 +1,18 @@
 //! The instant within a sample at which a command changes.
 //!
-//! A logger stores the command before and after a change, and the change lies anywhere between the two samples. The estimate assumes the
-//! middle. A rig that switches with its clock has the same timing error at all steps, so more steps do not average the error out. The
-//! instant is therefore a considered parameter, not an estimated one: its uniform distribution over a sample widens the intervals of all
-//! other parameters.
+//! A logger stores the command before and after a change, and the change is anywhere between the two samples. The
+//! estimate assumes the middle. If a rig switches with its clock, all steps have the same timing error, so averaging
+//! over steps does not reduce the error. The instant is therefore a considered parameter, not an estimated one. Its
+//! uniform distribution over a sample widens the intervals of all other parameters.
 
 /// Standard deviation of the instant within a sample, in samples: 1/√12.
 pub const SPREAD: f64 = 0.288_675_134_594_812_9;
-/// Step of the central difference with respect to the instant, in samples. The mean command of a step is linear in the instant up to half a
-/// sample. So any smaller step gives the same derivative, until rounding dominates.
+/// Step of the central difference with respect to the instant, in samples. The mean command of a step is linear in the
+/// instant up to half a sample. Therefore, any smaller step gives an equal derivative, until rounding dominates.
 pub const STEP: f64 = 0.1;
 
-/// Computes the commands of steps of lengths `dt`, s, for a signal delayed by `later`, s: the mean of the shifted signal over each step.
+/// Computes the commands of time steps `dt`, s, for a signal that is delayed by `later`, s. Each command is the mean of
+/// the delayed signal over the step.
 pub fn shifted(dt: &[f64], commands: &[f64], later: f64) -> Vec<f64> {
     let count = commands.len().min(dt.len());
     let (Some(first), Some(last)) = (commands.first(), commands[..count].last()) else { return Vec::new() };
@@ -57,7 +58,7 @@ mod tests {
         assert!(close(&shifted(&dt, &commands, 0.5), &[0.0, 0.0, 0.0, 0.75, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, -0.5), &[0.0, 0.0, 0.5, 1.0, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, 2.5), &[0.0, 0.0, 0.0, 0.0, 0.5, 1.0]));
-        // Variance of a uniform distribution; the derivative is constant within half a sample.
+        // The variance is that of a uniform distribution. The derivative is constant within half a sample.
         assert!((12.0 * SPREAD * SPREAD - 1.0).abs() < 1e-12);
         let moved = |later: f64| shifted(&dt, &commands, later)[3] - commands[3];
         assert!((moved(STEP) / STEP - moved(0.5) / 0.5).abs() < 1e-12);

@@ -1,12 +1,13 @@
 //! A damper measured at several settings, as one estimation problem.
 //!
-//! At every setting the family is an ordinary damper, so each setting has the residuals of an ordinary [`crate::hypothesis::Hypothesis`]. A
-//! free parameter is either shared by all settings or has a value at each of them. The structure of the family includes this choice.
+//! At every setting, the family is an ordinary damper, so each setting has the residuals of an ordinary
+//! [`crate::hypothesis::Hypothesis`]. A free parameter either has one value for all settings, or one value at each
+//! setting. The structure of the family includes this choice.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`problem`] | the hypothesis of a family, its residuals and its refit |
-//! | [`pattern`] | parameters that may depend on the setting, and the prior odds that they do |
+//! | [`pattern`] | parameters that may depend on the setting, and the prior odds of such a dependence |
 //! | [`structure`] | a refitted family with its effects and its log posterior |
 //! | [`prediction`] | first-order estimate of a family with other shared parameters |
 //! | [`template`] | a family made from a structure that was found at one setting |

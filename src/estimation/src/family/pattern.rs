@@ -1,4 +1,4 @@
-//! Parameters of a damper that may depend on its setting, and the prior odds that they do.
+//! Parameters of a damper that may depend on its setting, and the prior odds of such a dependence.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::structure::component::weight;
@@ -6,14 +6,17 @@ use crate::unknowns::{CurveName, Unknown};
 use dashpot_core::family::Axis;
 use dashpot_core::parameter::Number;
 
-/// Prior log odds that the FV curve depends on the setting: an adjuster or a valve serves to change it.
+/// Prior log odds that the FV curve depends on the setting: changing the curve is the purpose of an adjuster or a
+/// valve.
 const CURVE: f64 = 2.0;
-/// Prior log odds for a parameter of a dissipative effect, such as the friction of a magneto-rheological valve.
+/// Prior log odds that a parameter of a dissipative effect depends on the setting. An example is the friction of a
+/// magneto-rheological valve.
 const DISSIPATED: f64 = -1.5;
-/// Prior log odds for a parameter that stores energy: gas, springs and oil are outside the valve.
+/// Prior log odds that a parameter of an energy store depends on the setting. Gas, springs and oil are outside the
+/// valve.
 const STORED: f64 = -3.0;
-/// Number of parameters that the FV curve counts at a further setting. Curves of one valve differ by little more than a factor on each
-/// stroke.
+/// Number of free parameters for which the FV curve counts at each further setting. Curves of one valve differ by
+/// little more than one factor for each stroke.
 const FURTHER_CURVE: f64 = 2.0;
 
 /// A quantity that may depend on the setting as a whole.
@@ -36,7 +39,7 @@ pub fn site_of(free: &Free) -> Option<Site> {
     }
 }
 
-/// Whether a parameter stores energy; `None` if the parameter cannot depend on a setting.
+/// Returns whether a parameter belongs to an energy store. Returns `None` if the parameter cannot depend on a setting.
 fn stores_energy(number: Number) -> Option<bool> {
     let mut axis = Axis::NONE;
     axis.set_grid(&[0.0, 1.0]).ok()?;
@@ -45,7 +48,7 @@ fn stores_energy(number: Number) -> Option<bool> {
     Some(stores)
 }
 
-/// Returns the sites of a hypothesis, each once, in the order of its parameters.
+/// Returns the sites of a hypothesis without duplicates, in the order of its parameters.
 pub fn sites(template: &Hypothesis) -> Vec<Site> {
     let mut all = Vec::new();
     for site in template.numbers.iter().filter_map(|number| site_of(&number.free)) {
@@ -79,7 +82,7 @@ pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     varying_sites(template, varies).iter().map(odds).sum()
 }
 
-/// Counts the free parameters of a family; weakly informed ones count half.
+/// Counts the free parameters of a family. Weakly determined parameters count half.
 pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
     let further = settings.saturating_sub(1) as f64;
     let of_curve = if varying_sites(template, varies).contains(&Site::Curve) { FURTHER_CURVE * further } else { 0.0 };

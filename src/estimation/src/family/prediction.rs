@@ -1,7 +1,8 @@
 //! First-order estimate of a family in which other parameters depend on the setting.
 //!
-//! The derivatives with respect to the template's parameters at each setting define the linear least-squares problem of every pattern of
-//! shared and varying parameters. So all patterns one step away are judged without a refit.
+//! The derivatives with respect to the template's parameters at each setting define the linear least-squares problem of
+//! every pattern of shared and varying parameters. Therefore, all patterns one change away can be evaluated without a
+//! refit.
 
 use super::pattern::{Site, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -11,18 +12,20 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest change, in steps of a parameter, for which a linear estimate is trusted.
+/// Largest change, in steps of a parameter, at which a linear estimate counts as reliable.
 const TRUSTED: f64 = 5.0;
-/// Largest number of solutions of the bounded linear problem. Each fixes the parameters that left their bounds before.
+/// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
+/// bounds in earlier solutions.
 const ITERATIONS: usize = 6;
-/// Weight of the present value if neither records nor prior determine a parameter, in units of its step.
+/// Weight of the current value, relative to the normal matrix and to the step of a parameter. It matters only if
+/// neither records nor prior determine the parameter.
 const RIDGE: f64 = 1e-9;
 
 /// The linear problem of a refitted family.
 pub struct Linearization<'a> {
     structure: &'a FamilyStructure,
     settings: &'a [SettingTests],
-    /// Parameters of the template at each setting.
+    /// Values of the template's parameters at each setting.
     thetas: Vec<Vec<f64>>,
     /// Derivatives with respect to these parameters.
     jacobians: Vec<DMatrix<f64>>,
@@ -66,7 +69,8 @@ impl<'a> Linearization<'a> {
         Linearization { structure, settings, thetas, jacobians, normals }
     }
 
-    /// Predicts the family in which these sites vary and all others are shared; `None` if the linear problem has no solution.
+    /// Predicts the family in which these sites vary and all others are shared. Returns `None` if the linear problem
+    /// has no solution.
     pub fn predict(&self, sites: &[Site]) -> Option<Prediction> {
         let from = &self.structure.hypothesis;
         let varies = varies(&from.template, sites);
@@ -88,7 +92,7 @@ impl<'a> Linearization<'a> {
         Some(Prediction { hypothesis, log_posterior })
     }
 
-    /// Solves the linear problem for parameters inside their bounds and near the present ones.
+    /// Solves the linear problem for parameters within their bounds and near the current values.
     fn solve(&self, hypothesis: &FamilyHypothesis, columns: &[Vec<usize>]) -> Option<Vec<f64>> {
         let numbers = hypothesis.numbers();
         let n = numbers.len();

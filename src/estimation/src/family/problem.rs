@@ -15,18 +15,19 @@ use nalgebra::{DMatrix, DVector};
 pub struct SettingTests {
     /// Value of the setting.
     pub value: f64,
-    /// Its tests.
+    /// Tests at this setting.
     pub tests: Vec<Test>,
 }
 
-/// A damper at several settings: an ordinary hypothesis in which some parameters have a value at each setting.
+/// A damper at several settings: an ordinary hypothesis in which some parameters have a separate value at each setting.
 #[derive(Debug, Clone)]
 pub struct FamilyHypothesis {
     /// The damper at one setting, with its free parameters.
     pub template: Hypothesis,
-    /// Whether each free parameter has a value at each setting; else all settings share one value.
+    /// For each free parameter, whether it has a separate value at each setting. Otherwise, all settings share one
+    /// value.
     pub varies: Vec<bool>,
-    /// Start of the parameters at each setting. A shared parameter starts from its value at the first setting.
+    /// Start of the parameters at each setting. The start of a shared parameter is its value at the first setting.
     pub starts: Vec<Vec<f64>>,
 }
 
@@ -47,7 +48,7 @@ impl FamilyHypothesis {
         self.starts.len()
     }
 
-    /// Returns the index in the family's vector of each free parameter at each setting.
+    /// Returns the index of each free parameter at each setting. The index refers to the vector of the family.
     pub fn columns(&self) -> Vec<Vec<usize>> {
         let settings = self.settings();
         let mut columns = vec![Vec::with_capacity(self.varies.len()); settings];
@@ -82,7 +83,7 @@ impl FamilyHypothesis {
         start
     }
 
-    /// Returns the free parameters of the family, one for each component of its vector.
+    /// Returns the free parameters of the family, one for each element of its vector.
     pub fn numbers(&self) -> Vec<Number> {
         let start = self.start();
         let mut numbers = Vec::with_capacity(start.len());
@@ -116,7 +117,7 @@ impl FamilyHypothesis {
         self
     }
 
-    /// Returns the family without one of its settings, with the starts of the others.
+    /// Returns the family without one of its settings, with the starts of the other settings.
     pub fn without_setting(&self, setting: usize) -> FamilyHypothesis {
         let mut less = self.clone();
         less.starts.remove(setting);
@@ -230,7 +231,7 @@ mod tests {
     use crate::unknowns::{CurveName, Unknown};
     use crate::vocabulary::base_numbers;
 
-    /// A damper at two settings that differ in their FV curves alone.
+    /// The damper has two settings that differ only in their FV curves.
     #[test]
     fn residuals_of_a_family_are_those_of_each_setting_at_its_own_numbers() {
         let base = Params::new();
@@ -253,7 +254,7 @@ mod tests {
         let at = |theta: &[f64]| family.residual_by(Accuracy::Full, &settings, theta).unwrap();
         let truth = at(&theta);
         assert!(truth.len() == 320 && truth.amax() < 1e-9, "{}", truth.amax());
-        // Parameters of the first setting change its residuals alone.
+        // Parameters of the first setting change only the residuals of that setting.
         let columns = family.columns();
         let mut moved = theta.clone();
         columns[0].iter().filter(|place| !columns[1].contains(place)).for_each(|place| moved[*place] += 10.0);

@@ -5,8 +5,8 @@ use dashpot_core::Input;
 use dashpot_core::family::Family;
 use dashpot_core::input::Path;
 
-/// Parts of a sample while the valve moves. A step uses the setting at its end, so a moving valve leads slower states by half a step. With
-/// whole samples of 1 ms, an identified lag was 0.3 ms too long.
+/// Parts of a sample while the valve moves. A time step uses the setting at its end, so a moving valve leads slower
+/// states by half a step. With steps of a whole sample, 1 ms, an identified lag was 0.3 ms too long.
 const PARTS: u32 = 4;
 /// Change of the valve's position within a sample, as a fraction of the grid's range, above which the valve counts as moving.
 const MOVING: f64 = 1e-3;
@@ -16,14 +16,14 @@ pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
     run_commanded(family, segment, segment.setting.as_deref())
 }
 
-/// Returns the input within a step.
+/// Returns the input at a fraction of a time step.
 fn part_of(input: &Input, path: &Path, theta: f64) -> Input {
     let point = path.point(theta);
     Input { displacement: Some(point.x), velocity: point.v, ..*input }
 }
 
-/// Computes forces and valve positions under other commands than those of the segment. Each command holds for the step that ends at its
-/// sample.
+/// Computes forces and valve positions under other commands than those of the segment. Each command applies to the step
+/// that ends at its sample.
 pub fn run_commanded(family: &Family, segment: &Segment, commands: Option<&[f64]>) -> (Vec<f64>, Vec<f64>) {
     let command = |sample: usize| commands.and_then(|all| all.get(sample)).copied();
     let count = segment.input.len();

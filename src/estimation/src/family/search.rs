@@ -1,8 +1,9 @@
 //! The search for the most probable family.
 //!
-//! Each setting is first searched as an ordinary damper. Each structure found in these searches gives a start in which every parameter
-//! varies; those that need not vary are then shared. From each start, moves let one parameter vary or be shared, remove an effect, or add
-//! one from the search of a setting. Moves end when the log posterior no longer rises. The most probable end is the result.
+//! Each setting is first searched as an ordinary damper. Each structure from these searches gives a start in which
+//! every parameter varies. Parameters that do not depend on the setting are then shared. From each start, a move makes
+//! one parameter vary or shared, removes an effect, or adds an effect from the search of a setting. Moves end when the
+//! log posterior no longer rises. The result is the most probable family at the end of the moves.
 
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
@@ -17,28 +18,29 @@ use crate::structure::search::StructureSearch;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Smallest rise of the log posterior for which a move is made.
+/// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
-/// Largest distance of a predicted log posterior below the present one for which the family is refitted.
+/// Largest decrease of the predicted log posterior, relative to the current one, at which the family is refitted.
 const PREDICTED: f64 = 3.0;
 /// Largest number of predicted families that are refitted in each iteration.
 const REFITTED: usize = 3;
-/// Largest distance of the log posterior below the best of a setting for which an effect is tried in the family.
+/// Largest difference between a setting's best log posterior and that of a structure at which its effect is tried in
+/// the family.
 const ASKED_FOR: f64 = 15.0;
-/// Largest number of effects that are tried beyond those of the best structures.
+/// Largest number of effects that are tried in addition to those of the best structures.
 const EFFECTS: usize = 16;
 /// Largest number of moves.
 const MOVES: usize = 24;
 
-/// Dependence of a quantity on the setting, with its log odds.
+/// Dependence of a quantity on the setting, with the log odds of the dependence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dependence {
     /// The quantity.
     pub site: Site,
-    /// Whether it varies in the most probable family.
+    /// Whether the quantity varies in the most probable family.
     pub varies: bool,
-    /// Log posterior of the family in which the quantity varies, minus that in which it is shared. The less probable one is a first-order
-    /// estimate.
+    /// Log posterior of the family in which the quantity varies, minus that of the family in which it is shared. The
+    /// smaller of the two is a first-order estimate.
     pub log_odds: f64,
 }
 
@@ -68,7 +70,8 @@ pub fn search_family(
     Some(likelier_at_rest(best, settings))
 }
 
-/// Returns the likelier of both forms of the FV curve at rest, which have the same number of parameters.
+/// Returns the family with the more probable of the two forms of the FV curve at rest, which have the same number of
+/// parameters.
 fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
@@ -98,7 +101,7 @@ fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Struct
     best
 }
 
-/// Shares all parameters at once for which sharing is predicted to raise the posterior.
+/// Shares, in one step, all parameters for which the prediction shows a higher posterior if they are shared.
 fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let varying = start.varying();
     let linear = Linearization::new(&start, settings);
@@ -118,7 +121,7 @@ fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     }
 }
 
-/// Returns the sites that vary after one is toggled.
+/// Returns the sites that vary after a change of one site.
 fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     if varying.contains(&site) {
         varying.iter().copied().filter(|other| *other != site).collect()
@@ -127,7 +130,7 @@ fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     }
 }
 
-/// Lets one more or one fewer parameter vary, if the result is more probable.
+/// Changes whether one quantity varies, if the result is more probable.
 fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
     let varying = from.varying();
     let linear = Linearization::new(from, settings);
@@ -171,7 +174,7 @@ fn add(
         }
     }
     let more = list.into_par_iter().flat_map_iter(|(source, effect)| {
-        // Try the effect with parameters that all settings share, and with parameters at each setting.
+        // Try the effect with shared parameters, and with separate parameters at each setting.
         [false, true].into_iter().filter_map(move |varies| {
             let (hypothesis, components) = with_effect(from, source, effect, varies)?;
             FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
@@ -185,7 +188,7 @@ fn better(from: &FamilyStructure, among: Vec<FamilyStructure>) -> Option<FamilyS
     (best.log_posterior > from.log_posterior + RISE).then_some(best)
 }
 
-/// Returns structures of single settings with effects to try in the family, those with the largest gain first.
+/// Returns structures of single settings with effects to try in the family, in order of decreasing gain.
 fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     let mut by_form: BTreeMap<Form, (f64, &Structure)> = BTreeMap::new();
     let mut note = |form: Form, gain: f64, structure| {
@@ -211,7 +214,7 @@ fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     all.into_iter().take(beyond).map(|(_, structure)| structure).collect()
 }
 
-/// Returns for each site whether it depends on the setting, with its log odds.
+/// Returns for each site whether it depends on the setting, with the log odds of the dependence.
 pub fn dependences(of: &FamilyStructure, settings: &[SettingTests]) -> Vec<Dependence> {
     let varying = of.varying();
     let linear = Linearization::new(of, settings);

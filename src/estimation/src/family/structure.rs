@@ -12,19 +12,20 @@ use crate::structure::prior_odds::log_prior;
 /// A refitted family.
 #[derive(Clone)]
 pub struct FamilyStructure {
-    /// Its free parameters, starting from the result of the refit.
+    /// Free parameters of the family, starting from the result of the refit.
     pub hypothesis: FamilyHypothesis,
-    /// Its effects.
+    /// Effects of the family.
     pub components: Vec<Component>,
-    /// Result of its refit.
+    /// Result of the refit.
     pub refit: FamilyRefit,
-    /// Its residuals.
+    /// Evidence from the residuals.
     pub evidence: Evidence,
     /// Log posterior, up to a constant that all families of a search share.
     pub log_posterior: f64,
 }
 
-/// Computes the evidence of a family from its residuals. Its negative log prior is that of the least plausible setting.
+/// Computes the evidence of a family from its residuals. The negative log prior of the evidence is that of the least
+/// plausible setting.
 pub fn evidence(
     hypothesis: &FamilyHypothesis,
     theta: &[f64],
@@ -49,14 +50,14 @@ pub fn evidence(
     all
 }
 
-/// Computes the log prior of a family: that of its effects plus that of its dependence on the setting.
+/// Computes the log prior of a family: the log prior of its effects plus that of its dependence on the setting.
 pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> f64 {
     let effects: Vec<_> = components.iter().map(|c| (c.effect, c.form, c.is_of_measurement())).collect();
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
 }
 
-/// Computes the deduction from the parameters' cost for those better known on this damper than on others. A varying parameter counts at
-/// each setting.
+/// Computes the reduction of the cost of parameters that are better known for this damper than for other dampers. A
+/// varying parameter counts once for each setting.
 fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
     let FamilyHypothesis { template, varies, .. } = hypothesis;
     let scale = Scale::from_params(&template.base);
@@ -87,7 +88,7 @@ impl FamilyStructure {
         varying_sites(&self.hypothesis.template, &self.hypothesis.varies)
     }
 
-    /// Removes one of its effects and refits.
+    /// Removes one effect from the family and refits.
     pub fn without(&self, place: usize, settings: &[SettingTests], effort: Effort) -> Option<FamilyStructure> {
         let varying = self.varying();
         let from = &self.hypothesis;

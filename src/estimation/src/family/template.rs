@@ -17,7 +17,8 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Returns the velocities of the FV table that all settings share: from the tests of all settings, or from a structure with more points.
+/// Returns the velocities of the FV table that all settings share. They come from the tests of all settings, or from
+/// `of` if that structure has more points.
 pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     let segments: Vec<Segment> = settings.iter().flat_map(|s| &s.tests).map(|t| t.segment.clone()).collect();
     let plain = first_guess::velocities(&segments);
@@ -37,8 +38,8 @@ pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
     own
 }
 
-/// Makes a family with the effects of one structure, in which every parameter varies that can. Parameters start from the structure of each
-/// setting if it contains them. Each setting is then refitted by itself.
+/// Makes a family with the effects of one structure, in which every parameter varies if possible. At each setting,
+/// parameters start from the structure of that setting if it contains them. Each setting is then refitted separately.
 pub fn varying_family(
     from: &Structure,
     at_settings: &[&Structure],
@@ -73,8 +74,8 @@ pub fn varying_family(
     Some((FamilyHypothesis { template, varies, starts: starts? }, from.components.clone()))
 }
 
-/// Adds one effect to the family from a structure of one setting. All settings share its parameters, or with `varies` each setting has its
-/// own where possible.
+/// Adds one effect to the family from a structure of one setting. All settings share the parameters of the effect. With
+/// `varies`, each setting has separate parameters where possible.
 pub fn with_effect(
     family: &FamilyStructure,
     source: &Structure,

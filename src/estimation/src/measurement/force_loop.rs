@@ -1,7 +1,7 @@
 //! Hysteresis of a load cell: a rate-independent loop over the force.
 
-/// Adds `share` of the force while the force rises and subtracts it while the force falls. After a reversal the sign changes exponentially
-/// within a force `width`, N.
+/// Adds `share` of the force while the force rises and subtracts it while the force falls. After a reversal of the
+/// force, the sign changes exponentially over a force of `width`, N.
 pub(super) fn loop_over_force(share: f64, width: f64, forces: &mut [f64]) {
     let (mut way, mut last) = (0.0, forces.first().copied().unwrap_or(0.0));
     for force in forces {
@@ -31,7 +31,7 @@ mod tests {
         for (k, (_, added)) in fast.iter().enumerate().skip(400) {
             assert!((added - slow[10 * k].1).abs() < 0.5, "{k}");
         }
-        // The added force is larger while the force rises.
+        // The total force is larger while the force rises.
         let area: f64 = slow[4000..].windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum();
         assert!(area > 0.5 * 0.03 * 2.0 * 1000.0 * 1000.0, "{area}");
     }

@@ -1,20 +1,22 @@
-//! A tilted cross-head or eye: a fraction of the axial force loads the guides, and their friction adds to the force.
+//! A tilted cross-head or eye: a fraction of the axial force acts on the guides, and the friction of the guides adds to
+//! the force.
 
 use dashpot_core::Input;
 
 /// Speed within which the friction of the guides reverses, m/s.
 const TURNS: f64 = 2e-3;
 
-/// Force that loads the guides.
+/// Force that acts on the guides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Load {
     /// The whole force, including the gas force.
     Whole,
-    /// The force relative to that at rest: the tilt came later, or the force at rest was set to zero.
+    /// The force minus the force at rest: the tilt occurred later, or the force at rest was set to zero.
     BeyondRest,
 }
 
-/// Adds friction as a fraction of the load. With `along` the fraction is proportional to the displacement, and `share` has the unit 1/m.
+/// Adds friction as a fraction of the load. With `along`, the fraction is proportional to the displacement, and `share`
+/// has the unit 1/m.
 pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], forces: &mut [f64]) {
     let rest = match load {
         Load::Whole => 0.0,

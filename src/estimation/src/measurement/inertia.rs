@@ -6,7 +6,8 @@ use dashpot_core::Input;
 
 /// Adds the inertia force M a. The acceleration a is the derivative of the parabola through three velocities.
 ///
-/// At fifty samples a cycle the acceleration is 0.3 % too small. The fitted motion contains no noise that differentiation could amplify.
+/// At fifty samples per cycle, the acceleration is 0.3 % too small. The fitted motion contains no noise that
+/// differentiation could amplify.
 pub(super) fn inertia(mass: f64, dt: &[f64], input: &[Input], forces: &mut [f64]) {
     let n = input.len();
     let slope = |k: usize| (input[k].velocity - input[k - 1].velocity) / dt[k].max(f64::MIN_POSITIVE);
@@ -15,7 +16,7 @@ pub(super) fn inertia(mass: f64, dt: &[f64], input: &[Input], forces: &mut [f64]
             _ if n < 2 => 0.0,
             (0, _) => slope(1),
             (_, next) if next == n => slope(k),
-            // The difference to the nearer neighbor has the larger weight.
+            // The difference to the closer neighbor has the larger weight.
             (_, next) => (slope(k) * dt[next] + slope(next) * dt[k]) / (dt[k] + dt[next]).max(f64::MIN_POSITIVE),
         };
         *force += mass * acceleration;

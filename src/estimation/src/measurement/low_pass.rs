@@ -2,7 +2,7 @@
 
 use super::second_order::SecondOrder;
 
-/// ζ of Bessel's filter of the second order, which delays all frequencies alike.
+/// Damping ratio ζ of a second-order Bessel filter, which delays all frequencies nearly equally.
 const DAMPING: f64 = 0.866_025_403_784_438_6;
 
 /// Filters forces with a delay of τ = 2 ζ/ω at low frequency.

@@ -1,6 +1,6 @@
 //! Measurement errors that the rig adds to a record: skew between channels, load-cell zero, drift.
 //!
-//! The comparison of forces corrects them; the model of the damper does not contain them.
+//! The comparison of forces corrects these errors. The model of the damper does not contain them.
 
 mod force_loop;
 mod guide;
@@ -30,30 +30,32 @@ pub enum Artefact {
     Mass,
     /// The gain of the load cell drifts with the campaign's clock, 1/s.
     GainDrift,
-    /// The load cell does not read zero without load, N.
+    /// The reading of the load cell without load differs from zero, N.
     Offset,
-    /// The zero was set anew at this time on the campaign's clock, s: a step, N.
+    /// The zero changed by a step, N, at this time on the campaign's clock, s, because it was set again.
     Step(u32),
     /// The zero of the load cell drifts with the campaign's clock, N/s.
     Drift,
-    /// The zero drifts exponentially while the rig warms up, with this time constant on the campaign's clock, s: the total drift, N.
+    /// The zero drifts exponentially by a total drift, N, while the rig warms up. This is the time constant on the
+    /// campaign's clock, s.
     WarmUp(u32),
-    /// Friction as a fraction of the force, as from a tilted cross-head that loads the guides.
+    /// Friction as a fraction of the force, for example because a tilted cross-head loads the guides.
     Guide(Load),
-    /// Growth of that fraction with displacement, 1/m.
+    /// Increase of the friction fraction with displacement, 1/m.
     GuideAlong(Load),
     /// Rate-independent hysteresis of the load cell, as a fraction of the force.
     ///
-    /// After a reversal its sign changes within this force, N.
+    /// After a reversal, the sign of the added force changes over this force range, N.
     Loop(u32),
     /// A resonance at this frequency, Hz, in phase with the force, as a fraction of the force.
     Ring(u32),
-    /// A resonance at this frequency, Hz, in quadrature: in phase with the rate of the force, as a fraction of it.
+    /// A resonance at this frequency, Hz, in quadrature with the force: in phase with the rate of the force, and a
+    /// fraction of that rate.
     RingAcross(u32),
 }
 
 impl Artefact {
-    /// Returns the name in the vocabulary; only fits search for a gain drift.
+    /// Returns the name of the error in the vocabulary. Only fits search for a gain drift.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
@@ -67,7 +69,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the name of its parameter.
+    /// Returns the name of the error's parameter.
     pub fn parameter(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "delay",
@@ -82,7 +84,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the unit of its parameter.
+    /// Returns the unit of the error's parameter.
     pub fn unit(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "s",
@@ -95,7 +97,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the range of values that rigs show.
+    /// Returns the range of values that occur on rigs.
     pub fn bounds(self) -> (f64, f64) {
         let most = match self {
             Artefact::Delay | Artefact::LowPass => 5e-3,
@@ -123,7 +125,8 @@ impl Artefact {
 
     /// Applies the measurement error to the forces at the samples of a test.
     ///
-    /// A delay is the force of an earlier motion ([`earlier`]); a filter is [`low_pass()`] at finer steps.
+    /// A delay and a filter are excluded: a delay uses the force of an earlier motion ([`earlier`]), a filter uses
+    /// [`low_pass()`] at finer steps.
     pub fn apply(self, value: f64, segment: &Segment, forces: &mut [f64]) {
         match self {
             Artefact::Delay | Artefact::LowPass => {}
@@ -141,7 +144,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the constant force of one unit of the parameter in a test; `None` if the force is not constant.
+    /// Returns the constant force per unit of the parameter in a test, or `None` if the force is not constant.
     pub fn per_value(self, segment: &Segment) -> Option<f64> {
         match self {
             Artefact::Delay

@@ -1,12 +1,13 @@
-//! Motion of a test between its samples, as needed for a delayed or filtered force channel.
+//! Motion of a test between its samples, for a delayed or filtered force channel.
 
 use crate::segment::Segment;
 use dashpot_core::Input;
 use dashpot_records::restrict;
 
-/// Shifts the motion of a test by a delay τ: each sample gets the motion at a time τ earlier.
+/// Shifts the motion of a test by a delay τ: the new motion at each sample is the motion at a time τ earlier.
 ///
-/// The motion is smooth and may be interpolated. The force may not, since friction can reverse within a sample.
+/// The motion is smooth and may be interpolated. The force must not be interpolated, because friction can reverse
+/// within a sample.
 pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     let n = segment.input.len();
     let mut delayed = segment.clone();
@@ -36,7 +37,7 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     delayed
 }
 
-/// Returns the motion at `parts` times as many samples.
+/// Returns the segment with `parts` times the number of samples.
 pub fn finer(segment: &Segment, parts: usize) -> Segment {
     let mut fine = segment.clone();
     (fine.dt, fine.input) = (Vec::new(), Vec::new());
@@ -62,8 +63,8 @@ pub fn finer(segment: &Segment, parts: usize) -> Segment {
     fine
 }
 
-/// Interpolates displacement and velocity at a time `ahead` after a sample; the next sample is `h` later. Between the samples the curve is
-/// a Hermite cubic, outside a straight line.
+/// Interpolates displacement and velocity at a time `ahead` after a sample. The next sample is `h` later. Between the
+/// samples, the curve is a Hermite cubic. Outside, it is a straight line.
 fn between(before: &Input, after: &Input, h: f64, ahead: f64) -> (Option<f64>, f64) {
     let (Some(x0), Some(x1)) = (before.displacement, after.displacement) else {
         let share = (ahead / h).clamp(0.0, 1.0);

@@ -8,11 +8,13 @@ pub(super) struct SecondOrder {
     pub damping: f64,
 }
 
-/// Relative difference below which two steps count as equal. The relative error of the force is as small.
+/// Relative difference below which two steps count as equal. The relative error of the force has the same order of
+/// magnitude.
 const ALIKE: f64 = 1e-9;
 
 impl SecondOrder {
-    /// Filters the forces; `then` receives each force, the filter's output and the rate of the output.
+    /// Filters the forces and calls `then` for each sample. Its arguments are the force, the filter's output and the
+    /// rate of the output.
     pub fn follow(&self, dt: &[f64], forces: &mut [f64], mut then: impl FnMut(&mut f64, f64, f64)) {
         let SecondOrder { omega, damping } = *self;
         let (falls, turns) = (damping * omega, omega * (1.0 - damping * damping).sqrt());
@@ -21,14 +23,15 @@ impl SecondOrder {
         let (mut y, mut rate) = (last, 0.0);
         let (mut at, mut stays, mut sin, mut cos) = (f64::NAN, 1.0, 0.0, 1.0);
         for (force, h) in forces.iter_mut().zip(dt).skip(1) {
-            // Most samples are equally spaced except for rounding, and the transcendental functions dominate the cost.
+            // Most samples are equally spaced except for rounding. Reuse the coefficients, because the transcendental
+            // functions dominate the cost.
             if !((h - at).abs() <= ALIKE * h) {
                 at = *h;
                 stays = libm::exp(-falls * h);
                 (sin, cos) = libm::sincos(turns * h);
             }
             let slope = (*force - last) / h;
-            // Deviation of the output and of its rate from the steady response to the present ramp of the force.
+            // Deviation of the output and of its rate from the steady response to the current ramp of the force.
             let (off, off_rate) = (y - (last - late * slope), rate - slope);
             let after = stays * (off * cos + (off_rate + falls * off) / turns * sin);
             let after_rate = stays * (off_rate * cos - (falls * off_rate + omega * omega * off) / turns * sin);

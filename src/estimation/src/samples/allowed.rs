@@ -2,22 +2,24 @@
 
 use crate::segment::Segment;
 
-/// Allowed error independent of noise, as a fraction of the largest force: no curve through a dozen points is more accurate.
+/// Allowed error independent of noise, as a fraction of the largest force. Curves through a dozen points have at least
+/// this error.
 const FORM: f64 = 0.002;
-/// Small timing error as a fraction of a sample.
+/// Timing error as a fraction of a sample interval.
 ///
-/// The force error is that fraction of the change from sample to sample. Where friction reverses within a sample, the force jumps, and that
-/// fraction of the samples lies on the wrong side of the jump.
+/// The force error is this fraction of the change from sample to sample. If friction reverses within a sample, the
+/// force jumps, and this fraction of the samples is on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 
-/// Computes the typical allowed error, N: that of a sample at which the force is constant.
+/// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
 
 /// Computes the allowed error of each sample of a mean cycle, N.
 ///
-/// `noise` is the variance of a sample's mean, and `times` its factor at each sample. A jump counts only above `mean_noise`.
+/// `noise` is the variance of a sample's mean. `times` contains a factor on this variance for each sample. A jump
+/// counts only above `mean_noise`.
 pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)

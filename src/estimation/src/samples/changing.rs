@@ -8,7 +8,7 @@ use dashpot_core::Input;
 use dashpot_records::smoothing::Motion;
 use dashpot_records::{Record, SettingPattern, SettingSignal};
 
-/// Largest step of the model at constant command, s: the internal state advances between two steps.
+/// Largest step of the model at constant command, s: the internal state still changes between two steps.
 const STEP: f64 = 2e-3;
 /// Largest step of the model during the response of the valve to a command, s: a fraction of the response time.
 const ANSWER_STEP: f64 = 5e-4;
@@ -18,10 +18,11 @@ const ANSWER: f64 = 0.3;
 const SCORED: usize = 5;
 /// Largest number of steps of a test. A record with more samples has longer steps.
 const MOST: usize = 40_000;
-/// Divisor of the number of samples that gives the length of the lead-in.
+/// Ratio of the number of samples to the length of the lead-in.
 const LEAD: usize = 20;
 
-/// Selects the samples that become steps of the model, each with a flag for the response of the valve to a command.
+/// Selects the samples that become steps of the model. A flag marks samples during the response of the valve to a
+/// command.
 fn picks(record: &Record, signal: &SettingSignal, stride: usize) -> Vec<(usize, bool)> {
     let n = record.time.len();
     let fine = ((ANSWER_STEP / step(record)) as usize).max(n.div_ceil(MOST)).max(1);
@@ -79,9 +80,9 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
 
 /// Splits the steps of a test at the times at which the command changes from level to level.
 ///
-/// A change may lie anywhere between two samples; the split assumes the middle. A mean command over that step would spread the change over
-/// a sample, with half a sample of dead time. An instantaneous valve would then not fit, and its lag would come out shorter by a sixteenth
-/// of a sample.
+/// A change may occur anywhere between two samples. The split assumes the middle. A mean command over that step would
+/// spread the change over a sample, with a dead time of half a sample. The model could then not represent an
+/// instantaneous valve, and the estimated lag would be a sixteenth of a sample too short.
 fn with_steps_until_changes(
     mut test: Test,
     record: &Record,
@@ -102,7 +103,7 @@ fn with_steps_until_changes(
             let middle = 0.5 * (before + after);
             steps.push((middle - at, between(ends, after - before), force, signal.values[change - 1]));
             at = middle;
-            // The added step is not scored: it has no measured force.
+            // The added step has no measured force, so it is not scored.
             if k < from { first += 1 } else { test.allowed.push(f64::INFINITY) }
         }
         steps.push((record.time[pair[1]] - at, old_input[k + 1], old_force[k + 1], signal.values[pair[1]]));
@@ -156,7 +157,7 @@ mod tests {
         let mean: f64 = dt.iter().zip(setting).map(|(dt, s)| dt * s).sum::<f64>() / record.time[n - 1];
         let true_mean = (1..n).map(|k| signal.command(k)).sum::<f64>() / (n - 1) as f64;
         assert!((mean - true_mean).abs() < 1e-9, "{mean} {true_mean}");
-        // The command changes within no step; the other steps stay unchanged.
+        // The command is constant within every step. The other steps stay unchanged.
         assert!(setting.iter().all(|s| *s == 0.2 || *s == 1.4), "a command between the levels");
         let switched = setting.iter().position(|s| *s == 1.4).unwrap();
         let time: f64 = dt[..switched].iter().sum();

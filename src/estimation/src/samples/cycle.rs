@@ -10,25 +10,26 @@ use std::ops::Range;
 
 /// Largest number of samples of a mean cycle.
 const PER_CYCLE: usize = 120;
-/// Largest fraction of a cycle over which the force is averaged: a wider window would blur the knee.
+/// Largest fraction of a cycle over which the force is averaged. A wider window would smooth the knee.
 const WINDOW: f64 = 1.0 / 400.0;
 
-/// Returns the time at which the displacement rises through its mean near a sample. Cycles are cut at samples, but a mean cycle needs a
-/// more accurate time.
+/// Returns the time at which the displacement rises through its mean near a sample. Cycles are cut at samples, but a
+/// mean cycle requires a more accurate time.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
     let ahead = (mean - motion.displacement[index]) / motion.velocity[index];
-    // Near the crossing the displacement is almost linear. A time further away is not a crossing.
+    // Near the crossing, the displacement is almost linear. If the computed time is further away, it is not a crossing.
     if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
 }
 
-/// Interpolates a channel at a time by a cubic through the four nearest samples, so that a coarsely sampled flank keeps its shape.
+/// Interpolates a channel at a time by a cubic through the four nearest samples, so that a coarsely sampled flank
+/// retains its shape.
 fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
     let right = restrict(time.partition_point(|x| *x <= t), 1, n - 1);
     let first = right.saturating_sub(2).min(n.saturating_sub(4));
     let around = first..(first + 4).min(n);
-    // Lagrange's form. Beyond the ends the last value applies.
+    // The cubic has Lagrange's form. Beyond the ends, the last value applies.
     let t = restrict(t, time[0], time[n - 1]);
     around
         .clone()
@@ -39,12 +40,12 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
         .sum()
 }
 
-/// Largest distance, as a fraction of a sample interval, at which a time counts as that of the sample.
+/// Largest distance, as a fraction of a sample interval, at which a time counts as the time of a sample.
 const AT_SAMPLE: f64 = 0.02;
 /// Smallest ratio of a jump of the force to the changes in the neighboring intervals plus the noise.
 const STEEPER: f64 = 3.0;
 
-/// Whether the force jumps between the two samples around a time: interpolation there is invalid.
+/// Returns whether the force jumps between the two samples around a time. Interpolation is invalid there.
 fn across_a_jump(record: &Record, t: f64) -> bool {
     let (time, force) = (&record.time, &record.force);
     let right = time.partition_point(|x| *x <= t);
@@ -60,14 +61,15 @@ fn across_a_jump(record: &Record, t: f64) -> bool {
     rise(left) > STEEPER * (0.5 * (rise(left - 1) + rise(right)) + record.noise.force_rms)
 }
 
-/// Returns the phases at which the mean of a cycle is computed: at most `count` samples of the middle cycle. If the other cycles are
-/// sampled at equal phases, no interpolation is needed. Across a friction reversal, interpolation would give an arbitrary force between
-/// both levels.
+/// Returns the phases at which the mean of a cycle is computed: at most `count` samples of the middle cycle. If the
+/// other cycles have samples at equal phases, interpolation is unnecessary. Across a friction reversal, interpolation
+/// would give an arbitrary force between the two levels.
 fn phases(time: &[f64], cycles: &[Range<usize>], bounds: &[(f64, f64)], count: usize) -> Vec<f64> {
     let middle = cycles.len() / 2;
     let (range, (a, b)) = (&cycles[middle], bounds[middle]);
     let phase = |k: usize| (time[(range.start + k * range.len() / count).min(time.len() - 1)] - a) / (b - a);
-    // The crossings that bound a cycle differ from its first and last sample: samples beyond a full cycle would repeat the first ones.
+    // The crossings that bound a cycle are not exactly at samples. Samples beyond a full cycle would repeat the first
+    // samples.
     let end = phase(0) + 1.0 - 0.5 / range.len() as f64;
     let mut last = f64::NEG_INFINITY;
     (0..count)
@@ -77,7 +79,7 @@ fn phases(time: &[f64], cycles: &[Range<usize>], bounds: &[(f64, f64)], count: u
         .collect()
 }
 
-/// Computes the mean of `value` at `averaged` points around a time, `apart` from each other.
+/// Computes the mean of `value` at `averaged` points around a time. The distance between points is `apart`.
 fn window(averaged: usize, apart: f64, value: impl Fn(f64) -> f64) -> f64 {
     let half = (averaged / 2) as i64;
     (-half..=half).map(|k| value(k as f64 * apart)).sum::<f64>() / averaged as f64
@@ -92,7 +94,8 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     let bounds: Vec<(f64, f64)> = cycles.iter().map(|c| (crossing(c.start), crossing(c.end))).collect();
     let period = bounds.iter().map(|(a, b)| b - a).sum::<f64>() / bounds.len() as f64;
     let mean = |values: &[f64], phase: f64| {
-        // A record may begin or end a fraction of a sample inside its first or last cycle.
+        // A record may begin a fraction of a sample after the start of its first cycle, or end before the end of its
+        // last cycle.
         let inside = || bounds.iter().map(|(a, b)| a + phase * (b - a)).filter(|t| (time[0]..=time[last]).contains(t));
         match inside().count() {
             0 => at(time, values, bounds[0].0 + phase * (bounds[0].1 - bounds[0].0)),
@@ -101,7 +104,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     };
     let phases = phases(time, cycles, &bounds, in_cycle.min(PER_CYCLE));
     let count = phases.len();
-    // If the samples of another cycle lie on either side of a jump, only the sample of the middle cycle is used.
+    // If a jump separates the samples of another cycle, use only the sample of the middle cycle.
     let (from, to) = bounds[bounds.len() / 2];
     let alone: Vec<bool> =
         phases.iter().map(|phase| bounds.iter().any(|(a, b)| across_a_jump(record, a + phase * (b - a)))).collect();
@@ -126,7 +129,8 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
         })
         .collect();
     let lead = lead_in::initial_length(period, count);
-    // The scored samples are one cycle from the first phase on. The motion before them is the end of the same cycle.
+    // The scored samples are one cycle, beginning at the first phase. The motion before them is the end of the same
+    // cycle.
     let turned = |k: usize| (k + 2 * count - lead % count) % count;
     let places = lead_in::places(lead, count);
     let (input, force) = places.iter().map(|k| cycle[turned(*k)]).unzip();
@@ -169,7 +173,7 @@ mod tests {
     fn a_mean_cycle_is_taken_once_round_at_measured_samples() {
         let time: Vec<f64> = (0..400).map(|k| 1e-3 * f64::from(k)).collect();
         let cycles = [0..100, 100..200, 200..300];
-        // Crossings slightly off the samples, and a cycle that is shorter than its samples.
+        // The crossings are slightly before or after samples. One cycle is shorter than its samples.
         for (from, to) in [(0.1, 0.2), (0.1004, 0.1991), (0.0996, 0.2003), (0.1, 0.1975)] {
             let bounds = [(from - 0.1, to - 0.1), (from, to), (from + 0.1, to + 0.1)];
             for count in [100, 40] {

@@ -1,7 +1,7 @@
 //! The lead-in: motion before a mean cycle that brings the internal state of the damper to its steady state.
 //!
-//! A rig has run a test for many cycles before the first scored one. On a soft mount or a soft oil column, the mean force changes until the
-//! slow valves have relaxed the spring. At 25 Hz this may take ten cycles.
+//! A rig runs a test for many cycles before the first scored cycle. With a soft mount or a soft oil column, the mean
+//! force changes until flow through the valves has relaxed the spring. At 25 Hz, this may take ten cycles.
 
 use super::Test;
 use crate::segment::Segment;
@@ -9,21 +9,22 @@ use crate::sensitivity::forces;
 use dashpot_core::{Model, Params};
 use rayon::prelude::*;
 
-/// Shortest lead-in of the motion, s, and its shortest and longest length in cycles.
+/// Shortest duration of the lead-in, s. [`CYCLES`] is its shortest and longest length in cycles.
 ///
 /// A slower internal state starts in equilibrium at the middle of the stroke, as on a rig.
 const TIME: f64 = 0.15;
 const CYCLES: (f64, f64) = (1.5, 3.5);
-/// Fraction of a cycle just before the scored samples in which the lead-in uses every sample.
+/// Fraction of a cycle, directly before the scored samples, in which the lead-in uses every sample.
 ///
-/// Before that it uses one of [`COARSER`] samples: the resulting error has decayed.
+/// Before that, it uses one of [`COARSER`] samples, because the resulting error decays.
 const FINE: f64 = 0.25;
 const COARSER: usize = 4;
 /// Largest number of cycles by which the lead-in is extended.
 const MORE: usize = 20;
 /// Largest residual influence of the initial state, in allowed errors.
 const LEFT: f64 = 0.1;
-/// Ratio of one cycle's change to the previous change above which the damper warms or drifts: no lead-in ends such a change.
+/// Ratio of one cycle's change to the previous change above which warming or drift is the cause. A longer lead-in does
+/// not end such a change.
 const SLOWEST: f64 = 0.95;
 
 /// Computes the initial length of the lead-in of a cycle of `count` samples, in samples.
@@ -32,7 +33,8 @@ pub fn initial_length(period: f64, count: usize) -> usize {
     (0.5 * half_cycles * count as f64) as usize
 }
 
-/// Selects sample indices, counted from the start of the lead-in, for a lead-in of `lead` samples and its cycle of `count`.
+/// Selects sample indices, counted from the start of the lead-in, for a lead-in of `lead` samples and a scored cycle of
+/// `count` samples.
 pub fn places(lead: usize, count: usize) -> Vec<usize> {
     let near = (FINE * count as f64) as usize;
     let is_taken = |k: &usize| *k + near >= lead || (lead - near - k).is_multiple_of(COARSER);
@@ -75,7 +77,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
         return 0;
     }
     let usual = initial_length(1.0 / test.frequency, count);
-    // The cycle that would be scored, and those after it, at equal phases.
+    // Compare the cycle that would be scored with later cycles, at equal phases.
     let from = usual % count;
     let places: Vec<usize> =
         (0..usual + (MORE + 2) * count).filter(|k| ((k + count - from) % count).is_multiple_of(COARSER)).collect();
@@ -87,7 +89,8 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
         .windows(2)
         .map(|pair| pair[0].iter().zip(pair[1]).map(|(a, b)| (b - a).abs()).fold(0.0, f64::max))
         .collect();
-    // Changes that shrink by a ratio r from cycle to cycle have the sum of a geometric series, 1/(1 − r) times the first.
+    // If changes decrease by a ratio r from cycle to cycle, their sum is a geometric series, 1/(1 − r) times the first
+    // change.
     let is_run_in = |pair: &[f64]| {
         let ratio = if pair[0] > 0.0 { pair[1] / pair[0] } else { 0.0 };
         ratio > SLOWEST || pair[0] / (1.0 - ratio) < LEFT * test.segment.scale
@@ -144,7 +147,8 @@ mod tests {
         let mut params = Params::new();
         params.enable(element!("series_compliance"), true);
         params.set(number!("series_stiffness"), stiffness).unwrap();
-        // The damper is three times as stiff in rebound as in compression: its mean force changes until the spring carries it.
+        // The damper is three times as stiff in rebound as in compression: its mean force changes until the spring
+        // carries the mean force.
         params.set_list(list!("fv_velocity"), &[-2.0, 0.0, 2.0]).unwrap();
         params.set_list(list!("fv_force"), &[-6e3, 0.0, 18e3]).unwrap();
         params

@@ -25,15 +25,16 @@ use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 use road::Extent;
 
-/// Shortest duration, s, of a test that is cut into stretches; fewest cycles of a stretch; largest number of stretches.
+/// Shortest duration of a test that is cut into stretches, s. [`STRETCH_CYCLES`] and [`MOST_STRETCHES`] limit the
+/// stretches.
 const LONG: f64 = 20.0;
 const STRETCH_CYCLES: usize = 3;
 const MOST_STRETCHES: usize = 4;
 
-/// One test, or one stretch of a long one.
+/// One test, or one stretch of a long test.
 #[derive(Debug, Clone)]
 pub struct Test {
-    /// Index of its record in the given list.
+    /// Index of the test's record in the given list.
     pub record: usize,
     /// Motion and mean measured force; `scale` is the typical allowed error.
     pub segment: Segment,
@@ -41,15 +42,16 @@ pub struct Test {
     pub allowed: Vec<f64>,
     /// Noise of one sample of the mean, N.
     pub mean_noise: f64,
-    /// Fraction of independent samples among the scored ones: 1 for white noise.
+    /// Fraction of independent samples among the scored samples, 1 for white noise.
     pub independence: f64,
     /// Significance of the relative growth of the force from cycle to cycle, in standard deviations.
     pub growth: f64,
-    /// Independent deviations from which the noise was estimated.
+    /// Number of independent deviations from which the noise was estimated.
     pub noise_freedom: f64,
-    /// Frequency, Hz; 0 without cycles.
+    /// Frequency, Hz, or 0 if there are no cycles.
     pub frequency: f64,
-    /// Number of tests that it represents: a stretch of a road represents a part of several, see [`road`].
+    /// Number of tests that this test represents. A stretch of a road represents a fraction of several tests, see
+    /// [`road`].
     pub weight: f64,
 }
 
@@ -59,12 +61,13 @@ impl Test {
         self.segment.force.len() - self.segment.from
     }
 
-    /// Returns the number of independent samples among the scored ones.
+    /// Returns the number of independent samples among the scored samples.
     pub fn independent_count(&self) -> f64 {
         self.count() as f64 * self.independence
     }
 
-    /// Computes the error of one sample of the mean, N, due to noise and to the form of curves through a dozen points.
+    /// Computes the error of one sample of the mean, N, due to noise and to the form error of curves through a dozen
+    /// points.
     pub fn unit(&self) -> f64 {
         allowed::typical(self.mean_noise.powi(2), self.segment.top)
     }
@@ -88,7 +91,7 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
-/// Makes at most `most` tests from stretches of a record's cycles, or from a road in the given extent.
+/// Makes the tests of a record: at most `most` stretches of its cycles, or a road in the given extent.
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();
@@ -109,7 +112,8 @@ fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<
         .collect()
 }
 
-/// Makes a segment of a record at a time of its clock, scored from index `from` on; `noise` is the variance of a sample.
+/// Makes a segment of a record at a time of its clock. Scored samples begin at index `from`. `noise` is the variance of
+/// a sample.
 fn segment(
     record: &Record,
     clock: f64,

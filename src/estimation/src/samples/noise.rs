@@ -1,17 +1,18 @@
-//! Noise of the compared samples: from the differences of cycles, for any noise spectrum, or from the record's own estimate.
+//! Noise of the compared samples. It comes from the differences of cycles, for any noise spectrum, or from the estimate
+//! in the record.
 
 use dashpot_records::restrict;
 
-/// Fewest cycles whose differences give the noise of their mean.
+/// Smallest number of cycles for an estimate of the noise of their mean from their differences.
 const REPEATS: usize = 3;
-/// Fraction of the deviations that is clamped as outliers: steep parts of the force cause them, not noise. The second value is the fraction
-/// of the variance of normal noise that remains after clamping.
+/// Fraction of the deviations that is clamped as outliers. Their cause is steep parts of the force, not noise. [`KEPT`]
+/// is the fraction of the variance of normal noise that remains after clamping.
 const STEEP: f64 = 0.02;
 const KEPT: f64 = 0.964;
 
 /// Statistics of the differences between cycles.
 pub struct Repeat {
-    /// Noise of their mean, N.
+    /// Noise of the mean cycle, N.
     pub mean_noise: f64,
     /// Fraction of independent samples.
     pub independence: f64,
@@ -49,7 +50,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
         stands_for += 2.0 * correlation;
     }
     let n = bounds.len() as f64;
-    // The deviations are taken from the cycles' own mean, which costs one degree of freedom.
+    // The deviations are relative to the mean of the same cycles, which costs one degree of freedom.
     Some(Repeat {
         mean_noise: (variance / KEPT / (n - 1.0)).sqrt(),
         independence: 1.0 / stands_for,
@@ -82,8 +83,8 @@ pub fn independence(lag: f64) -> f64 {
     (1.0 - lag) / (1.0 + lag)
 }
 
-/// Computes the variance of the mean of `count` neighbors in units of one sample's variance. The autocorrelation of the noise decays
-/// geometrically.
+/// Computes the variance of the mean of `count` neighbors relative to the variance of one sample. The autocorrelation
+/// of the noise decays geometrically.
 pub fn mean_variance(count: usize, lag1: f64) -> f64 {
     let n = count as f64;
     let sum: f64 = (1..count).map(|k| (n - k as f64) * lag1.powi(k as i32)).sum();

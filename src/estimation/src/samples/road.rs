@@ -1,7 +1,8 @@
 //! A test without cycles: a road signal.
 //!
-//! A long road repeats itself, and each of its steps costs as much as a step of a mean cycle. In a campaign of many tests, the model
-//! therefore simulates only a few stretches of a road. Together they cover its displacements and velocities, rare ones first.
+//! Parts of a long road are similar, and each of its steps costs as much as a step of a mean cycle. In a campaign of
+//! many tests, the model therefore simulates only a few stretches of a road. Together, they cover its displacements and
+//! velocities, beginning with the rare values.
 
 use super::Test;
 use super::sampling::Sampling;
@@ -10,20 +11,20 @@ use dashpot_records::smoothing::Motion;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Largest step of the model, s: the internal state advances between two scored samples.
+/// Largest step of the model, s: the internal state still changes between two scored samples.
 const STEP: f64 = 2e-3;
 /// Largest number of steps of a road that is simulated whole. A record with more samples has longer steps.
 const MOST: usize = 40_000;
-/// Smallest number of scored samples of a road that is simulated whole, if it has that many.
+/// Smallest number of scored samples of a road that is simulated whole, if it has enough samples.
 const SCORED: usize = 1000;
 /// Number of scored samples of a stretch: at least as many as a mean cycle has.
 const STRETCH: usize = 150;
-/// Number of samples of the lead-in of a stretch. A state that decays more slowly than 0.2 s stays wrong; states this slow follow
-/// temperature and gas, which are inputs.
+/// Number of samples of the lead-in of a stretch. An internal state with a time constant above 0.2 s keeps its initial
+/// error. Such slow states belong to temperature and gas, which are inputs.
 const LEAD: usize = 100;
-/// Numbers of cells of displacement and of velocity over the range of the road: an end stop is resolved by a cell of its own.
+/// Numbers of cells of displacement and of velocity over the range of the road: an end stop has a separate cell.
 const CELLS: f64 = 10.0;
-/// Number of tests that a record without cycles represents: its amplitudes and speeds are those of several sines.
+/// Number of tests that a record without cycles represents, because it has the amplitudes and speeds of several sines.
 pub const ROAD: f64 = 4.0;
 
 /// Cell in the grid of displacement and velocity.
@@ -32,7 +33,7 @@ type Cell = (i64, i64);
 /// Extent of a road that is simulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
-    /// All of it, as one test.
+    /// The whole road, as one test.
     Whole,
     /// At most this number of stretches.
     Stretches(usize),
@@ -41,7 +42,7 @@ pub enum Extent {
 impl Extent {
     /// Target for the total number of stretches of all tests of a campaign.
     ///
-    /// So a single road is simulated whole, and each of many roads in a few stretches.
+    /// Thus, a single road is simulated whole, and each of many roads is simulated in a few stretches.
     const ENOUGH: usize = 60;
     /// Smallest number of stretches of a road.
     const FEWEST: usize = 4;
@@ -57,13 +58,13 @@ impl Extent {
 pub struct Shortened {
     /// Number of roads that are not simulated whole.
     pub roads: usize,
-    /// Number of stretches of such a road.
+    /// Number of stretches of each of these roads.
     pub stretches: usize,
     /// Length of a stretch without its lead-in, s.
     pub seconds: f64,
 }
 
-/// Summarizes the roads among tests that are simulated in stretches; `None` without such roads.
+/// Summarizes the roads that are simulated in stretches. Returns `None` if there are no such roads.
 pub fn shortened(tests: &[Test]) -> Option<Shortened> {
     let mut counts: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
     for test in tests.iter().filter(|t| t.frequency == 0.0 && t.weight < ROAD) {
@@ -90,7 +91,7 @@ struct Road<'a> {
 pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> Vec<Test> {
     let n = record.time.len();
     let step = (record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64;
-    // Two steps of 1 ms count as 2 ms, in spite of rounding of the clock.
+    // Two steps of 1 ms count as 2 ms, despite the rounding of the clock.
     let stride = ((STEP / step.max(1e-9) + 1e-6) as usize).max(1);
     let road = |stride| Road { place, record, motion, picks: (0..n).step_by(stride).collect(), stride };
     if let Extent::Stretches(most) = extent {
@@ -125,7 +126,7 @@ impl Road<'_> {
         stretches.iter().map(|range| self.picks[range.clone()].iter().map(visited).collect()).collect()
     }
 
-    /// Makes the test of a range of steps after `lead` steps of lead-in. One step in `every` is scored.
+    /// Makes the test of a range of steps after `lead` steps of lead-in. One of `every` steps is scored.
     fn test(&self, range: Range<usize>, lead: usize, every: usize, weight: f64) -> Test {
         let picks = &self.picks[range.start - lead..range.end];
         let time = &self.record.time;
@@ -150,7 +151,7 @@ fn choose(cells: &[BTreeSet<Cell>], most: usize) -> Vec<usize> {
         let left = || (0..cells.len()).filter(|k| !chosen.contains(k));
         let Some(best) = left().max_by(|a, b| gain(a).total_cmp(&gain(b)).then(b.cmp(a))) else { break };
         if gain(&best) == 0.0 && !covered.is_empty() {
-            // Every cell is covered once: the next stretches cover the cells again.
+            // When every cell is covered once, the next stretches cover the cells again.
             covered.clear();
             continue;
         }
@@ -167,8 +168,8 @@ mod tests {
     use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
-    /// The record is a simulation of the kernel, sampled at 1 kHz for half a minute. At coarser steps the model would not reproduce its own
-    /// forces.
+    /// The record is a simulation of the kernel, sampled at 1 kHz for half a minute. With larger steps, the model would
+    /// not reproduce these forces.
     #[test]
     fn a_long_road_is_gone_through_at_its_own_rate() {
         let model = Model::new(&Params::new()).unwrap();
@@ -271,7 +272,7 @@ mod tests {
         assert_eq!(few.len(), Extent::FEWEST);
         assert!((few.iter().map(|t| t.weight).sum::<f64>() - ROAD).abs() < 1e-12);
         let top = |test: &Test| test.inputs().iter().filter_map(|i| i.displacement).fold(0.0, f64::max);
-        // Compared to within the width of a cell.
+        // The comparison has a tolerance of the width of a cell.
         assert!(few.iter().map(top).fold(0.0, f64::max) > (1.0 - 1.0 / CELLS) * highest);
         assert!(few.iter().all(|t| t.count() == STRETCH && t.segment.from == LEAD));
         let steps = |tests: &[Test]| tests.iter().map(|t| t.segment.force.len()).sum::<usize>();

@@ -1,4 +1,4 @@
-//! A test without cycles, made of picked samples of its record.
+//! A test without cycles, which consists of selected samples of its record.
 
 use super::noise::independence;
 use super::{Test, allowed, segment};
@@ -6,7 +6,7 @@ use dashpot_core::Input;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Returns the input of the damper at a sample of a record: 20 °C and no side force if they were not measured.
+/// Returns the input of the damper at a sample of a record. Unmeasured temperature and side force are 20 °C and zero.
 pub fn input_at(record: &Record, motion: &Motion, sample: usize) -> Input {
     Input {
         displacement: Some(motion.displacement[sample]),
@@ -26,7 +26,7 @@ pub struct Sampling<'a> {
     pub apart: usize,
     /// Middle of the test on the campaign's clock, s.
     pub clock: f64,
-    /// Number of tests that the picked samples represent.
+    /// Number of tests that the selected samples represent.
     pub weight: f64,
 }
 

@@ -1,36 +1,39 @@
 //! Selects the tests of a very large campaign that a fit uses.
 //!
-//! Every test costs about the same time. Beyond a few hundred tests, further ones rarely contain a new motion, so a selection represents
-//! all of them. It draws from every kind of motion in turn, spread over the order of the campaign.
+//! Every test costs about the same time. Beyond a few hundred tests, further tests rarely contain a new motion, so a
+//! selection represents all of them. The selection includes every kind of motion in turn, and covers the whole order of
+//! the campaign.
 
 use dashpot_records::{Record, SettingPattern};
 use std::collections::BTreeMap;
 
 /// Largest number of tests in a fit.
 ///
-/// With this number, a fit of 8,000 tests takes 34 s of processor time; with all tests, more than 115 s. The time is proportional to the
-/// number. A smaller number omits kinds of motion, of which a test matrix has some dozens.
+/// With this number, a fit to a campaign of 8,000 tests takes 34 s of processor time. With all tests, it takes more
+/// than 115 s. The time is proportional to the number of tests. A test matrix has some dozens of kinds of motion, so a
+/// smaller number would omit some of them.
 pub const MOST_TESTS: usize = 240;
-/// Bins of amplitude and of peak velocity per octave: tests of one nominal motion fall into one or two bins.
+/// Number of bins of amplitude and of peak velocity per octave. Tests of one nominal motion are in one or two bins.
 const PER_OCTAVE: f64 = 2.0;
-/// Bins of the mean displacement over the range of the campaign.
+/// Number of bins of the mean displacement over the range of the campaign.
 const MEANS: f64 = 8.0;
-/// Largest factor by which bins are widened to merge kinds. Kinds of another sort, such as with and without cycles, never merge.
+/// Largest factor by which bins are widened to merge kinds. Kinds that differ otherwise, such as with and without
+/// cycles, never merge.
 const WIDEST: f64 = 1024.0;
 /// Widths of the bins of temperature, K, and of side force, N.
 const TEMPERATURE: f64 = 10.0;
 const SIDE_FORCE: f64 = 50.0;
 
-/// Bins of a setting that changes within a test, over the range of the campaign.
+/// Number of bins of a setting that changes within a test, over the range of the campaign.
 const SETTINGS: f64 = 4.0;
 
 /// Kind of motion of a test.
 ///
-/// It consists of the bins of amplitude, peak velocity, mean displacement, temperature and side force, and of whether the test has cycles.
-/// For a changing setting it adds whether the setting steps, and its lowest and highest value.
+/// It consists of the bins of amplitude, peak velocity, mean displacement, temperature and side force, and a flag for a
+/// test with cycles. For a changing setting, it also contains a flag for steps, and the lowest and highest value.
 type Kind = (i64, i64, i64, i64, i64, bool, Option<(bool, i64, i64)>);
 
-/// Ranges of the campaign that the bins divide.
+/// Ranges of the campaign that are divided into bins.
 struct Ranges {
     mean: (f64, f64),
     setting: (f64, f64),
@@ -41,7 +44,7 @@ fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-/// Returns the bin of a channel's mean for bins of a width; 0 without the channel.
+/// Returns the bin of a channel's mean for bins of the given width, or 0 if the channel is missing.
 fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
     channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
 }
@@ -51,7 +54,7 @@ fn bin_of_range(value: f64, (low, high): (f64, f64), bins: f64, least: f64) -> i
     (bins * (value - low) / (high - low).max(least)).round() as i64
 }
 
-/// Returns the kind of a test in bins `wide` times as wide as the constants above.
+/// Returns the kind of a test in bins whose widths are `wide` times those of the constants above.
 fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     let octaves = |value: f64| (PER_OCTAVE / wide * libm::log2(value.max(1e-9))).round() as i64;
     let setting = record.setting_signal.as_ref().map(|signal| {
@@ -69,12 +72,13 @@ fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     )
 }
 
-/// Selects the positions of the tests that a fit uses, in their order; `None` if it uses all of them.
+/// Selects the positions of the tests that a fit uses, in their order. Returns `None` if the fit uses all of them.
 pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     select_at_most(records, MOST_TESTS)
 }
 
-/// Selects the positions of at most `most` tests, of every kind of motion, in their order; `None` if no more tests exist.
+/// Selects the positions of at most `most` tests, from every kind of motion, in their order. Returns `None` if there
+/// are no more than `most` tests.
 pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
     if records.len() <= most {
         return None;
@@ -90,7 +94,7 @@ pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
         }
         kinds
     };
-    // If there are more kinds than selected tests, coarser kinds keep every kind represented.
+    // If there are more kinds than selected tests, use wider bins, so that every kind is represented.
     let mut wide = 1.0;
     let mut kinds = sort(wide);
     while kinds.len() > most && wide < WIDEST {
@@ -120,13 +124,14 @@ pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
 
 /// Returns the largest number of tests at each of `settings` settings in the fit of an adjustable damper.
 ///
-/// Together they are twice as many as in an ordinary fit. A test matrix has some dozens of kinds of motion, and each setting keeps them.
+/// The total is twice the number in an ordinary fit. A test matrix has some dozens of kinds of motion, and the limit
+/// retains them at each setting.
 pub fn most_at_setting(settings: usize) -> usize {
     2 * MOST_TESTS / settings.max(1)
 }
 
-/// Largest number of tests with a changing setting for the identification of an actuator: each is simulated sample by sample over its full
-/// length.
+/// Largest number of tests with a changing setting for the identification of an actuator: each test is simulated sample
+/// by sample over its full length.
 pub const MOST_CHANGING: usize = 24;
 
 #[cfg(test)]
@@ -171,13 +176,13 @@ mod tests {
         for k in [7, 57, 107, 157, 207, 257] {
             assert!(selected.contains(&k), "{k}: {selected:?}");
         }
-        // The selection works even with fewer tests than kinds.
+        // The selection also works if the number of tests is below the number of kinds.
         assert_eq!(select_at_most(&refs, 2).unwrap().len(), 2);
     }
 
     #[test]
     fn more_kinds_of_motion_than_tests_are_seen_over_their_whole_range() {
-        // 400 kinds, 40 speeds at each of 10 amplitudes, and one further kind with half of all tests.
+        // The campaign has 400 kinds, 40 speeds at each of 10 amplitudes, and one further kind with half of all tests.
         let octaves = |k: i32| libm::exp2(f64::from(k) / 2.0);
         let records: Vec<Record> = (0..2000)
             .map(|k| record(0.001 * octaves(k % 10), 1e-4 * octaves(k / 10 % 40), 0.0))
@@ -188,7 +193,7 @@ mod tests {
         assert_eq!(selected.len(), MOST_TESTS);
         assert!(selected.iter().any(|k| *k >= 2000), "the most common kind is missing");
         let speeds = || selected.iter().map(|k| records[*k].peak_velocity);
-        // Kinds are twice as wide, so a speed half an octave from either end represents that end.
+        // The bins are twice as wide, so a speed half an octave from an end represents that end.
         assert!(speeds().any(|v| v < 1.5e-4));
         assert!(speeds().any(|v| v > 1e-4 * octaves(38) && v < 1e-4 * octaves(40)));
     }

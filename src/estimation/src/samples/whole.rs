@@ -1,4 +1,4 @@
-//! Tests of a fit: the samples of a diagnosis, with each test whole and weighted by its size.
+//! Tests of a fit: the samples of a diagnosis, with each test whole and weighted by its largest force.
 
 use super::road::Extent;
 use super::{Test, of_record};
@@ -6,10 +6,10 @@ use crate::segment::Segment;
 use dashpot_records::Record;
 use rayon::prelude::*;
 
-/// Expected model error as a fraction of a test's largest force; it limits the weight of tests with little noise. A smaller value lets
-/// noise dominate the fastest tests, a larger one the slow tests.
+/// Expected model error as a fraction of a test's largest force; it limits the weight of tests with little noise. With
+/// a smaller value, noise dominates the fastest tests. With a larger value, noise dominates the slow tests.
 const MODEL_FLOOR: f64 = 0.01;
-/// Largest number of samples that count in one test: a road has arbitrarily many, but is one test.
+/// Largest number of samples that count in one test. A road has any number of samples, but is one test.
 const PER_TEST: f64 = 400.0;
 
 /// Makes the segments of all records, in their order.

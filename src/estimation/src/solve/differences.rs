@@ -1,11 +1,11 @@
-//! Derivatives by finite differences, for residuals without derivatives of their own.
+//! Derivatives by finite differences, for residuals that supply no derivatives.
 
 use super::{Bounds, Problem};
 use nalgebra::DMatrix;
 
-/// Relative step: errors of rounding and curvature are equal at the cube root of the rounding unit.
+/// Relative step. At the cube root of the rounding unit, the errors due to rounding and curvature are equal.
 const STEP: f64 = 6e-6;
-/// Smallest assumed magnitude of a parameter: a parameter of zero still gets a step.
+/// Smallest assumed magnitude of a parameter, so that a parameter of zero also has a step.
 const SMALLEST: f64 = 1e-3;
 
 /// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model is invalid on one

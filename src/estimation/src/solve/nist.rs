@@ -1,14 +1,14 @@
-//! Nonlinear regression problems with certified results: Statistical Reference Datasets of the US National Institute of Standards and
-//! Technology (StRD, 1999). Every problem is solved from both of its published starts; the first start is deliberately distant. Parameters
-//! and residual sum of squares are compared with the certified ones. The certified sum also verifies the data here: it would reveal one
-//! wrong digit.
+//! Nonlinear regression problems with certified results: Statistical Reference Datasets of the US National Institute of
+//! Standards and Technology (StRD, 1999). Every problem is solved from its two published starts. The first start is
+//! deliberately distant. Parameters and residual sum of squares are compared with the certified values. The certified
+//! sum also verifies the data in this file, because a single wrong digit would change it.
 
 use super::{Bounds, Options, Residuals, solve};
 use std::f64::consts::PI;
 
 struct Problem {
     name: &'static str,
-    /// Response and predictor.
+    /// Pairs of response and predictor.
     data: Vec<(f64, f64)>,
     model: fn(&[f64], f64) -> f64,
     starts: [&'static [f64]; 2],

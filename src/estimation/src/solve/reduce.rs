@@ -1,18 +1,19 @@
-//! Reduces a linear least-squares problem to an equivalent one with as many rows as parameters.
+//! Reduces a linear least-squares problem to an equivalent problem with one row per parameter.
 
 use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
 
-/// Smallest independent fraction of a column at which the normal equations keep enough digits.
+/// Smallest independent fraction of a column at which the normal equations are accurate enough.
 ///
-/// The fraction is the part that is linearly independent of the previous columns. The normal equations lose twice as many of sixteen digits
-/// as the fraction has decimal places.
+/// The fraction is the part that is linearly independent of the previous columns. If it is 10⁻ⁿ, the normal equations
+/// lose 2n of sixteen digits.
 const APART: f64 = 1e-4;
 
 /// Computes a triangular factor of the rows, and the residuals rotated with them.
 ///
-/// The Cholesky factor of the normal equations is used, since a matrix product is several times faster than reflections. For nearly
-/// dependent columns Cholesky would lose half the digits, so a Householder QR factorization is used.
+/// The factor is the Cholesky factor of the normal equations, because a matrix product is several times faster than
+/// reflections. For nearly dependent columns, Cholesky would lose half of the digits, so the method is Householder QR
+/// factorization.
 pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let n = jacobian.ncols();
     if jacobian.nrows() <= n {
@@ -27,7 +28,7 @@ pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>
     (qr.r(), right.rows(0, n).into_owned())
 }
 
-/// Factors the normal equations by Cholesky; `None` if columns are nearly dependent.
+/// Factors the normal equations by Cholesky. Returns `None` if columns are nearly dependent.
 fn by_squares(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
     let n = jacobian.ncols();
     let squares = gram(jacobian);
@@ -63,7 +64,7 @@ mod tests {
         (jacobian, DVector::from_fn(40, |i, _| libm::cos(3.0 * t(i))))
     }
 
-    /// Solution and reduction of the squares equal those of all rows, for both factorizations.
+    /// For both factorizations, the reduced rows give the solution and the sum of squares of all rows.
     #[test]
     fn the_reduced_rows_have_the_solution_of_all_rows() {
         for (near, squared) in [(1e-2, true), (1e-7, false), (0.0, false)] {

@@ -1,8 +1,9 @@
-//! Structures that the records do not rule out besides the most probable one, and the wider intervals that they imply.
+//! Structures that remain probable in addition to the most probable one, and the wider intervals that they imply.
 //!
-//! An interval within one structure ignores the other structures. An example: a linear spring parallel to a gas column has a probability of
-//! a tenth. A structure with the gas column alone assigns the stiffness of both to the column. So the interval of a parameter is that of
-//! the average over the alternatives, each with its probability (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
+//! An interval within one structure ignores the other structures. For example, a linear spring parallel to a gas column
+//! has a probability of a tenth. A structure with the gas column alone assigns the stiffness of both to the column.
+//! Therefore, the interval of a parameter is that of the average over the alternatives, weighted with their
+//! probabilities (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
 
 use super::context::Structure;
 use super::search::{StructureSearch, Temperatures};
@@ -11,19 +12,19 @@ use crate::refit::Effort;
 use crate::samples::Test;
 use rayon::prelude::*;
 
-/// Smallest probability of an alternative in a comparison with the best structure alone: a 95 % interval may omit
-/// less probable ones.
+/// Smallest probability of an alternative in a comparison with only the best structure. A 95 % interval may omit less
+/// probable alternatives.
 const LEAST: f64 = 0.05;
-/// Largest number of alternatives. Each costs a refit, and any further ones are less probable still. With 3, other
-/// forms of the effects crowd out a spring parallel to a gas column (system test
+/// Largest number of alternatives. Each alternative costs a refit, and further alternatives are even less probable.
+/// With 3, other forms of the effects use up the number, and a spring parallel to a gas column is lost (system test
 /// `an_interval_holds_what_a_less_probable_structure_says`).
 const MOST: usize = 5;
 
-/// A structure that the records do not rule out.
+/// A structure that remains probable in addition to the most probable one.
 pub struct Alternative {
     /// The structure, refitted.
     pub structure: Structure,
-    /// Its weight relative to the best structure, which has weight 1.
+    /// Weight of the structure, relative to a weight of 1 for the best structure.
     pub weight: f64,
 }
 
@@ -32,12 +33,13 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
 
-/// Returns structures with one effect more than `best`, one less or one exchanged, refitted and most probable first.
+/// Returns structures that differ from `best` by one added, removed or exchanged effect, refitted and most probable
+/// first.
 ///
-/// Each is too probable for a 95 % interval to omit. `best` is the most probable structure of the search or a part of
-/// it. For a part, the whole structure is an alternative.
+/// Each is so probable that a 95 % interval must include it. `best` is the most probable structure of the search, or
+/// that structure without some effects. In the second case, the most probable structure is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
-    // Refit `best` with the effort of the alternatives: a more accurate integration moves the log posterior by units.
+    // Refit `best` with the effort of the alternatives: a more accurate integration changes the log posterior by units.
     let judged = best.refitted(tests, Effort::JUDGE);
     let own = log_weight(judged.as_ref().unwrap_or(best), at);
     let is_open = |weight: f64| 1.0 / (1.0 + libm::exp(own - weight)) >= LEAST;
@@ -57,7 +59,7 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
     let by_weight = |a: &Structure, b: &Structure| log_weight(b, at).total_cmp(&log_weight(a, at));
     all.sort_by(by_weight);
     all.truncate(MOST);
-    // The search refitted a trial only as far as a comparison needs.
+    // The search refitted a trial only with the accuracy that a comparison requires.
     let mut all: Vec<Structure> =
         all.par_iter().filter_map(|structure| structure.refitted(tests, Effort::JUDGE)).collect();
     all.retain(|structure| is_open(log_weight(structure, at)));
@@ -67,8 +69,8 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
         .collect()
 }
 
-/// Computes the ends of the 95 % intervals of a structure's free parameters, without alternatives; `None` if the
-/// covariance is unknown.
+/// Computes the ends of the 95 % intervals of a structure's free parameters, without alternatives. Returns `None` if
+/// the covariance is unknown.
 fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let Structure { hypothesis, refit, .. } = structure;
     let (covariance, _) = sandwich(hypothesis, refit, tests)?;
@@ -76,26 +78,26 @@ fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     Some((0..refit.theta.len()).map(of).collect())
 }
 
-/// Fraction of a distribution beyond each end of its 95 % interval, and the distance of an end from the value in
-/// standard deviations.
+/// Fraction of a distribution beyond each end of its 95 % interval. [`DEVIATIONS`] is the distance of an end from the
+/// value, in standard deviations.
 const BEYOND: f64 = 0.025;
 const DEVIATIONS: f64 = 1.959_964;
-/// Bisection steps for a quantile. They find it to a billionth of the distance between the outermost ends.
+/// Bisection steps for a quantile. Their accuracy is a billionth of the distance between the outermost ends.
 const HALVES: usize = 30;
 
-/// Estimate of a parameter by one structure: its weight, the value and the ends of its 95 % interval.
+/// Estimate of a parameter by one structure: weight of the structure, value, and ends of the 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Part {
-    /// Weight among the others.
+    /// Weight relative to the other structures.
     pub weight: f64,
     /// Value.
     pub value: f64,
-    /// Ends of its own interval.
+    /// Ends of the interval within this structure.
     pub ends: [f64; 2],
 }
 
 impl Part {
-    /// Computes the probability that the parameter lies below `x`: each side is half a normal distribution.
+    /// Computes the probability that the parameter is below `x`. Each side is half of a normal distribution.
     fn below(&self, x: f64) -> f64 {
         let end = if x < self.value { self.ends[0] } else { self.ends[1] };
         let deviation = (end - self.value).abs() / DEVIATIONS;
@@ -107,8 +109,8 @@ impl Part {
     }
 }
 
-/// Computes the ends of a parameter's 95 % interval over several structures. The interval contains that of the first
-/// structure: alternatives never narrow it.
+/// Computes the ends of a parameter's 95 % interval over several structures. The interval contains the interval of the
+/// first structure, so alternatives never make it narrower.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);
@@ -128,8 +130,8 @@ pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     Some([quantile(BEYOND).min(first.ends[0]), quantile(1.0 - BEYOND).max(first.ends[1])])
 }
 
-/// Computes the ends of the 95 % intervals of a structure's free parameters over its alternatives; `None` if the
-/// covariance of `best` is unknown.
+/// Computes the ends of the 95 % intervals of a structure's free parameters over its alternatives. Returns `None` if
+/// the covariance of `best` is unknown.
 pub fn interval_ends(best: &Structure, others: &[Alternative], tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let part =
         |of: &Structure, weight: f64, place: usize, ends: [f64; 2]| Part { weight, value: of.refit.theta[place], ends };
@@ -155,12 +157,12 @@ mod tests {
         let part = |weight: f64, value: f64| Part { weight, value, ends: [value - DEVIATIONS, value + DEVIATIONS] };
         let near = |a: Option<[f64; 2]>, b: [f64; 2]| a.unwrap().iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-3);
         assert_eq!(mixed_interval(&[part(1.0, 3.0)]), Some([3.0 - DEVIATIONS, 3.0 + DEVIATIONS]));
-        // Two equal estimates give the interval of one.
+        // Two equal estimates give the interval of a single estimate.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(0.4, 0.0)]), [-DEVIATIONS, DEVIATIONS]));
-        // A quarter of the weight lies around 100. A tenth of that quarter lies above the interval: beyond 1.28
-        // deviations.
+        // A quarter of the weight is around 100. The upper end is at 1.28 deviations, so a tenth of that quarter is
+        // above the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1.0 / 3.0, 100.0)]), [-DEVIATIONS, 101.282]));
-        // A structure of negligible weight widens nothing.
+        // A structure with negligible weight does not widen the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1e-6, 100.0)]), [-DEVIATIONS, DEVIATIONS]));
         assert_eq!(mixed_interval(&[]), None);
     }

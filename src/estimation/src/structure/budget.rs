@@ -3,14 +3,14 @@
 /// Numbers of refits that an expansion may spend.
 #[derive(Debug, Clone, Copy)]
 pub struct Budget {
-    /// Starts that are refitted for each form: first those that keep the base parameters, then those that change
-    /// them.
+    /// Number of starts that are refitted for each form: first starts with unchanged base parameters, then starts that
+    /// change them.
     pub starts: [usize; 2],
-    /// Starts that are refitted in all.
+    /// Total number of starts that are refitted.
     pub entrants: usize,
-    /// Forms that are refitted in the second stage.
+    /// Number of forms that are refitted in the second stage.
     pub forms: usize,
-    /// Forms that are refitted with a Jacobian of their own.
+    /// Number of forms that are refitted with a separate Jacobian.
     pub finals: usize,
 }
 

@@ -1,5 +1,4 @@
-//! Components of a structure: each is an effect in one of its forms, with the elements it enables and the parameters
-//! it frees.
+//! Components of a structure: each is an effect in one of its forms, with its elements and its free parameters.
 
 use crate::hypothesis::{self, Free, Hypothesis};
 use crate::priors::is_force_of_effect;
@@ -13,19 +12,19 @@ use dashpot_core::{element, number};
 pub struct Component {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Its form; empty if the effect has only one, or if the given model does not state it.
+    /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
-    /// Elements that it enables; none for a measurement error.
+    /// Elements that the effect enables. Empty for a measurement error.
     pub elements: Vec<Element>,
-    /// Parameters that it sets and does not free.
+    /// Parameters that the effect sets to fixed values.
     pub fixed: Vec<(Number, f64)>,
-    /// Parameters that it frees.
+    /// Parameters that the effect makes free.
     pub frees: Vec<Free>,
-    /// Count of the free parameters; weakly informed ones count half.
+    /// Number of free parameters. Weakly determined parameters count half.
     pub numbers: f64,
 }
 
-/// Parameters on which records contain little information: they stay near their prior and count half.
+/// Parameters about which records contain little information. They stay near their prior and count half.
 const WEAK: [Number; 34] = [
     number!("series_damping"),
     number!("internal_mass"),
@@ -63,7 +62,7 @@ const WEAK: [Number; 34] = [
     number!("moving_mass_time"),
 ];
 
-/// Returns the element that a free parameter belongs to; `None` for parameters of the measurement and of the FV
+/// Returns the element to which a free parameter belongs, or `None` for parameters of the measurement and of the FV
 /// curve.
 pub fn element_of(free: &Free) -> Option<Element> {
     let element = match free {
@@ -78,7 +77,7 @@ pub fn element_of(free: &Free) -> Option<Element> {
     element.filter(|element| *element != element!("fv_curve"))
 }
 
-/// Returns the count of a free parameter: 0.5 for a weakly informed one, else 1.
+/// Returns the count of a free parameter: 0.5 if it is weakly determined, else 1.
 pub fn weight(free: &Free) -> f64 {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,
@@ -100,7 +99,7 @@ impl Component {
         }
     }
 
-    /// Returns the components of a given model: one for each element except the FV curve, one for each measurement
+    /// Returns the components of a given model: one for each element except the FV curve, and one for each measurement
     /// error.
     pub fn of_model(of: &Hypothesis) -> Vec<Component> {
         let mut all: Vec<Component> = Element::all()
@@ -135,8 +134,8 @@ impl Component {
         all
     }
 
-    /// Whether all forces of the component are zero at `theta`: the structure then equals the one without the
-    /// component.
+    /// Returns whether all forces of the component are zero at `theta`. The structure is then equivalent to the
+    /// structure without the component.
     pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
         let mut forces = of.numbers.iter().zip(theta).filter(|(number, _)| {
             let Free::Model(Unknown::Linear(force)) = number.free else { return false };
@@ -148,7 +147,7 @@ impl Component {
         forces.next().is_some_and(|first| is_zero(first) && forces.all(is_zero))
     }
 
-    /// Whether the component is a measurement error, not a part of the damper.
+    /// Returns whether the component is a measurement error, not a part of the damper.
     pub fn is_of_measurement(&self) -> bool {
         self.elements.is_empty()
     }

@@ -26,9 +26,9 @@ pub struct SearchContext<'a> {
     pub tests: &'a [Test],
     /// Whether a candidate may be part of the structure.
     pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
-    /// Candidates in addition to the vocabulary: changes against a reference.
+    /// Candidates in addition to the vocabulary: changes relative to a reference.
     pub changes: &'a [Candidate],
-    /// Priors from what is known of this damper.
+    /// Priors from known facts about this damper.
     pub priors: &'a PriorSet,
     /// Largest number of effects that may be added.
     pub most: usize,
@@ -41,11 +41,11 @@ pub struct SearchContext<'a> {
 pub struct Structure {
     /// The model with its free parameters.
     pub hypothesis: Hypothesis,
-    /// Result of its refit.
+    /// Result of the refit.
     pub refit: Refit,
-    /// Its effects.
+    /// Effects of the structure.
     pub components: Vec<Component>,
-    /// Its residuals.
+    /// Evidence from the residuals.
     pub evidence: Evidence,
     /// Log posterior, up to a constant that all structures of a search share.
     pub log_posterior: f64,
@@ -67,7 +67,7 @@ impl Structure {
         Structure { hypothesis, refit, components, evidence, log_posterior, log_prior }
     }
 
-    /// Fits a hypothesis with its components from its start; `None` if the model gives no finite force.
+    /// Fits a hypothesis with its components from its start. Returns `None` if the model gives no finite force.
     pub fn fit(
         hypothesis: Hypothesis,
         components: Vec<Component>,
@@ -78,12 +78,12 @@ impl Structure {
         Some(Structure::new(hypothesis, end, components, tests))
     }
 
-    /// Counts the free parameters; weakly informed ones count half.
+    /// Counts the free parameters. Weakly determined parameters count half.
     pub fn numbers(&self) -> f64 {
         numbers(&self.hypothesis, &self.components)
     }
 
-    /// Returns its effects with their forms, sorted.
+    /// Returns the effects of the structure with their forms, sorted.
     pub fn key(&self) -> Vec<Form> {
         key(self.components.iter())
     }
@@ -93,7 +93,7 @@ impl Structure {
         key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
-    /// Removes one of its effects and refits.
+    /// Removes one effect and refits.
     pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
@@ -101,8 +101,8 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Removes one of its effects and refits. The refit goes on after a few steps only if the log posterior has
-    /// fallen by at most `reach`.
+    /// Removes one effect and refits. After a few steps, the refit continues only if the log posterior has decreased by
+    /// at most `reach`.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {
@@ -112,7 +112,7 @@ impl Structure {
         Some(judged.unwrap_or(first))
     }
 
-    /// Removes effects of zero strength: the damper stays the same, and an effect of 0 N is not reported.
+    /// Removes effects of zero strength. The forces stay unchanged, and reports contain no effect of 0 N.
     pub fn without_absent(self, tests: &[Test]) -> Structure {
         let absent = self.components.iter().position(|c| c.is_absent(&self.hypothesis, &self.refit.theta));
         match absent.and_then(|place| self.without(place, tests, Effort::JUDGE)) {
@@ -121,7 +121,7 @@ impl Structure {
         }
     }
 
-    /// Refits from the current parameters; `None` if the model gives no finite force.
+    /// Refits from the current parameters. Returns `None` if the model gives no finite force.
     pub fn refitted(&self, tests: &[Test], effort: Effort) -> Option<Structure> {
         Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)
     }
@@ -163,7 +163,7 @@ fn key<'c>(components: impl Iterator<Item = &'c Component>) -> Vec<Form> {
     key
 }
 
-/// Counts the free parameters. Points of the FV curve count as parameters too.
+/// Counts the free parameters. Points of the FV curve also count as parameters.
 fn numbers(hypothesis: &Hypothesis, components: &[Component]) -> f64 {
     let points = hypothesis
         .numbers

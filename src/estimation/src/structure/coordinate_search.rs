@@ -1,15 +1,16 @@
 //! Coordinate search for the parameters of an effect that makes the force jump.
 //!
-//! Where a computed jump is misplaced, the force is wrong between the computed and the measured position. Its derivative is nonzero at the
-//! computed position alone. So a step by derivatives moves the jump by a sample or two and ends too early. A pattern search (Hooke &
-//! Jeeves, J. ACM 8, 1961) evaluates the whole residual.
+//! If the computed position of a jump is wrong, the force is wrong between the computed and the measured position. The
+//! derivative of the force is nonzero only at the computed position. Therefore, a step based on derivatives moves the
+//! jump by a sample or two, and the search ends too early. A pattern search (Hooke & Jeeves, J. ACM 8, 1961) evaluates
+//! the whole residual.
 
 use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::{Refit, chi2, prior_cost};
 use dashpot_records::restrict;
 use std::ops::Range;
 
-/// Step sizes, in units of a parameter's typical step.
+/// Step sizes relative to the typical step of a parameter.
 const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
 /// Largest number of model evaluations.
 const RUNS: usize = 60;
@@ -63,7 +64,7 @@ mod tests {
         base.set(number!("free_play_gap"), 1e-4).unwrap();
         let number = number(&base, Unknown::Log(number!("free_play_gap")));
         let hypothesis = Hypothesis { base, numbers: vec![number], heating: None, priors: PriorSet::default() };
-        // The force jumps at a sample that depends on the gap. It is constant on either side of the jump.
+        // The force jumps at a sample that depends on the gap. The force is constant on both sides of the jump.
         let jump = |theta: &[f64]| (4e5 * libm::exp(theta[0])) as usize;
         let residual = |theta: &[f64]| {
             let (from, to) = (jump(theta).min(90), jump(theta).max(90));

@@ -1,7 +1,8 @@
-//! Selects the form of the FV curve at rest: smooth with one derivative, or a kink with one derivative on each side.
+//! Selects the form of the FV curve at rest: smooth with a single derivative, or a kink with one derivative on each
+//! side.
 //!
-//! Rebound and compression of a damper have different valves, so its curve has a kink. A model from another source
-//! may be smooth at rest. Both forms have the same parameters, so the form with the smaller residual is the likelier.
+//! Rebound and compression of a damper have different valves, so its curve has a kink. A model from another source may
+//! be smooth at rest. Both forms have the same parameters, so the form with the smaller residual is more probable.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown};
@@ -9,7 +10,7 @@ use dashpot_core::curve::Interpolation;
 use dashpot_core::elements::fv_curve::{choice_of_interpolation, fv_interpolation};
 use dashpot_core::{Params, number};
 
-/// Returns the model with the other form of its FV curve at rest; `None` if the curve is piecewise linear.
+/// Returns the model with the other form of its FV curve at rest. Returns `None` if the curve is piecewise linear.
 pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     let other = match fv_interpolation(params) {
         Interpolation::MonotoneCubic => Interpolation::CubicEachSide,
@@ -21,8 +22,8 @@ pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     Some(params)
 }
 
-/// Returns the hypothesis with the other form of its FV curve at rest; `None` if the curve is not fitted, as that of
-/// a reference.
+/// Returns the hypothesis with the other form of its FV curve at rest. Returns `None` if the curve is not fitted, for
+/// example for a reference.
 pub fn with_other_form(of: &Hypothesis) -> Option<Hypothesis> {
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     of.numbers.iter().find(|number| is_point(&number.free))?;

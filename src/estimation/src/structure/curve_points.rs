@@ -1,4 +1,4 @@
-//! Refinement of an FV curve whose dozen points for each stroke do not resolve the valves.
+//! Refinement of an FV curve if a dozen points for each stroke do not resolve the valves.
 //!
 //! The error of a coarse curve must not count as a missing effect.
 
@@ -12,15 +12,15 @@ use dashpot_core::curve::MAX_POINTS;
 use dashpot_core::{Model, Params, list};
 use nalgebra::DVector;
 
-/// Smallest reduction of χ² for each added point, and smallest fraction of the excess χ² by which all added points
-/// together reduce it.
+/// Smallest reduction of χ² for each added point. All added points together must reduce the excess χ² by at least the
+/// fraction [`BY_POINTS`].
 const PER_POINT: f64 = 8.0;
 const BY_POINTS: f64 = 0.05;
-/// Largest number of times that the curve is refined.
+/// Largest number of refinements of the curve.
 const GENERATIONS: usize = 2;
 
-/// Adds points to the FV curve of a refitted hypothesis where they reduce χ² enough; `floor` is the χ² of noise. The
-/// rises of all points replace the old ones at their position in the list.
+/// Adds points to the FV curve of a refitted hypothesis where they reduce χ² enough. `floor` is the χ² of noise. In the
+/// list of parameters, the new rises replace the old rises.
 pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
     let is_rise = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     if !now.0.numbers.iter().any(|n| is_rise(&n.free)) {
@@ -47,8 +47,8 @@ pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f
     now
 }
 
-/// Returns the middle of every interval of the FV curve. It is the geometric mean of the ends, as the points are spaced geometrically, or
-/// the arithmetic mean next to zero.
+/// Returns the middle of every interval of the FV curve. It is the geometric mean of the ends, because the points are
+/// spaced geometrically. Next to zero, it is the arithmetic mean.
 fn middles(from: &Hypothesis) -> Vec<f64> {
     let velocity = from.base.list(list!("fv_velocity"));
     velocity
@@ -63,7 +63,7 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the middles whose decrease of χ² justifies a point each, and their total decrease.
+/// Returns the middles at which a point reduces χ² enough, and the total reduction.
 ///
 /// All other parameters adapt to first order. A greedy selection adds the best middle first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
@@ -80,7 +80,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
-    // A point above the line of its interval raises its inner rise and lowers its outer rise.
+    // If a point is above the line of its interval, the rise before it is larger and the rise after it is smaller.
     let mut bumps: Vec<(f64, DVector<f64>)> = middles
         .iter()
         .filter_map(|middle| {
@@ -109,7 +109,7 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     Some((points, promised))
 }
 
-/// Returns a hypothesis with more points on its FV curve; `None` if the table is full.
+/// Returns a hypothesis with more points on its FV curve. Returns `None` if the table is full.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut velocities = from.base.list(list!("fv_velocity")).to_vec();
     velocities.extend_from_slice(points);
@@ -117,14 +117,15 @@ fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypot
     with_velocities(from, theta, &velocities)
 }
 
-/// Computes the forces of a parameter set's FV curve at some velocities, N; `None` if the set is not a valid model.
+/// Computes the forces of a parameter set's FV curve at some velocities, N. Returns `None` if the set is not a valid
+/// model.
 pub(crate) fn forces_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
     let curve = Model::new(params).ok()?.elements().paths.fv_curve;
     Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
 }
 
-/// Resamples the FV curve of a hypothesis at other velocities; `None` if the table has no room or the model is not
-/// valid.
+/// Resamples the FV curve of a hypothesis at other velocities. Returns `None` if the table is too small or the model is
+/// not valid.
 pub(crate) fn with_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
     let forces = forces_at(&params, velocities)?;

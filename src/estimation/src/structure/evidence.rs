@@ -1,11 +1,13 @@
-//! Log evidence of a structure: how probable the records are under it, without prior odds.
+//! Log evidence of a structure: the probability of the records under the structure, without prior odds.
 //!
-//! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this error differs from test
-//! to test by orders of magnitude; within one test it is similar in all samples. The root mean square of a test's form error therefore
-//! counts as [`OBSERVATIONS`] observations. They are exponentially distributed with a scale that all tests share, estimated with the
-//! structure. The likelihood is that scale to the power of minus the number of observations. With squares the worst test alone would
-//! decide; with logarithms one test could be arbitrarily wrong. Below [`FORM`] a smaller residual has no further effect. Each free
-//! parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
+//! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this
+//! error differs from test to test by orders of magnitude, but is similar in all samples of one test. The root mean
+//! square of a test's form error therefore counts as [`OBSERVATIONS`] observations. The form errors are exponentially
+//! distributed with a scale that all tests share and that is estimated with the structure. The likelihood is this scale
+//! to the power of minus the number of observations. With a sum of squares, the worst test alone would determine the
+//! result. With a sum of logarithms, one test could have any error. Below [`FORM`], a smaller residual has no further
+//! effect. Each free parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a
+//! rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
@@ -16,13 +18,13 @@ use crate::samples::Test;
 use crate::scale::Scale;
 use nalgebra::DVector;
 
-/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact.
-/// With a smaller value, effects are reported that explain only the discretization of the FV curve. With a larger
-/// value, effects below the noise are lost.
+/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With
+/// a smaller value, reports contain effects that explain only the discretization of the FV curve. With a larger value,
+/// effects below the noise are lost.
 const FORM: f64 = 0.3;
-/// Observations of the form error in a test. A mean cycle shows more than one feature, but its features are correlated with those of
-/// neighboring tests. With a larger value, effects are reported that explain only a small fraction. With a smaller value, effects that act
-/// in few tests are lost.
+/// Number of observations of the form error in a test. A mean cycle shows more than one feature, but its features are
+/// correlated with those of neighboring tests. With a larger value, reports contain effects that explain only a small
+/// fraction. With a smaller value, effects that act in few tests are lost.
 const OBSERVATIONS: f64 = 1.5;
 
 /// Residual statistics of a structure.
@@ -32,15 +34,15 @@ pub struct Evidence {
     pub mean_squares: Vec<f64>,
     /// Number of tests that each test represents.
     pub weights: Vec<f64>,
-    /// Number of free parameters; weakly informed ones count half.
+    /// Number of free parameters. Weakly determined parameters count half.
     pub numbers: f64,
-    /// Negative log prior of the values.
+    /// Negative log prior of the parameter values.
     pub negative_log_prior: f64,
-    /// Deduction from the cost of the parameters for those that are better known on this damper than on others.
+    /// Reduction of the cost of parameters that are better known for this damper than for other dampers.
     pub relief: f64,
 }
 
-/// Computes the mean square residual of samples of a test, in its unit of noise and curve discretization. Residuals
+/// Computes the mean square residual of samples of a test, relative to its noise and curve discretization. Residuals
 /// beyond [`HUBER`] count linearly.
 ///
 /// Each sample is a pair: its weighted residual and its allowed error, N.
@@ -61,8 +63,8 @@ pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
     tests.iter().map(of_test).collect()
 }
 
-/// Computes the deduction from a parameter's cost `per_number` if the parameter is better known on this damper than
-/// on others.
+/// Computes the reduction of a parameter's cost `per_number` if the parameter is better known for this damper than for
+/// other dampers.
 pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64) -> f64 {
     match &number.free {
         Free::Model(unknown) => priors.relief(unknown, scale, weight(&number.free) * per_number),
@@ -71,7 +73,7 @@ pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64)
 }
 
 impl Evidence {
-    /// Computes the evidence from residuals at `theta`; `numbers` counts the free parameters.
+    /// Computes the evidence from residuals at `theta`. `numbers` is the count of free parameters.
     pub fn new(
         hypothesis: &Hypothesis,
         theta: &[f64],
@@ -97,7 +99,7 @@ impl Evidence {
         self.weights.iter().sum()
     }
 
-    /// Computes the mean over the tests of the mean square residual.
+    /// Computes the mean of the tests' mean square residuals.
     pub fn mean(&self) -> f64 {
         self.mean_squares.iter().zip(&self.weights).map(|(square, weight)| square * weight).sum::<f64>()
             / self.count().max(1.0)
@@ -111,8 +113,8 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Computes the cost of one free parameter: half the logarithm of the number of tests. With few tests it is 1, the mean gain of a
-    /// parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
+    /// Computes the cost of one free parameter: half the logarithm of the number of tests. With few tests, it is 1, the
+    /// mean gain of a parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
         per_number(self.count())
     }
@@ -123,7 +125,7 @@ impl Evidence {
     }
 }
 
-/// Computes the cost of one free parameter with this number of tests.
+/// Computes the cost of one free parameter for a number of tests.
 fn per_number(tests: f64) -> f64 {
     (0.5 * libm::log(tests.max(1.0))).max(1.0)
 }
@@ -147,7 +149,8 @@ fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }
 
-/// Computes the expected χ² of noise alone. A variance estimated from ν deviations makes its inverse too large by ν/(ν − 2) on average.
+/// Computes the expected χ² of noise alone. If a variance is estimated from ν deviations, its inverse is too large by a
+/// factor of ν/(ν − 2) on average.
 pub fn noise_chi2(tests: &[Test]) -> f64 {
     tests.iter().map(|t| noise_of(t) * (1.0 + 2.0 / (t.noise_freedom - 2.0).max(4.0))).sum()
 }

@@ -1,4 +1,4 @@
-//! All structures that have one more effect than a given one.
+//! All structures that have one more effect than a given structure.
 
 use super::budget::Budget;
 use super::component::Component;
@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 pub struct Trial {
     /// Effect and form.
     pub form: Form,
-    /// For an unnamed error: its kind.
+    /// Kind of the unnamed error, if the trial adds one.
     pub unnamed: Option<Unnamed>,
     /// The structure.
     pub structure: Structure,
@@ -33,11 +33,12 @@ pub struct Trial {
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects with the squared norm of the part of their response that the rest of the model cannot reproduce, in σ².
+    /// Effects and their visibility: the squared norm, in σ², of the part of the response that the rest of the model
+    /// cannot reproduce.
     pub visible: Vec<(&'static str, f64)>,
 }
 
-/// Expands a structure; `None` if the model gives no finite force.
+/// Expands a structure. Returns `None` if the model gives no finite force.
 pub fn expand(
     context: &SearchContext,
     from: &Structure,
@@ -70,7 +71,7 @@ pub fn expand(
             let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
             if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
-                // The first-order step of the base overshot: the start without the step may be better.
+                // The first-order step of the base may be too large. The start without this step may then be better.
                 let still = s.hypothesis.start();
                 let there = residual_at(&still)?;
                 if there.norm_squared() < residual.norm_squared() {
@@ -131,9 +132,9 @@ pub fn expand(
     Some(Expansion { trials, visible })
 }
 
-/// Chooses the starts to refit: the best of every form by first-order gain, then the best of all forms up to the
-/// budget. The first start of every effect is kept, since first order understates effects that act only beyond a
-/// threshold.
+/// Selects the starts to refit by first-order gain: the best starts of every form, then the best of all forms up to the
+/// budget. The first start of every effect is always included, because the first-order gain is too small for effects
+/// that act only beyond a threshold.
 fn choose(screened: &[Screened], list: &[Candidate], budget: Budget) -> Vec<usize> {
     let mut order: Vec<usize> = (0..screened.len()).collect();
     order.sort_by(|a, b| screened[*b].gain.total_cmp(&screened[*a].gain));

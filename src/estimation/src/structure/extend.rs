@@ -10,7 +10,7 @@ use dashpot_core::list;
 use dashpot_core::parameter;
 use dashpot_records::restrict;
 
-/// Returns the hypothesis at `theta` with a candidate added at one of its starts.
+/// Returns the hypothesis with the parameters `theta`, extended by a candidate at one of the candidate's starts.
 pub fn extend(from: &Hypothesis, theta: &[f64], candidate: &Candidate, start: &Start) -> Hypothesis {
     let mut to = from.clone().starting_at(theta);
     for element in candidate.elements {
@@ -58,7 +58,8 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     }
 }
 
-/// Prior standard deviation of a change: in steps of the parameter, and as a fraction of a part of the FV curve.
+/// Prior standard deviation of a change of a parameter, in steps of the parameter. [`CURVE`] is that of a part of the
+/// FV curve, as a fraction.
 const CHANGED: f64 = 2.0;
 const CURVE: f64 = 0.4;
 
@@ -84,8 +85,8 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
         }
         Free::Rig(artefact) => {
             let ((low, high), factor) = (artefact.bounds(), Scale::from_params(base).of_artefact(*artefact));
-            // A delay found in the raw data may far exceed the delays of filters: its bounds are then centered on
-            // that value.
+            // A delay estimated from the raw data may far exceed the delays of filters. The bounds are then centered on
+            // that estimate.
             let about = if (low..=high).contains(&value) { 0.0 } else { value };
             let bounds = (factor * low + about, factor * high + about);
             Number { free: fresh.free.clone(), start: value, step: value.abs(), bounds, prior: None }
@@ -114,8 +115,8 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     }
 }
 
-/// Returns the positions of one stroke's free rises of the FV curve among the parameters, each with its point,
-/// innermost first.
+/// Returns the free rises of one stroke of the FV curve, innermost first. Each entry is a position among the parameters
+/// and a point.
 fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)> {
     let mut rises: Vec<(usize, usize)> = of
         .numbers
@@ -132,7 +133,7 @@ fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)>
     rises
 }
 
-/// Sets the start of the FV curve to these forces at its points.
+/// Sets the start of the FV curve to the given forces at its points.
 fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     let zero = anchor(to.base.list(list!("fv_velocity")));
     for number in &mut to.numbers {
@@ -158,7 +159,7 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Extrapolates one stroke's branch of the FV curve linearly beyond the force up to which the branch is trusted.
+/// Extrapolates one branch of the FV curve linearly beyond the force up to which the branch counts as correct.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

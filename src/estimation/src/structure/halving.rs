@@ -1,4 +1,4 @@
-//! Successive halving: many short refits, then longer ones of the best, then full ones of the very best.
+//! Successive halving: many short refits, then longer refits of the better starts, then full refits of the best.
 
 use super::budget::Budget;
 use super::coordinate_search::minimize;
@@ -13,16 +13,16 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// Largest distance from the most probable form after the second stage, in units of the log posterior, for a full refit.
+/// Largest decrease of the log posterior, relative to the most probable form after the second stage, at which a form is
+/// fully refitted.
 ///
-/// A full refit rarely gains more.
+/// The gain of a full refit is rarely larger.
 const REACH: f64 = 8.0;
 
-/// Rise of the log likelihood above which a longer refit is made. Every parameter costs at least one, so a smaller
-/// rise pays for none.
+/// Rise of the log likelihood above which the search makes a longer refit. Every parameter costs at least 1, so a
+/// smaller rise cannot justify a parameter.
 ///
-/// Without this threshold, effects of no strength, which cost little, crowd out an effect that has begun to explain
-/// the records.
+/// Without this threshold, effects near zero strength would use up the budget, because their prior cost is small.
 const BEGUN: f64 = 0.5;
 
 /// Quality of a refit.
@@ -30,23 +30,24 @@ const BEGUN: f64 = 0.5;
 pub struct Rating {
     /// Log posterior, up to a constant.
     pub log_posterior: f64,
-    /// Rise of the log likelihood over the structure without the effect.
+    /// Rise of the log likelihood relative to the structure without the effect.
     pub rise: f64,
 }
 
 impl Rating {
-    /// Whether the effect explains anything so far.
+    /// Returns whether the effect explains a part of the records so far.
     fn has_begun(&self) -> bool {
         self.rise > BEGUN
     }
 
-    /// Orders better refits first: those that explain something, then those with the higher log posterior.
+    /// Orders refits, better refits first. Refits that explain a part of the records come first, then the log posterior
+    /// decides.
     fn compare(&self, other: &Rating) -> Ordering {
         other.has_begun().cmp(&self.has_begun()).then(other.log_posterior.total_cmp(&self.log_posterior))
     }
 }
 
-/// A start with the Jacobian there.
+/// A start and the Jacobian at the start.
 pub struct Entrant {
     /// Index among the screened starts.
     pub screened: usize,
@@ -60,7 +61,7 @@ pub struct Entrant {
 pub struct Field<'a> {
     /// The screened starts.
     pub screened: &'a [Screened],
-    /// Their candidates.
+    /// Candidates of the screened starts.
     pub list: &'a [Candidate],
     /// The tests.
     pub tests: &'a [Test],
@@ -70,7 +71,7 @@ pub struct Field<'a> {
     pub budget: Budget,
 }
 
-/// Refits in three stages; returns one refit for each form.
+/// Refits in three stages. Returns one refit for each form.
 pub fn halve(
     entrants: Vec<Entrant>,
     field: &Field,

@@ -12,13 +12,13 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
-    /// In the given model and in the most probable one.
+    /// The effect is in both models.
     Kept,
-    /// In the most probable model alone.
+    /// The effect is only in the most probable model.
     Added,
-    /// In the given model; another effect of the most probable one carries its force.
+    /// The effect is only in the given model. In the most probable model, another effect has its force.
     Replaced,
-    /// In the given model; the records do not need it.
+    /// The effect is only in the given model. The records do not require it.
     Removed,
 }
 
@@ -27,41 +27,40 @@ pub enum Status {
 pub struct InventoryItem {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Its form; empty if the effect has only one, or if the given model does not state it.
+    /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
-    /// Force of the effect, N: root mean square, over all fitted tests, of the change when the effect is removed and
-    /// all else stays.
+    /// Force of the effect, N rms over all fitted tests: the change of the force if only this effect is removed.
     pub force_n_rms: f64,
-    /// Ratio of that force to the root mean square of the measured force. Its key in JSON is `share`, which scripts
-    /// rely on.
+    /// Ratio of that force to the root mean square of the measured force. The JSON key is `share`, because scripts
+    /// depend on this name.
     #[serde(rename = "share")]
     pub fraction: f64,
-    /// The force in each fitted test, N rms, in the order of the tests; empty if the model gives no force without the
-    /// effect.
+    /// The force in each fitted test, N rms, in the order of the tests. Empty if the model with the effect removed
+    /// gives no finite force.
     #[serde(skip)]
     pub test_forces_n: Vec<f64>,
-    /// Probability that the damper has it.
+    /// Probability that the damper has the effect.
     pub probability: f64,
     /// Change from the given model to the most probable one.
     pub status: Status,
-    /// Effect of the given model that it replaces.
+    /// Effect of the given model that this effect replaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
-    /// For an effect that is kept at a probability below one half: the effect that would explain the records instead.
+    /// Another effect that may explain the records, if this effect is kept with a probability below one half.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub or_instead: Option<Instead>,
 }
 
-/// An effect that explains the records instead of another.
+/// An effect that may explain the records instead of another effect.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Instead {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Probability that the damper has it.
+    /// Probability that the damper has the effect.
     pub probability: f64,
 }
 
-/// Computes the forces of a hypothesis at `theta`. The low-accuracy integration is exact enough for an inventory.
+/// Computes the forces of a hypothesis at `theta`. The low-accuracy integration is accurate enough for an inventory.
 fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
@@ -74,18 +73,18 @@ fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     dot(a, b) / (dot(a, a) * dot(b, b)).sqrt().max(1e-300)
 }
 
-/// Computes the force of a component in each test, N, as the change by its removal; `None` if the model gives no
-/// force without it.
+/// Computes the force of a component in each test, N, as the change due to its removal. Returns `None` if the model
+/// with the component removed gives no finite force.
 fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let without = component.remove(&structure.hypothesis, &structure.refit.theta);
     let less = forces(&without, tests, &without.start())?;
     Some(whole.iter().zip(&less).map(|(a, b)| a.iter().zip(b).map(|(a, b)| a - b).collect()).collect())
 }
 
-/// Smallest correlation of the forces of two effects at which one counts as the replacement of the other.
+/// Smallest correlation of the forces of two effects at which one effect counts as the replacement of the other.
 const REPLACES: f64 = 0.5;
 
-/// Makes the inventory of `best` compared with a given model; without a given model, every effect counts as added.
+/// Makes the inventory of `best` compared with a given model. Without a given model, every effect counts as added.
 pub fn inventory(
     best: &Structure,
     given: Option<&Structure>,
@@ -96,7 +95,7 @@ pub fn inventory(
     let whole_of = |structure: &Structure| forces(&structure.hypothesis, tests, &structure.refit.theta);
     let Some(whole) = whole_of(best) else { return Vec::new() };
     let is_in = |structure: &Structure, effect: &str| structure.components.iter().any(|c| c.effect == effect);
-    // If the model gives no force without an effect, that effect's force in each test is unknown and stays empty.
+    // If the model with an effect removed gives no finite force, the list of test forces stays empty.
     let item = |component: &Component, force: Option<&[Vec<f64>]>, without: f64, status: Status| {
         let size = force.map_or(without, rms_of_tests);
         InventoryItem {

@@ -1,4 +1,4 @@
-//! Structures: which effects a model has, in which forms, and the search for the most probable one.
+//! Structures: the effects of a model with their forms, and the search for the most probable structure.
 //!
 //! | module | contents |
 //! |---|---|

@@ -1,10 +1,10 @@
-//! Residuals near a refitted hypothesis, by the low-accuracy integration and a correction of its error at that
+//! Residuals near a refitted hypothesis, from the low-accuracy integration and a correction of its error at that
 //! hypothesis.
 //!
 //! Known derivatives of the refitted hypothesis are reused.
 //!
-//! Within an iteration the compared hypotheses differ little from the refitted one, and so does the error of the
-//! integration (a defect correction: Stetter, Numer. Math. 29, 1978).
+//! Within an iteration, the compared hypotheses differ little from the refitted one, so their integration errors are
+//! similar (a defect correction: Stetter, Numer. Math. 29, 1978).
 
 use crate::hypothesis::{Hypothesis, Residual};
 use crate::refit::Refit;
@@ -24,9 +24,10 @@ pub struct Nearby<'a> {
 }
 
 impl<'a> Nearby<'a> {
-    /// Makes the starting point from a refitted hypothesis; `None` if the model gives no finite force.
+    /// Makes the starting point from a refitted hypothesis. Returns `None` if the model gives no finite force.
     pub fn new(hypothesis: &Hypothesis, at: &'a Refit, tests: &[Test]) -> Option<Nearby<'a>> {
-        // With a series spring, one step for each sample suffices: the correction contains its error.
+        // With a series spring, one step for each sample suffices, because the correction contains the error of the
+        // step.
         let has_series = hypothesis.base.is_on(element!("series_compliance"));
         let accuracy = if has_series { Accuracy::Derivatives } else { Accuracy::Cheap };
         let off = &at.residual - hypothesis.residual_by(accuracy, tests, &at.theta)?;
@@ -38,8 +39,8 @@ impl<'a> Nearby<'a> {
         Some(hypothesis.residual_by(self.accuracy, tests, theta)? + &self.off)
     }
 
-    /// Computes derivatives of a hypothesis that extends the starting point. Finite differences give the columns of
-    /// its new parameters; the other columns are reused.
+    /// Computes derivatives of a hypothesis that extends the starting point. Finite differences give the columns of its
+    /// new parameters. The other columns are those of the starting point.
     pub fn jacobian(
         &self,
         hypothesis: &Hypothesis,

@@ -1,22 +1,23 @@
-//! Prior log odds of an effect: how often dampers and rigs have it, before any record is known.
+//! Prior log odds of an effect: its frequency in dampers and rigs, without any record.
 
 use crate::prior_set::PriorSet;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 
-/// An effect that nearly every damper has: seven of eight.
+/// Log odds of an effect that nearly every damper has: seven of eight.
 const COMMON: f64 = 2.0;
-/// An effect that every second damper has.
+/// Log odds of an effect that every second damper has.
 const EVEN: f64 = 0.0;
-/// An effect that a damper in twenty has, as a fault or by design.
+/// Log odds of an effect that one damper in twenty has, as a fault or by design.
 const RARE: f64 = -3.0;
-/// Parameters of the beta distribution of the rate of measurement faults, which differs from rig to rig. The log odds of the first fault
-/// are thus −3.5 (rigs are checked more often than dampers). A rig with one fault is likelier to have another.
+/// Parameters of the beta distribution of the rate of measurement faults, which differs from rig to rig. The log odds
+/// of the first fault are thus −3.5, because rigs are checked more often than dampers. If a rig has one fault, another
+/// fault is more probable.
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
-/// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series path; monotubes have
-/// gas columns and springs. The other effects are faults or rare designs. The oil of every damper is compressible, and in every second
-/// damper more so than the series path can represent.
+/// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series
+/// path. Monotubes have gas columns and springs. The other effects are faults or rare designs. The oil of every damper
+/// is compressible. In every second damper, the series path cannot represent its compressibility.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -31,7 +32,7 @@ const FREQUENT: [(&str, f64); 11] = [
     ("viscous_friction", -2.0),
 ];
 
-/// Frequent changes against a reference, with their log odds: adjustments, wear and leaks. Any other parameter
+/// Frequent changes relative to a reference, with their log odds: adjustments, wear and leaks. Any other parameter
 /// changes rarely.
 const CHANGES: [(&str, f64); 13] = [
     ("fv_curve", -1.0),
@@ -50,15 +51,16 @@ const CHANGES: [(&str, f64); 13] = [
 ];
 const CHANGE: f64 = -3.0;
 
-/// Returns the prior log odds of a change against a reference.
+/// Returns the prior log odds of a change relative to a reference.
 fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
 
 /// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// Against a reference, the effects of every second damper count as rare: the reference had them already, or they were too weak for the
-/// records. With its ordinary odds, such an effect would be reported where a parameter of the reference changed.
+/// In a comparison with a reference, effects of every second damper count as rare. The reference already had them, or
+/// they were too weak for the records. With ordinary odds, such an effect would be reported instead of a changed
+/// parameter of the reference.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
@@ -73,38 +75,38 @@ fn log_prior_odds_of_faults(count: usize) -> f64 {
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that a damper has for certain if the parameter on which they depend is known: an oil column, a gas.
+/// Effects that are certain if the parameter on which they depend is known: an oil column, a gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 
-/// Returns the log odds that an effect gains from knowledge of this damper.
+/// Returns the increase of an effect's log odds due to known facts about this damper.
 fn gain_of_knowledge(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     let is_known = |(name, number): &(&str, Number)| *name == effect && priors.find(*number).is_some();
     let is_certain = form != "changed" && !priors.is_against_reference() && CERTAIN.iter().any(is_known);
     if is_certain { COMMON - log_prior_odds(effect, form, priors) } else { 0.0 }
 }
 
-/// Whether an effect is a fault or a rare design.
+/// Returns whether an effect is a fault or a rare design.
 pub fn is_rare(effect: &str, form: &str, priors: &PriorSet) -> bool {
     form != "changed" && log_prior_odds(effect, form, priors) + gain_of_knowledge(effect, form, priors) <= RARE
 }
 
-/// Groups of effects of which a damper needs one: a second effect of a group is as rare as a fault.
+/// Groups of effects of which a damper has one. A second effect of a group is as rare as a fault.
 const ALTERNATIVES: [&[&str]; 2] =
     [&["coulomb_friction", "presliding_friction", "stribeck_friction"], &["parallel_spring", "gas_spring"]];
 
-/// Whether two effects are alternatives: a damper has one or the other.
+/// Returns whether two effects are alternatives: a damper has one or the other.
 pub fn are_alternatives(effect: &str, other: &str) -> bool {
     ALTERNATIVES.iter().any(|group| group.contains(&effect) && group.contains(&other))
 }
 
-/// Computes the log prior odds of a damper's effects: each with its name, its form and whether it is a measurement error.
+/// Computes the log prior odds of a damper's effects: each with its name, its form and a flag for a measurement error.
 pub fn log_prior(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let known: f64 = effects.iter().map(|(effect, form, _)| gain_of_knowledge(effect, form, priors)).sum();
     known + log_prior_of_all(effects, priors)
 }
 
-/// Computes the log prior odds of a set of effects of a damper, without knowledge of their parameters.
+/// Computes the log prior odds of a set of effects of a damper, without known facts about their parameters.
 fn log_prior_of_all(effects: &[(&'static str, &'static str, bool)], priors: &PriorSet) -> f64 {
     let is_fault = |(_, form, fault): &&(&str, &str, bool)| *fault && *form != "changed";
     let faults = log_prior_odds_of_faults(effects.iter().filter(is_fault).count());

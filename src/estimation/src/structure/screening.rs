@@ -1,8 +1,9 @@
-//! Screens effects for a refit: computes the reduction of χ² by each if the rest of the model adapts to first order.
+//! Screens effects for a refit: computes the reduction of χ² by each effect if the rest of the model adapts to first
+//! order.
 //!
-//! The base parameters absorb a part of every effect. So a candidate's response is judged after the projection onto
-//! the orthogonal complement of the base's Jacobian (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat.
-//! Assoc. 58, 1963).
+//! The base parameters absorb a part of every effect. Therefore, a candidate's response is evaluated after its
+//! projection onto the orthogonal complement of the base's Jacobian (Frisch & Waugh, Econometrica 1, 1933; Lovell, J.
+//! Am. Stat. Assoc. 58, 1963).
 
 use super::extend::extend;
 use super::nearby::Nearby;
@@ -61,7 +62,7 @@ impl Projection {
         }
     }
 
-    /// Computes the part of a residual that the base cannot reproduce.
+    /// Computes the part of a residual that changes of the base cannot reproduce.
     pub fn rest(&self, b: &Residual) -> Residual {
         self.rest_of(b, &self.solve(b))
     }
@@ -78,17 +79,17 @@ pub struct Screened {
     pub candidate: usize,
     /// The hypothesis with the candidate.
     pub hypothesis: Hypothesis,
-    /// Start of the refit: the base has already adapted to first order.
+    /// Start of the refit, with a first-order adaptation of the base.
     pub start: Vec<f64>,
     /// Reduction of χ² expected from the refit.
     pub gain: f64,
-    /// Squared norm of the candidate's response after the base has adapted: its visibility in the records.
+    /// Squared norm of the candidate's response after the adaptation of the base: its visibility in the records.
     pub visible: f64,
-    /// Whether the start moved the base parameters as well.
+    /// Whether the start also changes base parameters.
     pub moved: bool,
 }
 
-/// Returns the weighted force of a constant measurement error; `None` for any other candidate.
+/// Returns the weighted force of a constant measurement error, or `None` for any other candidate.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
     let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
@@ -97,7 +98,7 @@ fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> 
     Some(DVector::from_vec(list))
 }
 
-/// Logarithm of the largest factor that scales a start to the strength in the residual. With a larger factor the
+/// Logarithm of the largest factor that scales a start to the strength in the residual. For a larger factor, the
 /// response is no longer proportional.
 const FURTHEST: f64 = 3.0;
 
@@ -122,7 +123,7 @@ pub fn screen(
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();
-            // The effect of the candidate, as a change of the computed forces.
+            // Change of the computed forces due to the candidate.
             let change = match added(candidate, theta[first], tests) {
                 Some(added) => added,
                 None => &at.residual - nearby.residual(&extended, tests, &theta)?,
@@ -133,7 +134,7 @@ pub fn screen(
             let moved = start.moves_the_base();
             let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
             if !moved && visible > 0.0 {
-                // The strength that fits best if the response is proportional to the strength.
+                // Best-fitting strength if the response is proportional to the strength.
                 let strength = left.dot(&response) / visible;
                 let (low, high) = extended.numbers[first].bounds;
                 let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
@@ -144,7 +145,8 @@ pub fn screen(
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
-                    // Many responses are proportional to such a parameter too. The response at the scaled value tests whether this one is.
+                    // Many responses are also proportional to such a parameter. The response at the scaled value tests
+                    // whether the response is proportional here.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {
@@ -156,8 +158,8 @@ pub fn screen(
                             (gain, taken_up, theta) = (gain_there, taken_up_there, scaled);
                         }
                     }
-                    // Otherwise the parameter changes the shape of the response. The gain at the best strength then
-                    // decides about a refit.
+                    // If it is not proportional, the parameter changes the shape of the response. The gain at the best
+                    // strength then determines whether the start is refitted.
                     gain = gain.max(left.dot(&response).powi(2) / visible);
                 }
             }

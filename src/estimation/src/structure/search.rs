@@ -1,6 +1,6 @@
 //! The search for the most probable structure.
 //!
-//! Starting from several models, moves add, remove, swap and change the form of an effect. Every refitted structure
+//! Starting from several models, moves add, remove or replace an effect, or change its form. Every refitted structure
 //! stays in a table with its log posterior. The search ends when no move from the best structure raises its log
 //! posterior. Probabilities of effects are sums over that table.
 
@@ -21,7 +21,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Visited {
     /// Log posterior of the best refit.
     pub log_posterior: f64,
-    /// Its log prior: of the effects and of the values of their parameters.
+    /// Log prior of the effects and of their parameter values.
     pub log_prior: f64,
     /// Mean square residual.
     pub mean_square: f64,
@@ -39,39 +39,40 @@ pub struct StructureSearch {
     pub last: Vec<Trial>,
     /// Structures in which a rival or another form replaces an effect of the best structure.
     pub rivals: Vec<Trial>,
-    /// All screened effects with the squared norm of their response in σ²: a small one is invisible in the records.
+    /// All screened effects with the squared norm of their response in σ². A small norm means that the records cannot
+    /// show the effect.
     pub visible: Vec<(&'static str, f64)>,
-    /// The given model, refitted; `None` without a given model, or if it gives no finite force.
+    /// The given model, refitted. `None` if there is no given model, or if it gives no finite force.
     pub start: Option<Structure>,
 }
 
-/// Smallest rise of the log posterior for which a move is made.
+/// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
-/// Smallest rise of the log posterior for which an effect is exchanged. The structure does not grow, so any rise
-/// beyond rounding counts.
+/// Smallest rise of the log posterior at which an effect is exchanged. The structure does not grow, so any rise beyond
+/// rounding counts.
 const EXCHANGED: f64 = 0.05;
-/// Largest distance of the log posterior below the best expansion at which a form is tried again after other effects
-/// were added.
+/// Largest difference between the best log posterior of an expansion and that of a form at which the form is tried
+/// again later. The later trial follows the addition of other effects.
 ///
-/// A removal is refitted to convergence within the same distance below the best structure.
+/// A removal is refitted to convergence if its log posterior is within this difference below the best structure.
 const PROMISING: f64 = 25.0;
 /// Number of forms of an effect that are tried again.
 const FORMS: usize = 2;
-/// Largest fall of the log posterior by a removal at which every promising effect is tried as a replacement. Beyond this fall, only the
-/// effect's alternatives are tried.
+/// Largest decrease of the log posterior by a removal at which every promising effect is tried as a replacement. If the
+/// decrease is larger, only the alternatives of the effect are tried.
 const CONTESTED: f64 = 12.0;
-/// Largest distance below the best log posterior at which a structure with an added effect is refined.
+/// Largest difference from the best log posterior at which a structure with an added effect is refined.
 ///
-/// The second value holds for a swapped effect. More points on the FV curve and a removal typically gain this much.
+/// For a replaced effect, the limit is [`SWAPPED`]. More points on the FV curve and a removal typically gain this much.
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
-/// Largest number of iterations of add, remove and swap: a guard. A search from the records alone needs up to a dozen
-/// for four measurement faults with a friction and a spring. It normally ends earlier, when no move is better.
+/// Largest number of iterations of add, remove and replace, as a safeguard. For four measurement faults, a friction and
+/// a spring, a search from the records alone requires up to a dozen. It normally ends earlier, when no move is better.
 const ROUNDS: usize = 24;
 
 impl StructureSearch {
-    /// Searches from starts made of the records alone, then from the given model if that is more probable. So the
-    /// result depends on the given model only where the model helps. Returns `None` if no start gives a finite force.
+    /// Searches from starts based on the records alone, then from the given model if that is more probable. Thus, the
+    /// given model has an influence only if it improves the result. Returns `None` if no start gives a finite force.
     pub fn run(
         context: &SearchContext,
         given: Option<StartModel>,
@@ -97,7 +98,7 @@ impl StructureSearch {
             record(&mut search.table, structure);
         }
         if context.most == 0 {
-            // No effect may be added: keep the given model, and try each possible addition once.
+            // If no effect may be added, keep the given model and try each possible addition once.
             search.best = search.start.clone()?;
             if let Some(Expansion { trials, visible }) = expand(context, &search.best, &|_| true, Budget::WIDE) {
                 search.note(&trials);
@@ -146,7 +147,8 @@ impl StructureSearch {
             }
             self.last = trials.clone();
             let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
-            // An unnamed error competes: a rare effect is added only if it is more probable.
+            // Unnamed errors compete with effects. A rare effect is added only if it is more probable than an unnamed
+            // error.
             let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
             let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
             let may = |t: &&Trial| {
@@ -174,7 +176,7 @@ impl StructureSearch {
         }
     }
 
-    /// Enters trials into the table.
+    /// Adds trials to the table.
     fn note(&mut self, trials: &[Trial]) {
         for trial in trials {
             if let Some(unnamed) = trial.unnamed {
@@ -184,7 +186,7 @@ impl StructureSearch {
         }
     }
 
-    /// Returns the best structure with one effect less.
+    /// Returns the best structure with one effect removed.
     fn best_removal(&mut self, context: &SearchContext, from: &Structure) -> Option<Structure> {
         let less: Vec<Structure> = (0..from.components.len())
             .into_par_iter()
@@ -196,7 +198,7 @@ impl StructureSearch {
         most_probable(less.iter()).cloned()
     }
 
-    /// Removes effects as long as that raises the posterior.
+    /// Removes effects as long as each removal increases the posterior.
     fn remove_needless(&mut self, context: &SearchContext) {
         while let Some(less) = self.best_removal(context, &self.best.clone()) {
             if less.log_posterior <= self.best.log_posterior {
@@ -206,7 +208,7 @@ impl StructureSearch {
         }
     }
 
-    /// Tries the rivals of every contested effect as its replacement. Returns whether one was better.
+    /// Tries the rivals of every contested effect as its replacement. Returns whether a replacement was better.
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
             if !done.insert(self.best.key_without(place)) {
@@ -241,8 +243,8 @@ impl StructureSearch {
         false
     }
 
-    /// Returns the probability that the damper has a form that satisfies a condition: the sum over the structures
-    /// that contain such a form.
+    /// Returns the probability that the damper has a form that satisfies a condition. It is a sum over the structures
+    /// with such a form.
     pub fn probability_of(&self, at: Temperatures, is_in: &dyn Fn(&Form) -> bool) -> f64 {
         let all: Vec<f64> = self.table.values().map(|row| at.log_weight(row.log_posterior, row.log_prior)).collect();
         let own: Vec<f64> = self
@@ -263,8 +265,8 @@ impl StructureSearch {
 
 /// Divisors of log evidence and log prior in the probabilities of structures.
 ///
-/// No law has exactly the form of the damper, and the table contains the best structures alone. So the records
-/// support a structure less than their likelihood claims.
+/// No law has exactly the form of the damper, and the table contains only the best structures. Therefore, the
+/// likelihood overstates the support of the records for a structure.
 #[derive(Debug, Clone, Copy)]
 pub struct Temperatures {
     records: f64,
@@ -272,16 +274,18 @@ pub struct Temperatures {
 }
 
 impl Temperatures {
-    /// Without a reference: the prior, the frequency of effects and of their values, counts in full.
+    /// Divisors without a reference. The prior, which is the frequency of effects and of their values, counts in full.
     ///
-    /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), calibrated with the calibration split of the second
-    /// laboratory. With 1, named effects are right less often than their probability states; with 4, half of the names are lost.
+    /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), calibrated with the calibration split
+    /// of the second laboratory. With 1, named effects are correct less often than their probability states. With 4,
+    /// half of the names are lost.
     pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
-    /// Against a reference: an error in the form of the laws affects both dampers alike, and the comparison was made
-    /// because something changed. With the prior in full, a fifth of the right names is lost.
+    /// Divisors for a comparison with a reference. An error in the form of the laws affects both dampers equally, and a
+    /// change is likely because users compare for a reason. If the prior counted in full, a fifth of the correct names
+    /// would be lost.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
 
-    /// Returns the log weight of a structure among others.
+    /// Returns the log weight of a structure relative to other structures.
     pub fn log_weight(self, log_posterior: f64, log_prior: f64) -> f64 {
         (log_posterior - log_prior) / self.records + log_prior / self.prior
     }
@@ -301,8 +305,8 @@ fn record(table: &mut BTreeMap<Vec<Form>, Visited>, structure: &Structure) {
     }
 }
 
-/// Selects the forms of every effect that come near the most probable one. The search tries them again after other
-/// effects were added.
+/// Selects the forms of every effect with a log posterior near that of the most probable form. The search tries them
+/// again after other effects were added.
 fn select_promising(trials: &[Trial]) -> BTreeSet<Form> {
     let best = trials.first().map_or(0.0, |t| t.structure.log_posterior);
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();

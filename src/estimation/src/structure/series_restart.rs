@@ -1,8 +1,8 @@
-//! Restarts a series element that the fit distorted to compensate a missing effect, and that stays distorted once the
-//! effect is present.
+//! Restarts a series element with implausible parameters. A fit produces them to compensate for a missing effect, and
+//! they may remain after the effect is added.
 //!
-//! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity F/c_s. The fitted curve
-//! compensates the shift. The restart undoes both.
+//! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity
+//! F/c_s. The fitted curve compensates for the shift. The restart reverses both changes.
 
 use super::evidence::{effective_count, noise_chi2};
 use crate::hypothesis::{Free, Hypothesis};
@@ -13,18 +13,19 @@ use dashpot_core::curve::{Curve, Interpolation};
 use dashpot_core::{element, list, number};
 use dashpot_records::restrict;
 
-/// Mean excess per independent sample, in σ², below which no restart is tried.
+/// Mean excess per independent sample, in σ², below which the series element is not restarted.
 const QUIET: f64 = 0.1;
-/// Factors of the series stiffness that are tried.
+/// Trial factors on the series stiffness.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
-/// Deflection of a restarted series element under the largest force, as a fraction of the largest amplitude. It
-/// applies to implausible elements.
+/// Deflection of a restarted series element under the largest force, as a fraction of the largest amplitude. The
+/// restart uses it for implausible elements.
 const STRAIGHT: f64 = 0.02;
-/// Damping ratio of the internal mass on an undistorted series element.
+/// Damping ratio of the internal mass on a restarted series element.
 const RATIO: f64 = 0.2;
-/// Largest fraction of the excess by which the cost after a few steps from a restart may exceed the best cost.
+/// Largest increase of the cost, relative to the best cost, a few steps after a restart. It is a fraction of the
+/// excess.
 ///
-/// The final cost must fall below the best cost by the second fraction.
+/// The final cost must be below the best cost by the fraction [`BETTER`] of the excess.
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 
@@ -34,9 +35,10 @@ const DAMPED: f64 = 3.0;
 /// amplitude.
 const YIELDS: f64 = 0.2;
 
-/// Whether the series element is one that no damper has.
+/// Returns whether the series element is implausible for any damper.
 ///
-/// Its damper carries the force instead of its spring, or it deflects by a large fraction of the stroke.
+/// In an implausible element, the damping carries the force instead of the spring, or the deflection is a large
+/// fraction of the stroke.
 pub fn has_implausible_series(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> bool {
     let model = hypothesis.params(theta);
     if !model.is_on(element!("series_compliance")) {
@@ -53,8 +55,8 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
     tests.iter().map(of).fold(0.0, f64::max)
 }
 
-/// Restarts the refit from distant series elements and returns the best. A local search fails, because the cost rises
-/// first.
+/// Restarts the refit from distant series elements and returns the best refit. A local search fails, because the cost
+/// first increases.
 pub fn restart_series(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
     let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
@@ -89,7 +91,7 @@ fn place(hypothesis: &Hypothesis, unknown: Unknown) -> Option<usize> {
     hypothesis.position(&Free::Model(unknown))
 }
 
-/// Sets the damping of the series element to that of an undistorted one.
+/// Sets the series damping so that the internal mass has the damping ratio [`RATIO`].
 fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
     if let Some(damping) = place(hypothesis, Unknown::Linear(number!("series_damping"))) {
         let model = hypothesis.params(theta);
@@ -98,7 +100,8 @@ fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
     }
 }
 
-/// Returns the parameters with a stiff series element. The FV curve takes over the velocity of the element's damper.
+/// Returns the parameters with a stiff series element. The velocity across the damping of the old element is added to
+/// the FV curve.
 fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
     let mut model = hypothesis.params(theta);
     let mut start = theta.to_vec();
@@ -113,7 +116,8 @@ fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f
     let whole: Vec<f64> = velocity.iter().zip(&force).map(|(v, f)| v + f * per_force).collect();
     let Ok(curve) = Curve::new(&whole, &force, Interpolation::Linear) else { return start };
     let straight: Vec<f64> = velocity.iter().map(|v| curve.evaluate(*v).value).collect();
-    // Interpolated forces stay inside the range of the table. A rejected list would leave the curve unchanged.
+    // Interpolated forces stay within the range of the table. If the table rejected the list, the curve would stay
+    // unchanged.
     let _ = model.set_list(list!("fv_force"), &straight);
     for (number, value) in hypothesis.numbers.iter().zip(&mut start) {
         if let Free::Model(rise @ Unknown::Rise { curve: CurveName::Fv, .. }) = &number.free {

@@ -1,4 +1,4 @@
-//! Starts of a search: models made from the records alone, and a given model.
+//! Starts of a search: models based on the records alone, and a given model.
 
 use super::component::Component;
 use crate::first_guess::{guess, size};
@@ -12,8 +12,8 @@ use dashpot_core::parameter::Element;
 use dashpot_core::{Params, element, number};
 use std::sync::Arc;
 
-/// Series stiffnesses of a car's damper, N/m: soft mount, oil column, stiff oil column. Between them the cost has
-/// local maxima.
+/// Series stiffnesses of a car damper, N/m: soft mount, oil column, stiff oil column. Between these values, the cost
+/// has local maxima.
 const STIFFNESSES: [f64; 3] = [6e5, 2.5e6, 1e7];
 
 /// A model with its free parameters and components.
@@ -31,8 +31,8 @@ pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
     (hypothesis, components)
 }
 
-/// Makes models from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and without
-/// a series path.
+/// Makes models from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and a model
+/// without a series path.
 pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<StartModel> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
@@ -45,7 +45,7 @@ pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bo
         if let Some(stiffness) = stiffness {
             let _ = params.set(number!("series_stiffness"), stiffness * scale);
         }
-        // A power of one is the plain form, with one parameter fewer.
+        // The power 1 is the simplest form, with one parameter less.
         let _ = params.set(number!("presliding_power"), 1.0);
         from_params(&params, heating)
     };

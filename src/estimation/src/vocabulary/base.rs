@@ -1,4 +1,4 @@
-//! Free parameters of the model that is diagnosed.
+//! Free parameters of the diagnosed model.
 
 use crate::hypothesis::{Number as FreeNumber, number};
 use crate::priors::{self, Distribution};
@@ -8,13 +8,15 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 
-/// Largest ratio of the internal mass to that of the model: two standard deviations of its distribution over dampers. A rod does not get
-/// heavier. So records that need a larger mass disagree with the model, and the mass becomes an effect of its own. Without this bound the
-/// parameter would absorb any mass of the rig. A bound from the rods of one laboratory would turn every heavier rod into a mass of the rig.
-/// Downward the prior suffices: a lighter rod absorbs nothing.
+/// Largest ratio of the internal mass to that of the model: two standard deviations of its distribution over dampers.
+/// The mass of a rod does not increase. If records require a larger mass, they contradict the model, and the mass
+/// becomes a separate effect. Without this bound, the parameter would absorb any mass of the rig. With a bound from the
+/// rods of one laboratory, every heavier rod would count as a mass of the rig. There is no lower bound, because a
+/// lighter rod cannot absorb an effect.
 const NEAR: f64 = 1.8 * 1.8;
-/// Smallest mass, kg, as a bound and as a start, for the damper of a car. Its inertia force is half a newton at 16.7 Hz and 10 mm, below
-/// the noise of a rig. With 0.05 kg the mass of a massless damper stayed at the bound, and its series spring was 7 % too soft.
+/// Smallest mass of a car damper, kg, as a bound and as a start. Its inertia force is half a newton at 16.7 Hz and 10
+/// mm, below the noise of a rig. With 0.05 kg, the mass of a massless damper stayed at the bound, and its series spring
+/// was 7 % too soft.
 const LEAST: f64 = 0.005;
 
 fn internal_mass(base: &Params) -> FreeNumber {
@@ -26,7 +28,7 @@ fn internal_mass(base: &Params) -> FreeNumber {
     FreeNumber { bounds, ..number(&from, Unknown::Log(number!("internal_mass"))) }
 }
 
-/// Elements whose parameters [`base_numbers`] lists by itself.
+/// Elements with parameters that [`base_numbers`] lists explicitly.
 const LISTED: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
@@ -38,12 +40,12 @@ const LISTED: [Element; 8] = [
     element!("side_force_friction"),
 ];
 
-/// Distance of a value from the typical one, in standard deviations, beyond which the value serves to switch something off: no damper has
-/// it.
+/// Distance of a value from its prior center, in standard deviations. A larger distance means that the value disables a
+/// term.
 const SWITCHED_OFF: f64 = 5.0;
 
-/// Returns parameters of the other elements, which a fit or an earlier diagnosis has added to the model, such as presliding friction. If
-/// they were fixed, other effects would absorb their changes.
+/// Returns parameters of the other elements of the model, such as presliding friction. A fit or an earlier diagnosis
+/// has added these elements. If the parameters were fixed, other effects would absorb their changes.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
     let scale = Scale::from_params(base);
     let mut all = Vec::new();
@@ -51,7 +53,7 @@ fn of_other_elements(base: &Params) -> Vec<Unknown> {
     for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
         let Ok(number) = Number::try_from(row) else { continue };
         let (value, Some(usual)) = (base.number(number), priors::distribution(number, scale)) else { continue };
-        // The effect of temperature on a test is counted outside the model.
+        // The temperature of a test is computed outside the model.
         let is_heat = number == number!("heat_capacity");
         if value == 0.0 || usual.standard_score(value).abs() > SWITCHED_OFF || is_heat {
             continue;
@@ -134,7 +136,7 @@ mod tests {
         base.set(number!("presliding_power"), 1.0).unwrap();
         let names = free(&base);
         assert!(names.contains(&"presliding_force") && names.contains(&"presliding_length"), "{names:?}");
-        // The default creep speed switches creep off: no seal has this value.
+        // The default creep speed, which no seal has, disables creep.
         assert!(!names.contains(&"presliding_creep"), "{names:?}");
     }
 

@@ -1,4 +1,5 @@
-//! Changes against a reference: each parameter of its model, and each part of its FV curve, is a separate candidate.
+//! Changes relative to a reference: each parameter of its model, and each part of its FV curve, is a separate
+//! candidate.
 
 use super::{Candidate, Start, fresh, of_the_rig};
 use crate::curve_part::CurvePart;
@@ -6,11 +7,12 @@ use crate::hypothesis::{Free, Hypothesis};
 use crate::measurement::Artefact;
 use crate::unknowns::Unknown;
 
-/// Starts of a refit: relative changes of a part of the curve, and changes of a parameter in units of its step.
+/// Starts of a refit: relative changes of a part of the curve. [`STEPS`] contains changes of a parameter, in steps of
+/// the parameter.
 const RELATIVE: [f64; 2] = [0.15, -0.15];
 const STEPS: [f64; 2] = [1.0, -1.0];
 
-/// Returns all changes that a reference model, fitted to its own records, can undergo.
+/// Returns all possible changes of a reference model that was fitted to its own records.
 pub fn changes(reference: &Hypothesis) -> Vec<Candidate> {
     let plain = |effect: &'static str, free: Free, values: &[f64]| Candidate {
         effect,

@@ -4,9 +4,9 @@ use super::{Candidate, Start, above, candidate, held, linear, log};
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// Power of presliding friction at which its refit starts.
+/// Start of a refit: power of presliding friction.
 const SLIPS: f64 = 1.5;
-/// Speed, m/s, below which the contacts of presliding friction creep, at the start of its refit.
+/// Start of a refit: speed below which the contacts of presliding friction creep, m/s.
 const CREEPS: f64 = 1e-4;
 
 /// Adds the candidates for friction.
@@ -19,7 +19,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             vec![Start::at(&[20.0, 1000.0])],
         ));
     }
-    // Coulomb level and peak in one element, if no other element carries the level (form of the thesis).
+    // Coulomb level and peak in one element, if no other element contains the level (form of the thesis).
     if !s.base.is_on(element!("coulomb_friction")) && !s.base.is_on(element!("presliding_friction")) {
         let peak = |level: f64, velocity: f64| Start::at(&[level, 1.25 * level, velocity]);
         all.push(Candidate {
@@ -36,7 +36,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    // The peak alone, above the Coulomb level that another element carries.
+    // Only the peak, in addition to the Coulomb level of another element.
     let rise = s.base.number(number!("coulomb_steepness")).clamp(200.0, 5000.0);
     all.push(Candidate {
         form: "full",
@@ -67,7 +67,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                     linear(number!("presliding_force"), (3.0, 200.0)),
                     log(number!("presliding_length"), (0.0, 5e-3)),
                     held(number!("presliding_power"), (0.0, 8.0), 0.7),
-                    // A contact that creeps faster is not friction: its force grows with speed.
+                    // If a contact creeps faster, its force depends on speed, so it is not friction.
                     held(number!("presliding_creep"), (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]

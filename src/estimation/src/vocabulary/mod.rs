@@ -1,7 +1,7 @@
-//! Effects that a diagnosis can name, each with the parameters that it adds and their starts.
+//! Effects that a diagnosis can name, each with its additional parameters and their starts.
 //!
-//! One effect may have several forms (a cap on rebound or on compression, a stop of rubber or of oil). They share one name, and the form
-//! that fits best represents the effect.
+//! One effect may have several forms (a cap on rebound or on compression, a stop of rubber or of oil). All forms have
+//! one name, and the form with the best fit represents the effect.
 
 mod base;
 mod changes;
@@ -30,38 +30,40 @@ use dashpot_core::parameter::{Element, Number};
 pub struct Fresh {
     /// The parameter.
     pub free: Free,
-    /// Values that a damper or a rig shows; the report mentions a result outside. A lower end of 0 admits arbitrarily small values.
+    /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
+    /// lower end of 0, all small values are plausible.
     pub plausible: (f64, f64),
-    /// Prior standard deviation of a weakly informed parameter, which stays near its prior and costs half of a free one. For heat, the
-    /// deviation of the expected value.
+    /// Prior standard deviation of a weakly determined parameter, which stays near its prior and costs half of a free
+    /// parameter. For heat, the deviation of the expected value.
     pub deviation: Option<f64>,
 }
 
 /// Start of a search.
 #[derive(Debug, Clone)]
 pub struct Start {
-    /// Values of the new parameters in physical units, in their order.
+    /// Values of the new parameters in physical units, in the order of the parameters.
     pub values: Vec<f64>,
-    /// Factors for parameters of the base that must change first, since the fitted base has absorbed the effect.
+    /// Factors on parameters of the base that must change first, because the fitted base has absorbed the effect.
     pub moves: Vec<(Number, f64)>,
-    /// Linear extension of a branch of the FV curve: the fitted branch has absorbed a cap.
+    /// Linear extension of a branch of the FV curve: the fitted branch has absorbed a force cap.
     pub unbend: Option<LinearExtension>,
     /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly: its end has absorbed a stop.
     pub straighten: Option<f64>,
-    /// Start forces of the points of the FV curve, N; if empty, the points start from their current forces.
+    /// Start forces of the points of the FV curve, N. If empty, the points start from their current forces.
     pub curve: Vec<f64>,
-    /// Force, N, by which the step of the FV curve at zero velocity shrinks: friction that the effect takes over.
+    /// Force, N, by which the step of the FV curve at zero velocity is reduced, because the effect includes this
+    /// friction.
     pub level: f64,
 }
 
 /// A linear extension of a branch of the FV curve.
 #[derive(Debug, Clone)]
 pub struct LinearExtension {
-    /// +1 rebound, −1 compression.
+    /// Stroke: +1 rebound, −1 compression.
     pub stroke: f64,
-    /// Force up to which the branch is trusted, N, positive.
+    /// Force up to which the branch counts as correct, N, positive.
     pub from: f64,
-    /// Smallest slope of the extension, as a fraction of the branch's slope just below that force.
+    /// Smallest slope of the extension, as a fraction of the slope of the branch just below that force.
     pub steepness: f64,
 }
 
@@ -77,7 +79,7 @@ impl Start {
         }
     }
 
-    /// Whether the start changes parameters of the base.
+    /// Returns whether the start changes parameters of the base.
     pub fn moves_the_base(&self) -> bool {
         !self.moves.is_empty()
             || self.unbend.is_some()
@@ -103,27 +105,27 @@ impl Start {
 pub struct Candidate {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Name of the form; empty if the effect has only one.
+    /// Name of the form. Empty if the effect has only one form.
     pub form: &'static str,
-    /// Elements that it enables.
+    /// Elements that the effect enables.
     pub elements: &'static [Element],
-    /// Parameters that it sets and does not free.
+    /// Parameters that the effect sets to fixed values.
     pub fixed: Vec<(Number, f64)>,
-    /// Parameters that it frees.
+    /// Parameters that the effect makes free.
     pub fresh: Vec<Fresh>,
     /// Starts of the search.
     pub starts: Vec<Start>,
     /// Whether the effect makes the force jump at positions that its parameters determine.
     pub jumps: bool,
-    /// Kind of an unnamed error. Such a candidate is never added. It competes with known effects: a deviation that the unnamed error
-    /// explains better gets no known name.
+    /// Kind of an unnamed error. Such a candidate is never added, but competes with known effects. If the unnamed error
+    /// explains a deviation better, the deviation has no known name.
     pub unnamed: Option<Unnamed>,
 }
 
 /// A measurement error without a name in the vocabulary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Unnamed {
-    /// Friction that grows with the force, as from tilted guides.
+    /// Friction that increases with the force, such as that of tilted guides.
     Guides,
     /// Hysteresis of the load cell.
     LoadCell,
@@ -132,7 +134,7 @@ pub enum Unnamed {
 }
 
 impl Fresh {
-    /// Returns the factor by which the parameter scales with the size of the damper.
+    /// Returns the factor on the parameter for the size of the damper.
     fn factor(&self, scale: Scale) -> f64 {
         match &self.free {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -154,7 +156,7 @@ impl Fresh {
 }
 
 impl Candidate {
-    /// Scales the candidate from a car's damper to a damper of this size.
+    /// Scales the candidate from a car damper to a damper of this size.
     fn grow(&mut self, scale: Scale) {
         for start in &mut self.starts {
             for (value, fresh) in start.values.iter_mut().zip(&self.fresh) {
@@ -170,7 +172,7 @@ impl Candidate {
         self.fresh.iter_mut().for_each(|fresh| fresh.grow(scale));
     }
 
-    /// Whether the candidate is an error of the rig, not an effect of the damper.
+    /// Returns whether the candidate is an error of the rig, not an effect of the damper.
     pub fn is_artefact(&self) -> bool {
         self.elements.is_empty()
     }
@@ -192,17 +194,17 @@ fn linear(number: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Linear(number)), plausible)
 }
 
-/// Makes a force above another one by a free ratio.
+/// Makes the parameter of a force that exceeds another force by a free ratio.
 fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
-/// Makes a weakly informed parameter near its expected value; `deviation` has the parameter's unit.
+/// Makes a weakly determined parameter near its expected value. `deviation` has the unit of the parameter.
 fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
 
-/// Makes an effect named after the first of its elements.
+/// Makes an effect with the name of the first of its elements.
 fn candidate(elements: &'static [Element], fresh: Vec<Fresh>, starts: Vec<Start>) -> Candidate {
     let effect = elements.first().map_or("", |element| element.name());
     Candidate { effect, form: "", elements, fixed: Vec::new(), fresh, starts, jumps: false, unnamed: None }
@@ -219,7 +221,8 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
 
 /// Returns all effects that could be added in a situation: those of disabled elements, and those of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
-    // All sizes and starts apply to a car's damper. For another damper, the candidates are made for a car and then scaled to its size.
+    // All sizes and starts apply to a car damper. For another damper, the candidates are made for a car damper and then
+    // scaled.
     if !s.scale.is_car() {
         let mut all = candidates(&s.as_car());
         all.iter_mut().for_each(|candidate| candidate.grow(s.scale));

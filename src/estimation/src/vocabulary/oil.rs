@@ -10,15 +10,17 @@ const COLUMN: f64 = 6.0;
 /// C of Vogel's law for damper oils, °C.
 const VOGEL: f64 = 95.0;
 
-/// Caps tried, as fractions of the largest force of their stroke.
+/// Trial values of force caps, as fractions of the largest force of their stroke.
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
-/// Fraction of a cap up to which the branch with the cap is trusted.
+/// Fraction of a cap up to which the branch with the cap counts as correct.
 ///
-/// A second start trusts the branch only up to the second value, a speed in m/s, since voids distort the branch well below the cap.
+/// In a second start, the branch counts as correct only up to the speed [`SLOW`], m/s. Voids distort the branch well
+/// below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
-/// Returns the caps of a stroke with the largest force `top`, each with linear extensions of the branch that may have absorbed it.
+/// Returns the caps of a stroke with the largest force `top`, each with linear extensions of the branch that may have
+/// absorbed the cap.
 fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     let slow = s.driven(stroke * SLOW).abs();
     let drawn = |cap: f64| {
@@ -27,7 +29,7 @@ fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     CAPS.iter().flat_map(|share| drawn(share * top).map(|drawn| (share * top, drawn))).collect()
 }
 
-/// Adds the candidates for oil that is compressed, cavitates or thins.
+/// Adds the candidates for compression, cavitation and thinning of the oil.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     let stiffness =
         if s.base.is_on(element!("series_compliance")) { s.base.number(number!("series_stiffness")) } else { 2e6 };
@@ -37,7 +39,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             fixed: vec![(number!("oil_chambers"), chambers), (number!("oil_compression"), 1.0)],
             ..candidate(
                 &[element!("oil_compressibility")],
-                // A column of eight to fifty centimeters.
+                // The plausible column is eight to fifty centimeters long.
                 vec![log(number!("oil_stiffness"), (3e5, 2e7)), near(number!("oil_shortening"), (0.0, 20.0), 4.0)],
                 vec![
                     Start::at(&[1e7, COLUMN]),
@@ -56,7 +58,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         fixed: vec![(number!("oil_chambers"), 1.0), (number!("oil_shortening"), 0.0)],
         ..candidate(
             &[element!("oil_compressibility")],
-            // In a twin tube only the area of the rod compresses the column. A column softer than any oil is another effect.
+            // In a twin tube, only the area of the rod compresses the column. If the column is softer than any oil, the
+            // cause is another effect.
             vec![log(number!("oil_stiffness"), (3e5, 5e7)), held(number!("oil_compression"), (0.03, 30.0), 1.0)],
             [(4.0, 0.25, 2.0), (4.0, 0.25, 6.0), (1.3, 3.0, 3.0), (1.3, 8.0, 6.0)]
                 .map(|(rebound, share, stiffer)| {
@@ -67,7 +70,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     });
     all.push(candidate(
         &[element!("aeration")],
-        // More air than any oil contains is play, a mount, or an elastic chamber.
+        // If the estimated air exceeds that of any oil, the cause is play, a mount, or an elastic chamber.
         vec![
             log(number!("aeration_stroke"), (2e-5, 4.5e-3)),
             held(number!("aeration_force"), (40.0, 1500.0), 0.8),
@@ -76,7 +79,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
         [[1e-4, 120.0], [1e-4, 300.0], [4e-4, 120.0], [4e-4, 300.0]]
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
-            // The series stiffness of the base absorbs the effect of air, even of much air almost completely.
+            // The series stiffness of the base absorbs the effect of air almost completely, even if there is much air.
             .chain([(2e-4, 1.4), (1e-3, 4.0)].map(|(stroke, stiffer)| {
                 Start::moving(&[stroke, 200.0, 1.0], &[(number!("series_stiffness"), stiffer)])
             }))
@@ -146,7 +149,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
             )
         });
-        // A sensor on the tube lags behind the oil. The difference is the power divided by the heat transfer per kelvin from oil to tube.
+        // The temperature of a sensor on the tube lags behind that of the oil. The difference is the power divided by
+        // the heat transfer per kelvin from oil to tube.
         all.push(Candidate {
             form: "oil warmer than measured",
             fixed: fade(1.0, s.temperature),
@@ -174,7 +178,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![
                     linear(number!("fade_coefficient"), (0.001, 0.07)),
                     Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
-                    // The heat capacity is independent of the coefficient only if the force does not fall linearly.
+                    // The heat capacity is independent of the coefficient only if the decrease of the force is
+                    // nonlinear.
                     Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
                     held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
                 ],
@@ -189,7 +194,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     }
 }
 
-/// Starts for cavitation: fractions of the flow that does not refill a chamber, and its onset as fractions of the highest speed.
+/// Starts for cavitation: the fraction of the flow that does not refill a chamber. [`BEYOND`] is the onset, as a
+/// fraction of the highest speed.
 const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
 const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 

@@ -14,14 +14,14 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
         all.push(Candidate {
             form,
-            // The lag of its force is as short as possible: at 25 Hz a tenth of a millisecond is 1.6 %.
+            // The lag of the inertia force is as short as possible. At 25 Hz, a tenth of a millisecond is 1.6 %.
             fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
             ..candidate(
                 &[element!("moving_mass")],
                 vec![linear(number!("moving_mass"), (0.2, 30.0))],
                 vec![
                     Start::at(&[2.0]),
-                    // The series stiffness of the base absorbs a mass in either direction.
+                    // The series stiffness of the base may have absorbed the mass by an increase or a decrease.
                     Start::moving(&[4.0], &[(number!("series_stiffness"), 0.5)]),
                     Start::moving(&[4.0], &[(number!("series_stiffness"), 2.0)]),
                 ],
@@ -43,7 +43,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
             values.iter().map(|v| Start::at(&[*v])).collect(),
         )
     };
-    // A delayed force looks like a soft mount, so the series spring of the base may have absorbed the delay.
+    // A delayed force has the effect of a soft mount, so the series spring of the base may have absorbed the delay.
     let stiffer = || Start::moving(&[1e-3], &[(number!("series_stiffness"), 3.0)]);
     all.push(Candidate {
         starts: [3e-4, -3e-4, s.apparent_delay]
@@ -70,7 +70,7 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
         all.push(added(Artefact::GainDrift, (-0.2 / s.clock_span, 0.2 / s.clock_span), &[0.01 / s.clock_span]));
-        // In a campaign the drift may reach the largest zero offset; a long campaign may drift further.
+        // During a campaign, the drift may reach the largest zero offset. In a long campaign, it may be larger.
         let most = (OFF / s.clock_span).max(0.2);
         all.push(added(Artefact::Drift, (-most, most), &[10.0 / s.clock_span]));
         for share in [0.07, 0.15, 0.3, 0.6] {

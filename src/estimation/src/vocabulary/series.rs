@@ -5,7 +5,8 @@ use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// Energy loss of rubber: the fixed parameter that disables the other loss, and the free parameter of this loss.
+/// Energy loss of rubber: the fixed parameter that disables the other loss mechanism, and the free parameter of this
+/// one.
 type Loss = ((Number, f64), Fresh);
 
 fn by_time() -> Loss {
@@ -18,8 +19,8 @@ fn by_friction() -> Loss {
 
 /// Adds the candidates for the series path.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
-    // Friction without presliding behind a soft spring acts like presliding friction. In one slow test it gave a mount of 0.25 N/µm that
-    // did not exist.
+    // Friction without presliding behind a soft spring acts like presliding friction. In one slow test, the estimate
+    // was a mount of 0.25 N/µm that did not exist.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
     for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
         all.push(Candidate {
@@ -64,7 +65,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let stop = [log(number!("bushing_stop"), (1e-4, 1.0)), linear(number!("bushing_stop_stiffness"), (0.0, 60.0))];
-    // The stiffness of the base lies between those before and after the stop.
+    // The stiffness of the base is between the stiffnesses before and after the stop.
     let top = 0.5 * (s.top_rebound + s.top_compression) / s.base.number(number!("series_stiffness"));
     let softer = |values: &dyn Fn(f64, f64) -> Vec<f64>| {
         [0.12, 0.25, 0.5]
@@ -107,20 +108,20 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     }
     all.push(candidate(
         &[element!("free_play")],
-        // A gap closes within a few newtons; a transition over a hundred newtons is air.
+        // A gap closes within a few newtons. If the transition extends over a hundred newtons, the cause is air.
         vec![log(number!("free_play_gap"), (2e-5, 1e-3)), held(number!("free_play_force"), (0.0, 40.0), 0.5)],
         grid(&[5e-5, 2e-4], &[8.0])
             .into_iter()
-            // The wider the gap, the softer the series spring with which the base absorbed it.
+            // If the gap is wider, the base has absorbed it with a softer series spring.
             .chain(
                 [(1e-4, 1.3), (3e-4, 2.0), (8e-4, 4.0)]
                     .map(|(gap, stiffer)| Start::moving(&[gap, 8.0], &[(number!("series_stiffness"), stiffer)])),
             )
             .collect(),
     ));
-    // Weight, gas and clamping shift the force at which the gap opens to either side. The starts lie about one and two standard deviations
-    // of the load's prior from zero. From there the gradient of the error leads to the optimum. Gap and spring are those of the middle
-    // start above.
+    // Weight, gas and clamping increase or decrease the force at which the gap opens. The starts are about one and two
+    // standard deviations of the load's prior away from zero. From there, the search converges to the optimum. Gap and
+    // spring have the values of the middle start above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(
@@ -138,10 +139,11 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     carrying_the_whole(s, all);
 }
 
-/// Form of the series spring as an eye or a mount, which friction and gas load too. The other form is the oil, which the valves load alone.
+/// Form of the series spring as an eye or a mount, which also carries friction and gas. The other form is the oil,
+/// which carries only the force of the valves.
 pub const CARRIES_WHOLE: &str = "friction and gas act behind it";
 
-/// Whether the damper has forces that such a spring carries in addition to the hydraulic force.
+/// Returns whether the damper has forces that such a spring carries in addition to the hydraulic force.
 fn carries_more(s: &Situation) -> bool {
     [
         element!("coulomb_friction"),
@@ -155,13 +157,13 @@ fn carries_more(s: &Situation) -> bool {
     .any(|element| s.base.is_on(*element))
 }
 
-/// Factors of the base's series stiffness for the oil column and for the series spring in front of it.
+/// Factors on the base's series stiffness: first for the oil column, second for the series spring in front of it.
 ///
-/// The spring is an eye or mount that carries friction and gas too.
+/// The spring is an eye or mount that also carries friction and gas.
 const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 
-/// Adds play and rubber in an eye or a mount, which carries the whole force. The series compliance of the base then belongs to the oil
-/// behind it, which carries the hydraulic force alone.
+/// Adds play and rubber in an eye or a mount, which carries the whole force. The series compliance of the base then
+/// belongs to the oil behind it, which carries only the hydraulic force.
 fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
     let carries_it = s.base.number(number!("series_load")) == 1.0;
     if carries_it || s.base.is_on(element!("oil_compressibility")) || !carries_more(s) {
@@ -187,7 +189,7 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
                 held(number!("free_play_force"), (0.0, 40.0), 0.5),
                 oil(),
             ],
-            // The wider the gap, the softer the series spring with which the base absorbed it.
+            // If the gap is wider, the base has absorbed it with a softer series spring.
             [(4e-5, 1.2), (4e-5, 1.7), (1e-4, 1.3), (1e-4, 1.8), (3e-4, 2.5)]
                 .map(|(gap, behind)| {
                     Start::moving(&[gap, 4.0, behind * stiffness], &[(number!("series_stiffness"), 5.0)])
@@ -209,7 +211,7 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 &[element!("bushing"), element!("oil_compressibility")],
                 vec![
-                    // Rubber without hardening is plausible too.
+                    // Rubber without hardening is also plausible.
                     log(number!("bushing_hardening"), (2e-4, f64::INFINITY)),
                     linear(number!("bushing_loss_stiffness"), (0.02, 3.0)),
                     last,

@@ -4,7 +4,7 @@ use super::{Candidate, Start, candidate, held, linear, log};
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// Adds the candidates for flow that depends on displacement or frequency, and for valves with a lag.
+/// Adds the candidates for displacement-dependent or frequency-dependent flow, and for valves with a lag.
 pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
     let (low, high) = s.reach;
     let (middle, span) = (0.5 * (low + high), 0.5 * (high - low));
@@ -63,7 +63,7 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let knee = s.knee_force.max(50.0);
-    // A valve may open at any force above zero, and may open fully once its play is exceeded.
+    // A valve may open at any force above zero, and may open fully when its play is exceeded.
     let stands = [log(number!("valve_opening_force"), (0.0, 3000.0)), held(number!("valve_width"), (0.0, 1500.0), 0.8)];
     for (form, place, lateness, starts) in [
         (
@@ -94,7 +94,7 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
     }
     all.push(Candidate {
         form: "opens and closes at different forces",
-        // The valve is so fast that the forces alone decide, even in slow motion.
+        // The valve is so fast that only the forces determine its state, even in slow motion.
         fixed: vec![(number!("valve_time"), 5e-4)],
         ..candidate(
             &[element!("valve_hysteresis")],

@@ -6,10 +6,10 @@ use crate::plant::Scale;
 
 pub(super) const EFFECT: Effect = Effect { name: "aeration", laws: &[("henry", henry as Make), ("pocket", pocket)] };
 
-/// Bubbles that are compressed, and that dissolve by Henry's law with time constants.
+/// Bubbles that are compressed and, by Henry's law, dissolve with time constants.
 ///
-/// Release is fast, dissolution is slow (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid Power
-/// 13, 2012).
+/// Release is fast and dissolution is slow (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid
+/// Power 13, 2012).
 struct Henry {
     stroke: f64,
     force: f64,
@@ -47,7 +47,7 @@ fn henry(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
 
 /// An air pocket, mostly in one chamber.
 ///
-/// Its bubbles have all sizes, and the pocket closes exponentially with pressure (Hayward, Brit. Hydromech. Res. Ass.
+/// The bubbles have all sizes, so the pocket closes exponentially with pressure (Hayward, Brit. Hydromech. Res. Ass.
 /// 1961).
 struct Pocket {
     stroke: f64,

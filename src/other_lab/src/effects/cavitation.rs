@@ -1,4 +1,4 @@
-//! Voids that open in one stroke and must close in the other.
+//! Voids that open in one stroke and must close in the other stroke.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -12,7 +12,7 @@ pub(super) const EFFECT: Effect =
 /// The volume of the void is proportional to the released gas (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013,
 /// after Singhal's full cavitation model, 2002).
 struct GasRelease {
-    /// Hydraulic force of compression at the onset of release, N, and width of the onset, N.
+    /// Hydraulic compression force at the onset of release, N. The width of the onset is also in N.
     onset: f64,
     width: f64,
     /// Rate of the void's growth at twice the onset, as a velocity, m/s.
@@ -58,10 +58,10 @@ fn gas_release(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectMode
 
 /// A starved intake: the pressure of the reserve limits the flow through the intake valve.
 ///
-/// In a fast rebound stroke the compression chamber stays partly unfilled. The intake continues to fill it, and the
-/// compression stroke begins in the void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
+/// In a fast rebound stroke, the compression chamber stays partly unfilled. The intake continues to fill it, and the
+/// compression stroke begins with a void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
 struct StarvedIntake {
-    /// Largest piston velocity that the intake can follow, m/s. `edge` is the width of this limit, m/s.
+    /// Largest piston velocity at which the intake fills the chamber, m/s. `edge` is the width of this limit, m/s.
     follows: f64,
     edge: f64,
     share: f64,

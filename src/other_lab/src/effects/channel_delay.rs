@@ -8,7 +8,7 @@ use crate::trace::interpolate;
 pub(super) const EFFECT: Effect =
     Effect { name: "channel_delay", laws: &[("latency", latency as Make), ("boxcar", boxcar)] };
 
-/// A converter with a queue after a first-order filter; the length of the queue varies between tests.
+/// A converter with a queue after a first-order filter. The length of the queue differs from test to test.
 struct Latency {
     queue: f64,
     varies: f64,
@@ -38,7 +38,8 @@ fn latency(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Latency { queue: all - filter, varies: d.between(0.1, 0.3), filter, seed: (d.fraction() * 1e9) as u64 })
 }
 
-/// A converter that integrates over a window and returns the mean at its end (dual-slope conversion; Horowitz & Hill).
+/// A converter that integrates over a window and returns the mean at the end of the window (dual-slope conversion;
+/// Horowitz & Hill).
 struct Boxcar {
     window: f64,
 }

@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "coulomb_friction", laws: &[("lip", lip as Make), ("logarithmic", logarithmic)] };
 
-/// A lip seal with unequal friction in the two strokes (Müller & Nau, Fluid Sealing Technology, 1998).
+/// A lip seal with different friction in the two strokes (Müller & Nau, Fluid Sealing Technology, 1998).
 struct Lip {
     out: f64,
     back: f64,

@@ -28,8 +28,8 @@ fn diffusion(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
 
 const WAVES: usize = 3;
 
-/// A slow random drift, for example by drafts and a switching heater: waves with periods of a quarter to all of the
-/// campaign.
+/// A slow random drift, for example due to drafts and a switching heater. Its waves have periods of a quarter to the
+/// whole of the campaign.
 struct Wander {
     waves: [[f64; 3]; WAVES],
 }

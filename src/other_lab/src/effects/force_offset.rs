@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "force_offset", laws: &[("two_ranges", two_ranges as Make), ("warm_bridge", warm_bridge)] };
 
-/// An amplifier with a fine and a coarse range, which have different zeros.
+/// An amplifier with a fine and a coarse range that have different zeros.
 struct TwoRanges {
     fine: f64,
     coarse: f64,
@@ -25,8 +25,8 @@ fn two_ranges(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel
     Box::new(TwoRanges { fine: coarse * d.between(0.3, 0.7), coarse, switches: d.between(0.15, 0.4) * scale.rebound_n })
 }
 
-/// A bridge balanced at low temperature: its zero follows the temperature near the damper (Hoffmann, An Introduction to
-/// Stress Analysis using Strain Gauges).
+/// A bridge that was balanced at low temperature. Its zero depends on the temperature near the damper (Hoffmann, An
+/// Introduction to Stress Analysis using Strain Gauges).
 struct WarmBridge {
     constant: f64,
     per_kelvin: f64,

@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "free_play", laws: &[("worn_eye", worn_eye as Make), ("offset_gap", offset_gap)] };
 
-/// A gap whose contact closes like the hyperbolic tangent: x − d(F) = g tanh(F/F_0).
+/// A gap with contact closing by a hyperbolic tangent: x − d(F) = g tanh(F/F_0).
 ///
 /// (Kogan, free-play smoothing; Kim, Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances.)
 struct WornEye {
@@ -28,8 +28,8 @@ fn worn_eye(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
 
 /// A gap shifted by weight or clamping.
 ///
-/// It opens at a nonzero force, and its contact follows an asperity distribution (Greenwood & Williamson, Proc. R. Soc.
-/// A 295, 1966).
+/// The gap opens at a nonzero force, and the contact law is that of an asperity distribution (Greenwood & Williamson,
+/// Proc. R. Soc. A 295, 1966).
 struct OffsetGap {
     gap: f64,
     at: f64,

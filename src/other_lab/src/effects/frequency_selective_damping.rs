@@ -11,8 +11,8 @@ pub(super) const EFFECT: Effect = Effect {
 
 /// A small piston in a passage through the rod.
 ///
-/// Short strokes move it freely. Long strokes bring it to its end, where the passage is closed (amplitude-selective
-/// damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
+/// In short strokes, the piston moves freely. In long strokes, it reaches its end and closes the passage
+/// (amplitude-selective damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
 struct TravellingPiston {
     /// Stroke of the damper that moves the piston to its end, m.
     travel: f64,
@@ -37,7 +37,7 @@ impl EffectModel for TravellingPiston {
         r[0] = self.moves(here, s) / self.travel;
     }
     fn taken(&self, here: &Here, s: &[f64]) -> f64 {
-        // The velocity is already expressed as that of the damper.
+        // The velocity is already that of the damper.
         self.moves(here, s)
     }
 }
@@ -54,9 +54,9 @@ fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Effe
     })
 }
 
-/// A pilot chamber behind the valve that follows the pressure through a small orifice.
+/// A pilot chamber behind the valve. Its pressure follows the main pressure through a small orifice.
 ///
-/// While it lags the pressure, the valve opens further (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
+/// While the pilot pressure lags, the valve opens further (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
 struct PilotChamber {
     opens: f64,
     force: f64,

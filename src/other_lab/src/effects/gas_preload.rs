@@ -1,4 +1,4 @@
-//! A gas force that is not constant.
+//! A gas force that varies.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -26,9 +26,9 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// An O-ring of the floating piston that maintains a pressure difference, which reverses with the stroke.
+/// The O-ring of the floating piston maintains a pressure difference, which reverses with the stroke.
 ///
-/// Karaszewski, Hydraulic seals; friction of 0.1 to 0.3 of the gas force.
+/// The friction is 0.1 to 0.3 of the gas force (Karaszewski, Hydraulic seals).
 struct StickingPiston {
     force: f64,
     stick: f64,

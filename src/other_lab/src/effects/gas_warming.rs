@@ -17,8 +17,8 @@ const EXPANSION: f64 = 8e-4;
 
 /// An ideal gas behind a floating piston.
 ///
-/// Its pressure increases with its absolute temperature, and as the expanding oil reduces the gas volume (Dixon, The
-/// Shock Absorber Handbook, 2007, ch. 5). In compression the gas volume is smaller.
+/// Its pressure increases with its absolute temperature. It also increases because expanding oil reduces the gas volume
+/// (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression, the gas volume is smaller.
 struct RoomTakenByOil {
     force: f64,
     /// Ratio of oil volume to gas volume.
@@ -45,7 +45,7 @@ fn room_taken_by_oil(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Effe
 
 /// Low-pressure gas above the oil of a twin tube.
 ///
-/// Dissolved gas leaves the oil with temperature, by van 't Hoff's exponential, up to the total amount.
+/// With rising temperature, dissolved gas leaves the oil by van 't Hoff's exponential, up to the total amount.
 struct GasLeavesTheOil {
     force: f64,
     kelvin: f64,

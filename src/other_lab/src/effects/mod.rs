@@ -1,6 +1,6 @@
 //! Effects that can be injected into a damper or its rig: one file per effect, every law with its source.
 //!
-//! A law of strength 0 has no influence, and its effect increases monotonically with strength; 1 is a typical case.
+//! A law of strength 0 has no influence. The effect increases monotonically with strength, and 1 is a typical case.
 
 mod aeration;
 mod bump_stop;
@@ -44,7 +44,7 @@ pub struct Here {
     pub progress: f64,
     /// Displacement, velocity and acceleration of the moving end.
     pub input: crate::jet::Jet,
-    /// Displacement of the damper's part with friction and springs, m.
+    /// Displacement of the part of the damper with friction and springs, m.
     pub x: f64,
     /// Velocity of this part, m/s.
     pub v: f64,
@@ -52,7 +52,7 @@ pub struct Here {
     pub hydraulic: f64,
     /// Elastic force of the mount, N.
     pub mount: f64,
-    /// Rate of the mount's own deflection, m/s.
+    /// Deflection rate of the mount alone, m/s.
     pub mount_rate: f64,
     /// Side force, N.
     pub side: f64,
@@ -79,13 +79,13 @@ pub struct Reading {
     pub peak: f64,
 }
 
-/// An effect. It overrides the functions of the quantities that it influences.
+/// An effect. An effect overrides the functions of the quantities that it influences.
 pub trait EffectModel: Send + Sync {
-    /// Returns the tolerances of its states, one per state.
+    /// Returns the error tolerances of the effect's states, one per state.
     fn tolerances(&self) -> &[f64] {
         &[]
     }
-    /// Computes the rates of its states.
+    /// Computes the rates of the effect's states.
     fn rates(&self, _: &Here, _states: &[f64], _rates: &mut [f64]) {}
     /// Returns a force in parallel with the damper, N.
     fn parallel(&self, _: &Here, _states: &[f64]) -> f64 {
@@ -103,7 +103,7 @@ pub trait EffectModel: Send + Sync {
     fn column(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a velocity that bypasses the valves, m/s.
+    /// Returns a flow that bypasses the valves, as a velocity, m/s.
     fn taken(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
@@ -119,7 +119,7 @@ pub trait EffectModel: Send + Sync {
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// Transforms the force in the channel over time; `time` contains the instants of `force`.
+    /// Transforms the force in the channel over time; `time` contains the times of `force`.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
     /// Returns the reading of the displacement channel, m.
     fn displacement(&self, x: f64) -> f64 {
@@ -127,14 +127,14 @@ pub trait EffectModel: Send + Sync {
     }
 }
 
-/// Function that makes an effect of a strength, scaled to a damper.
+/// Function that makes an effect with a strength, scaled to a damper.
 pub type Make = fn(f64, &Scale, &mut Draw) -> Box<dyn EffectModel>;
 
 /// An effect's name and laws.
 pub struct Effect {
     /// Name.
     pub name: &'static str,
-    /// Names of its laws, and the functions that make them.
+    /// Names of the laws, and the functions that make them.
     pub laws: &'static [(&'static str, Make)],
 }
 
@@ -142,7 +142,7 @@ pub struct Effect {
 pub struct Unknown {
     /// Name and laws.
     pub effect: Effect,
-    /// Whether this project's diagnosis detects such an effect, without naming it.
+    /// Whether the diagnosis of this project detects such an effect as unnamed.
     pub has_detector: bool,
 }
 
@@ -175,7 +175,7 @@ pub const KNOWN: &[Effect] = &[
     gas_warming::EFFECT,
 ];
 
-/// Effects for which the diagnosis should not give the name of a known effect.
+/// Effects to which the diagnosis should not assign the name of a known effect.
 pub const UNKNOWN: &[Unknown] = unknown::ALL;
 
 /// Finds an effect by name, known or unknown.

@@ -28,9 +28,9 @@ fn fluid_inerter(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(FluidInerter { mass: strength * d.between(3.0, 8.0), per_length: d.sign() * d.between(2.0, 6.0) })
 }
 
-/// A clamp attached to the end by an elastic joint (Ewins, Modal Testing, 2000).
+/// A clamp with an elastic joint to the end (Ewins, Modal Testing, 2000).
 ///
-/// It acts as a mass at low frequency, and as a larger mass toward its resonance.
+/// At low frequency, it acts as a mass. Toward its resonance, the apparent mass increases.
 struct SprungClamp {
     mass: f64,
     omega: f64,
@@ -38,7 +38,7 @@ struct SprungClamp {
 }
 
 impl SprungClamp {
-    /// Computes the force of the joint per mass; the states are its deflection and the rate of the deflection.
+    /// Computes the force of the joint per mass. The states are the deflection of the joint and its rate.
     fn pull(&self, s: &[f64]) -> f64 {
         self.omega * self.omega * s[0] + 2.0 * self.damping * self.omega * s[1]
     }

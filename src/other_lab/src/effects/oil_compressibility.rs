@@ -19,7 +19,7 @@ impl EffectModel for Tait {
     }
 }
 
-/// Draws the compliance of an oil column for a damper of some force, m/N: about 1 mm at the largest forces.
+/// Draws the compliance of an oil column from the damper's forces, m/N: about 1 mm at the largest forces.
 fn soft(scale: &Scale, d: &mut Draw) -> f64 {
     d.between(0.35, 0.9) * 1e-3 / (scale.rebound_n + scale.compression_n)
 }

@@ -1,5 +1,4 @@
-//! A dissipative spring in parallel with the damper. A force that depends only on position would be a lookup spring,
-//! whatever its shape.
+//! A dissipative spring in parallel with the damper. Any force that depends only on position would be a lookup spring.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -8,8 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "parallel_spring", laws: &[("lossy", lossy as Make), ("relaxing", relaxing)] };
 
-/// A stiffness with a loss proportional to the force, which reverses within millimeters (structural damping; Caughey,
-/// J. Appl. Mech. 27, 1960).
+/// A stiffness with a loss force proportional to the elastic force. The loss reverses within millimeters (structural
+/// damping; Caughey, J. Appl. Mech. 27, 1960).
 struct Lossy {
     stiffness: f64,
     loss: f64,

@@ -32,7 +32,7 @@ impl EffectModel for TaperedGroove {
 }
 
 fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
-    // At its deepest point it passes about 0.5 m/s under the damper's force at 0.5 m/s.
+    // At the deepest point and the damper's force at 0.5 m/s, the flow is about 0.5 m/s.
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
     Box::new(TaperedGroove {
         area: strength * d.between(0.5, 1.1),
@@ -43,7 +43,7 @@ fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// A metering needle: the flow of the valves varies over the stroke as a parabola (Konieczny, Shock and Vibration
+/// A metering needle, with which the flow of the valves is a parabola over the stroke (Konieczny, Shock and Vibration
 /// 2016).
 struct Needle {
     slope: f64,
@@ -53,7 +53,7 @@ struct Needle {
 impl EffectModel for Needle {
     fn gain(&self, here: &Here, _: &[f64]) -> f64 {
         let bent = self.slope * here.x + self.curve * here.x * here.x;
-        // The factor stays positive: exponential for a narrow passage, linear for a wide passage.
+        // The factor is exponential for a narrow passage and linear for a wide passage, so it stays positive.
         if bent < 0.0 { libm::exp(bent) } else { 1.0 + bent }
     }
 }

@@ -11,7 +11,7 @@ pub(super) const EFFECT: Effect = Effect {
 
 const SLIDERS: usize = 5;
 
-/// Elastic, perfectly plastic elements in parallel, whose strengths follow a power law over their slip lengths.
+/// Elastic, perfectly plastic elements in parallel. Their strengths are a power law of their slip lengths.
 ///
 /// (Iwan, J. Appl. Mech. 33, 1966; Segalman, J. Appl. Mech. 72, 2005.) The state of such a contact depends on all past
 /// reversals.
@@ -55,7 +55,7 @@ struct AsymmetricBoucWen {
     force: f64,
     length: f64,
     power: f64,
-    /// Coefficient of sgn(v z); `lean` is the coefficient of sgn(v).
+    /// Coefficient of sgn(v z). `lean` is the coefficient of sgn(v).
     beta: f64,
     lean: f64,
 }

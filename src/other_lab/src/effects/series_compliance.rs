@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "series_compliance", laws: &[("hertz_eye", hertz_eye as Make), ("one_sided", one_sided)] };
 
-/// An eye on a curved pin: deflection grows with the power 2/3 of the force (Hertz 1882).
+/// An eye on a curved pin, with a deflection proportional to the power 2/3 of the force (Hertz 1882).
 struct HertzEye {
     /// Deflection at `force`, m.
     deflection: f64,
@@ -26,8 +26,8 @@ fn hertz_eye(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(HertzEye { deflection: strength * force / scale.series_n_m.min(2e6) * d.between(1.0, 2.5), force })
 }
 
-/// A bracket supported on one side only: it yields more to a pull than to a push (Timoshenko's beam on one-sided
-/// support).
+/// A bracket supported on one side only, with a larger deflection under tension than under compression (Timoshenko's
+/// beam on one-sided support).
 struct OneSided {
     pull: f64,
     push: f64,

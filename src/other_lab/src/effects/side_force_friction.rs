@@ -35,7 +35,7 @@ fn sintered_bush(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(SinteredBush { coefficient, power: d.between(0.75, 0.9), length: d.scale(5e-5, 2e-4) })
 }
 
-/// Edge contact: beyond some load the bush tilts on its edge and wipes off its film (Hertz 1882; Stribeck 1902).
+/// Edge contact. Beyond some load, the bush tilts on its edge and wipes off its film (Hertz 1882; Stribeck 1902).
 struct EdgeContact {
     coefficient: f64,
     edge: f64,

@@ -6,7 +6,8 @@ use crate::plant::Scale;
 
 /// Microcellular polyurethane with a relaxing part (Zener).
 ///
-/// Its force has a plateau as the cells buckle, then stiffens as they close (Gibson & Ashby, Cellular Solids, 1997).
+/// The force has a plateau while the cells buckle, and increases steeply when they close (Gibson & Ashby, Cellular
+/// Solids, 1997).
 pub(super) struct Foam {
     /// +1 at the end of rebound, -1 at the end of compression.
     side: f64,
@@ -57,7 +58,7 @@ pub(super) fn foam(strength: f64, scale: &Scale, d: &mut Draw, side: f64) -> Box
 
 const HOLES: usize = 4;
 
-/// A ring that covers one row of holes after the other, in parallel with a preloaded coil spring.
+/// A ring that covers successive rows of holes, in parallel with a preloaded coil spring.
 ///
 /// The force grows with the power 1.75 of velocity and in steps over the stroke, with a jump at contact (Czop & Sławik,
 /// Mech. Syst. Signal Process. 25, 2011; Reimpell, The Automotive Chassis, 2001).

@@ -28,9 +28,9 @@ fn makkar(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     })
 }
 
-/// Friction with the lag of the oil film, which takes time to build up and to be squeezed out.
+/// Friction with a lag of the oil film, which builds up and is squeezed out with a delay.
 ///
-/// Friction therefore follows an earlier velocity (Hess & Soom, J. Tribology 112, 1990; frictional memory in
+/// The friction therefore depends on an earlier velocity (Hess & Soom, J. Tribology 112, 1990; frictional memory in
 /// Armstrong-Hélouvry et al., Automatica 30, 1994).
 struct FilmLag {
     force: f64,

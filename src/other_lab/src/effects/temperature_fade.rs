@@ -12,7 +12,7 @@ pub(super) const EFFECT: Effect = Effect {
 /// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 
-/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin; it acts only in the laminar passages of the
+/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin. It acts only in the laminar passages of the
 /// valves.
 struct Andrade {
     kelvin: f64,
@@ -28,9 +28,10 @@ fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Andrade { kelvin: strength * d.between(3500.0, 6500.0) })
 }
 
-/// A leak past the piston, whose gap widens with the thermal expansion of aluminum (Poiseuille; Merritt 1967).
+/// A leak past the piston, with a gap that widens by the thermal expansion of aluminum (Poiseuille; Merritt 1967).
 ///
-/// The flow grows with the cube of the gap and the decreasing viscosity. At the reference temperature the leak is zero.
+/// The flow is proportional to the cube of the gap and inversely proportional to the viscosity. At the reference
+/// temperature the leak is zero.
 struct GrowingClearance {
     per_force: f64,
     widens: f64,
@@ -42,7 +43,7 @@ impl EffectModel for GrowingClearance {
         let warmer = here.oil_c - REFERENCE_C;
         let gap = (1.0 + self.widens * warmer).max(0.1);
         let leak = gap.powi(3) * (1.0 + self.thins * warmer).max(0.1) - 1.0;
-        // The damper already contains the leak at the reference temperature; a colder gap reduces the leak.
+        // The damper already contains the leak at the reference temperature. In a colder damper, the leak is smaller.
         self.per_force * leak.max(-1.0) * here.hydraulic
     }
 }

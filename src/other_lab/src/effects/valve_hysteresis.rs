@@ -9,7 +9,7 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("popping_poppet", popping_poppet as Make), ("stiction_film", stiction_film)],
 };
 
-/// A poppet whose pressure area grows after it lifts: it pops open and closes at a lower pressure.
+/// A poppet with a pressure area that grows after lift, so that it opens suddenly and closes at a lower pressure.
 ///
 /// It is in parallel with the valves of its stroke (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on direct spring
 /// operated relief valves).
@@ -59,10 +59,10 @@ fn popping_poppet(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// An oil film between shim and seat, which must fill before the shim lifts and is squeezed out slowly.
+/// An oil film between shim and seat. It must fill before the shim lifts, and is squeezed out slowly.
 ///
-/// The valves pass less until the shim is free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid stiction of separating
-/// plates).
+/// The flow through the valves is reduced until the shim is free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid
+/// stiction of separating plates).
 struct StictionFilm {
     holds: f64,
     force: f64,
@@ -75,7 +75,7 @@ impl EffectModel for StictionFilm {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is the freedom of the shim: 0 on its seat, 1 free.
+        // The state of the shim is 0 on its seat and 1 if free.
         let load = (here.hydraulic.abs() / self.force).powi(3);
         let lifts = load / (1.0 + load);
         r[0] = lifts * (1.0 - s[0]) / self.frees - (1.0 - lifts) * s[0] / self.settles;

@@ -1,4 +1,4 @@
-//! Ablation: a damper without one part of its own physics.
+//! Ablation: a damper without one part of its physics.
 
 use super::Plant;
 
@@ -19,7 +19,7 @@ pub enum Part {
     Cavitation,
     /// Rise of the gas force over the stroke.
     GasSpring,
-    /// Valves with different flow on the two sides of the stroke.
+    /// Valves with different flow on the two sides of mid-stroke.
     PositionDependence,
     /// Viscosity that decreases with the oil temperature.
     Warmth,
@@ -59,8 +59,8 @@ impl Part {
     }
 }
 
-/// Stiffness factor for removing a compliance. A smaller factor leaves a visible compliance; a larger factor only costs
-/// steps.
+/// Stiffness factor for the removal of a compliance. With a smaller factor, the compliance is visible. A larger factor
+/// only costs steps.
 pub(super) const STIFFER: f64 = 100.0;
 
 impl Plant {

@@ -2,7 +2,7 @@
 
 use crate::draw::Draw;
 
-/// Computes the velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0.
+/// Computes the flow velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0.
 ///
 /// (Merritt, Hydraulic Control Systems, 1967.)
 pub fn passage(h: f64, a: f64, b: f64) -> f64 {
@@ -14,7 +14,7 @@ pub fn ramp(x: f64, width: f64) -> f64 {
     0.5 * (x + (x * x + width * width).sqrt())
 }
 
-/// Computes the velocity through a check valve with a light spring, which lifts above the force `lifts`, for h ≥ 0.
+/// Computes the velocity through a check valve with a light spring, which opens above the force `lifts`, for h ≥ 0.
 pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
     passage(h * h / (h + lifts), a, b)
 }
@@ -36,17 +36,17 @@ pub enum Valves {
     },
     /// Bleed orifice, laminar and turbulent, in parallel with a spring-loaded shim.
     ///
-    /// The opening of the shim grows with pressure beyond its preload up to a stop, and acts as an orifice (Talbott &
+    /// Above its preload, the opening of the shim grows with pressure up to a stop, and acts as an orifice (Talbott &
     /// Starkey, SAE 2002-01-3337).
     OrificeAndShim {
         /// a and b of the bleed.
         bleed: [f64; 2],
-        /// Preload, additional force up to the stop, and w when fully open at 1 kN.
+        /// Preload, additional force up to the stop, and w of the fully open shim at 1 kN.
         shim: [f64; 3],
     },
 }
 
-/// Largest velocity of the tabulated law, m/s; the law is linear beyond.
+/// Largest velocity of the tabulated law, m/s; beyond it, the law is linear.
 const FASTEST: f64 = 4.0;
 const POINTS: usize = 500;
 
@@ -57,7 +57,7 @@ impl Valves {
         let knee_speed = d.between(0.06, 0.16);
         let p = d.between(0.55, 0.85);
         let exponent = d.between(1.0, 1.35);
-        // The blow-off valve passes the part of 0.5 m/s that the bleed does not pass at h.
+        // At h, the flow through the blow-off valve is 0.5 m/s minus the flow through the bleed.
         let rest = 0.5 - knee_speed * libm::pow(h / knee, p);
         let open = rest.max(0.1) / libm::pow((h - knee) / knee, exponent);
         Valves::PowerAndBlowOff {
@@ -93,8 +93,8 @@ impl Valves {
         Valves::OrificeAndShim { bleed: [a, b], shim: [preload, opening, full] }
     }
 
-    /// Computes the part of [`Valves::velocity`] through a bleed orifice, which is open in both directions; 0 for laws
-    /// without one.
+    /// Computes the part of [`Valves::velocity`] through a bleed orifice, which is open in both directions. The result
+    /// is 0 for laws without a bleed orifice.
     pub fn bleed(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::OrificeAndShim { bleed: [a, b], .. } => passage(h, a * viscosity, *b),
@@ -106,7 +106,7 @@ impl Valves {
     pub fn velocity(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::PowerAndBlowOff { bleed: [w, h1, p], blow_off: [open_at, open, m, width] } => {
-                // The power law is linearized near zero, to avoid an infinite slope.
+                // The power law is linearized near zero, to prevent an infinite slope.
                 let low = 0.03;
                 let r = h / h1;
                 let bled = w * (r * libm::pow(r * r + low * low, 0.5 * (p - 1.0))) / (0.4 + 0.6 * viscosity);

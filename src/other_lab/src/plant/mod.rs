@@ -23,7 +23,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Series spring and damper, mass, a smooth force-velocity law; friction and gas act in parallel with all of these.
+    /// Series spring and damper, mass, and a smooth force-velocity law. Friction and gas act in parallel with all of
+    /// these.
     ThesisLike,
     /// Piston between two chambers, gas behind a floating piston.
     Monotube,
@@ -72,7 +73,7 @@ pub trait Oil: Send + Sync {
     fn force(&self, states: &[f64]) -> f64;
     /// Computes the rates at displacement x and velocity v of the rod.
     fn rates(&self, x: f64, v: f64, beside: &OilContext, states: &[f64], rates: &mut [f64]);
-    /// Removes a part of the oil's or the gas's physics; other parts leave the oil unchanged.
+    /// Removes a part of the physics of oil or gas. Other parts leave the oil unchanged.
     fn remove(&mut self, part: Part);
 }
 
@@ -111,7 +112,7 @@ pub struct Built {
     pub bore_m: f64,
     /// Diameter of the rod, m.
     pub rod_m: f64,
-    /// Lengths of the rebound chamber and of the oil below the piston at mid-stroke, m.
+    /// Length of the rebound chamber and length of the oil below the piston, at mid-stroke, m.
     pub lengths_m: [f64; 2],
     /// Absolute pressure of the gas at mid-stroke, bar.
     pub gas_bar: f64,
@@ -145,7 +146,8 @@ pub struct Plant {
     pub mass: f64,
     /// Friction.
     pub seal: Seal,
-    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis, or behind the mount.
+    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis. Otherwise, they act
+    /// behind the mount.
     pub seal_is_outside: bool,
     /// The oil.
     pub oil: Box<dyn Oil>,
@@ -169,7 +171,7 @@ impl Plant {
     }
 }
 
-/// Draws rebound and compression force at 0.5 m/s: rebound is typically 1.3 to 3.5 times as firm.
+/// Draws rebound and compression force at 0.5 m/s: rebound is typically 1.3 to 3.5 times the compression force.
 fn forces(d: &mut Draw) -> (f64, f64) {
     let rebound = d.scale(450.0, 1900.0);
     (rebound, rebound / d.between(1.3, 3.5))
@@ -179,7 +181,7 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Air acts above one atmosphere, a void below: removing one keeps the other.
+    /// Air acts above one atmosphere and a void below, so the removal of one leaves the other unchanged.
     #[test]
     fn oil_without_air_keeps_its_void() {
         let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };

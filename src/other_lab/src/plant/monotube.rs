@@ -9,7 +9,7 @@ use crate::draw::Draw;
 pub(crate) struct Fluid {
     /// 1/β_o, 1/bar.
     pub oil: f64,
-    /// Volume of the air at 1 bar relative to the oil's.
+    /// Ratio of the air volume at 1 bar to the oil volume.
     pub air: f64,
     /// Whether air adds compliance above 1 bar.
     pub air_is_felt: bool,
@@ -17,7 +17,7 @@ pub(crate) struct Fluid {
     pub void_is_felt: bool,
 }
 
-/// Pressure, bar, below which vapor maintains the pressure: the compliance is that of a void.
+/// Pressure, bar, below which vapor maintains the pressure, so that the compliance is that of a void.
 const VAPOUR: f64 = 0.15;
 
 impl Fluid {
@@ -29,7 +29,7 @@ impl Fluid {
         self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// Removes the compliance of the oil including its air, of the air, or of the void.
+    /// Removes the compliance of the oil with its air, the compliance of the air, or that of the void.
     pub fn remove(&mut self, part: Part) {
         match part {
             Part::OilCompressibility => {
@@ -113,7 +113,7 @@ impl Oil for Monotube {
     fn remove(&mut self, part: Part) {
         self.fluid.remove(part);
         if part == Part::GasSpring {
-            // The pressure of a large volume stays constant.
+            // The pressure in a large volume is nearly constant.
             self.gas[1] *= STIFFER;
         }
     }
@@ -124,7 +124,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let area = |diameter: f64| std::f64::consts::FRAC_PI_4 * diameter * diameter;
     let (piston, rod) = (area(d.between(0.036, 0.046)), area(d.between(0.011, 0.014)));
-    // The gas pressure must keep the rebound chamber pressurized at the damper's own compression force.
+    // The gas pressure must keep the rebound chamber pressurized at the compression force of this damper.
     let needed = 2.6 * compression_n / ((piston - rod) * BAR);
     let pressure = d.between(18.0, 30.0).max(needed);
     let oil = Monotube {

@@ -7,14 +7,14 @@ use crate::draw::Draw;
 pub struct Mount {
     /// Stiffness at zero force, N/m.
     pub stiffness: f64,
-    /// Force at which the stiffness is 1.4 times as large, N.
+    /// Force at which the stiffness is 1.4 times that at zero force, N.
     pub hardens: f64,
     /// Damping, N s/m.
     pub damping: f64,
 }
 
 impl Mount {
-    /// Draws a mount with ranges of stiffness and hardening force.
+    /// Draws a mount within ranges of stiffness and hardening force.
     pub fn new(d: &mut Draw, stiffness: (f64, f64), hardens: (f64, f64)) -> Mount {
         let stiffness = d.scale(stiffness.0, stiffness.1);
         // The relaxation time of rubber is between 0.1 and 0.5 ms.

@@ -18,7 +18,7 @@ pub struct Seal {
 }
 
 impl Seal {
-    /// Draws a seal with a range of friction.
+    /// Draws a seal within a range of friction.
     pub fn new(d: &mut Draw, sliding: (f64, f64)) -> Seal {
         let sliding = d.scale(sliding.0, sliding.1);
         let stiffness = sliding / d.scale(4e-5, 2.5e-4);

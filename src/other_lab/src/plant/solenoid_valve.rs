@@ -1,14 +1,14 @@
 //! A solenoid valve: driver, coil, magnet, pilot spool and the main stage, which is an orifice of variable opening.
 //!
-//! The driver is a current controller on a battery; only a diode reduces the current. Eddy currents make the flux lag
-//! the current, and the magnetic force saturates. A spring, the flow force and bristle friction act on the spool. The
-//! main stage follows the spool as oil fills its chamber through an orifice.
+//! The driver is a current controller on a battery, and only a diode reduces the current. Because of eddy currents, the
+//! flux lags the current. The magnetic force saturates. A spring, the flow force and bristle friction act on the spool.
+//! The main stage follows the spool as oil fills its chamber through an orifice.
 
 use crate::draw::Draw;
 
 use super::flow::ramp;
 
-/// Indices of the valve's states.
+/// Index of the current in the valve's states.
 pub const CURRENT: usize = 0;
 const FLUX: usize = 1;
 const SPOOL: usize = 2;
@@ -35,7 +35,7 @@ const JET: f64 = 0.36;
 /// A solenoid valve.
 #[derive(Debug, Clone)]
 pub struct SolenoidValve {
-    /// Voltage of the battery and of the diode, V.
+    /// Voltages of battery and diode, V.
     pub supply: [f64; 2],
     /// Gain of the current controller, V/A.
     pub gain: f64,
@@ -55,18 +55,18 @@ pub struct SolenoidValve {
     pub stage: [f64; 2],
     /// Travel, m, and width of the opening, m.
     pub opening: [f64; 2],
-    /// Opening that always remains, m².
+    /// Smallest opening, m².
     pub leak: f64,
 }
 
 impl SolenoidValve {
-    /// Draws the valve of a damper whose soft setting needs this opening, m², for currents up to `most`, A.
+    /// Draws a valve for currents up to `most`, A. `area` is the opening that the soft setting requires, m².
     pub fn new(d: &mut Draw, area: f64, most: f64) -> SolenoidValve {
         let travel = d.between(1.0e-3, 1.6e-3);
         let stiffness = d.between(5e3, 1e4);
         let mass = d.between(6e-3, 14e-3);
         let begins = most * d.between(0.7, 1.2);
-        // At the largest current the spool has moved most of its travel.
+        // At the largest current, the spool has covered most of its travel.
         let reached = d.between(0.9, 0.96) * travel * stiffness;
         let force = reached / libm::tanh(most / begins);
         SolenoidValve {

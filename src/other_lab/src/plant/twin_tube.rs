@@ -13,8 +13,7 @@ struct TwinTube {
     /// Base valve in compression: velocity over the force on the rod's area.
     base: Valves,
     /// Opening force, a and b (N, N s/m, N s²/m²) of the piston's check valve, which acts on the annulus.
-    ///
-    /// `intake` contains those of the intake valve, which acts on the rod's area.
+    /// `intake` contains the values of the intake valve, which acts on the area of the rod.
     check: [f64; 3],
     intake: [f64; 3],
     fluid: Fluid,
@@ -99,8 +98,7 @@ pub(super) fn plant(d: &mut Draw) -> Plant {
     let (piston, rod) = (area(d.between(0.027, 0.032)), area(d.between(0.0124, 0.020)));
     let annulus = piston - rod;
     let gas = [d.between(3.0, 8.0), d.between(8e-5, 1.6e-4)];
-    // A check valve needs a few percent of the force at 1 m/s; an intake valve needs less than the gas pressure
-    // supplies.
+    // A check valve requires a few percent of the force at 1 m/s. An intake valve requires less than the gas pressure.
     let check = d.between(0.05, 0.12) * compression_n;
     let intake = d.between(0.1, 0.3) * gas[0] * BAR * rod;
     let oil = TwinTube {

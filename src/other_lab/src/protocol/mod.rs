@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct Protocol {
     /// The tests.
     pub plan: Plan,
-    /// Sample rate, Hz; slow tests have a reduced rate, see `most_samples`.
+    /// Sample rate, Hz. Slow tests have a reduced rate, see `most_samples`.
     pub sample_rate_hz: f64,
     /// Number of samples above which a sine or triangle is decimated by an integer factor.
     pub most_samples: usize,
@@ -25,11 +25,11 @@ pub struct Protocol {
     pub rest_s: f64,
     /// Force noise in percent of each test's rms, plus 0.5 N. 0 disables the noise of all channels.
     pub noise_percent: f64,
-    /// Correlation between successive samples of the force noise (AR(1)); 0 is white.
+    /// Correlation between successive samples of the force noise (AR(1)); 0 means white noise.
     pub noise_colour: f64,
     /// Amplitude of 50 Hz hum on the force, N.
     pub hum_n: f64,
-    /// Bits of the converters of force and displacement; `None` does not round.
+    /// Number of bits of the force and displacement converters. `None` means no rounding.
     pub bits: Option<u32>,
     /// Delay of the force channel, s.
     pub force_delay_s: f64,
@@ -43,7 +43,7 @@ pub struct Protocol {
     pub temperature_channel: bool,
     /// Whether the tests are shuffled, with repeats at start, middle and end.
     pub shuffled: bool,
-    /// Ratio of unrecorded conditioning cycles to recorded cycles of each test; conditioning heats the oil.
+    /// Ratio of unrecorded conditioning cycles to recorded cycles of each test. Conditioning heats the oil.
     pub conditioning: f64,
 }
 
@@ -74,8 +74,8 @@ impl Default for Protocol {
 impl Protocol {
     /// Draws a random laboratory protocol.
     ///
-    /// It has 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, and hum. Channels for velocity
-    /// and temperature are optional. Delay and offset are separate options.
+    /// The protocol has a rate of 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, and hum.
+    /// Channels for velocity and temperature are optional. Delay and offset are separate options.
     pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
         let mut d = Draw::new(seed, "laboratory");
         let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];

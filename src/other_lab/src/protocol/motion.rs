@@ -23,7 +23,7 @@ pub enum Motion {
         /// Frequency, Hz.
         frequency: f64,
     },
-    /// A sine whose frequency grows exponentially, with a constant peak velocity.
+    /// A sine with exponentially increasing frequency and constant peak velocity.
     Sweep {
         /// Amplitude at the first frequency, m.
         amplitude: f64,
@@ -32,7 +32,7 @@ pub enum Motion {
         /// Duration, s.
         seconds: f64,
     },
-    /// A road: waves of random phases up to 25 Hz whose amplitude falls with frequency like that of a road.
+    /// A road: waves of random phase up to 25 Hz, with amplitudes that decrease with frequency like those of a road.
     Road {
         /// Largest displacement, m.
         displacement: f64,
@@ -45,7 +45,7 @@ pub enum Motion {
     },
 }
 
-/// Amplitude of the sine inside the arc sine of a triangle; a value below 1 rounds the tips.
+/// Amplitude of the sine inside the arc sine of a triangle; with a value below 1, the tips are rounded.
 const SHARP: f64 = 0.995;
 const WAVES: usize = 28;
 /// Duration of fade-in and fade-out of a road or sweep, s.

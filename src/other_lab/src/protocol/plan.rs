@@ -17,7 +17,7 @@ pub struct Test {
     pub side: f64,
     /// Whether the test is excluded from identification.
     pub left_out: bool,
-    /// Whether it is a repeat for detecting drift, which stays at start, middle or end of a shuffled plan.
+    /// Whether the test is a repeat that shows drift. Repeats stay at start, middle and end of a shuffled plan.
     pub is_reference: bool,
 }
 
@@ -25,13 +25,13 @@ pub struct Test {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Plan {
-    /// 34 tests for identification (sines, three mean positions, side force, three repeats of one test) and 10 left
-    /// out.
+    /// 34 tests for identification (sines, three mean positions, side force, three repeats of one test), and 10
+    /// left-out tests.
     Sines,
-    /// The thesis's matrix: eight strokes at common peak velocities, and slow tests, without other mean positions and
-    /// side force.
+    /// The thesis's matrix: eight strokes at common peak velocities, and slow tests. It has no other mean positions and
+    /// no side force.
     Thesis,
-    /// Twelve sines of three strokes and three left out.
+    /// Twelve sines with three strokes, and three left-out tests.
     Reduced,
     /// Triangles and sweeps with some sines.
     Ramps,
@@ -93,7 +93,7 @@ const SINES_LEFT_OUT: [Row; 7] = [
     (16.0, 0.8, 0.0, 650.0),
 ];
 
-/// Peak velocities, m/s, of the thesis's matrix; the next constant contains its strokes, mm.
+/// Peak velocities, m/s, of the thesis's matrix. [`THESIS_STROKES`] contains the strokes, mm.
 const THESIS_SPEEDS: [f64; 7] = [0.052, 0.131, 0.262, 0.393, 0.524, 1.047, 1.571];
 const THESIS_STROKES: [f64; 8] = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
 /// Frequency limit of the thesis's rig, Hz.
@@ -132,7 +132,7 @@ fn references(amplitude: f64, frequency: f64) -> impl Iterator<Item = Test> {
 }
 
 impl Plan {
-    /// Returns the tests in the order of the plan; `roads` is the duration of a road, s.
+    /// Returns the tests in the order of the plan. `roads` is the duration of a road, s.
     pub fn tests(self, roads: f64) -> Vec<Test> {
         match self {
             Plan::Sines => references(20.0, 1.3)
@@ -149,7 +149,7 @@ impl Plan {
                 .flat_map(|stroke| THESIS_SPEEDS.map(|speed| (stroke, speed / (TAU * stroke * 1e-3))))
                 .filter(|(_, f)| *f <= THESIS_FASTEST)
                 .map(|(stroke, f)| {
-                    // Round to digits that a plan would state.
+                    // Round to digits that are typical of a plan.
                     let digits = libm::pow(10f64, 3.0 - libm::log10(f).ceil());
                     let prefix = if stroke == 30.0 || stroke == 2.0 { LEFT_OUT_PREFIX } else { "" };
                     sine(prefix, row(stroke, (f * digits).round() / digits))

@@ -1,6 +1,6 @@
-//! Puts the records of a campaign on one clock if their files have date and time.
+//! Puts the records of a campaign on one clock if their files state date and time.
 //!
-//! The states of heat and drift then carry over from file to file.
+//! A model can then continue the states of temperature and drift from one file to the next.
 
 use crate::data::record::{Note, Record};
 use crate::dates::clock::{DAY, written};
@@ -75,8 +75,8 @@ mod tests {
         let (records, said) = of(&[Some(morning + 600.0), Some(morning), Some(morning + 60.0)]);
         assert_eq!(records.iter().map(|r| r.span().unwrap().0).collect::<Vec<_>>(), [600.0, 0.0, 60.0]);
         assert!(said.contains("2026-11-25 10:00:00") && said.contains("2026-11-25 10:10:10"), "{said}");
-        // The files overlap by less than the second to which they state the time. The next test then begins at the end
-        // of this one.
+        // The files state the time in whole seconds and overlap by less than one second. The second test then begins at
+        // the end of the first.
         let (records, said) = of(&[Some(morning + 9.0), Some(morning)]);
         assert_eq!(
             records.iter().map(|r| r.span().unwrap()).collect::<Vec<_>>(),

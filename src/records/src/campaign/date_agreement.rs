@@ -6,7 +6,7 @@
 //! - the user's statement,
 //! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign,
 //! - the number format of the file,
-//! - the order that puts the tests close together, else the order as read.
+//! - the order that puts the tests close together, else the order of the format.
 //!
 //! A note reports an order from the last item, which is an assumption.
 
@@ -70,8 +70,8 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Reads tests of files with the given lines above their tables. Returns the days on which the tests began and the
-    /// notes about dates.
+    /// Reads tests from files that have the given lines above their tables. Returns the days on which the tests began
+    /// and the notes about dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()
@@ -119,8 +119,8 @@ mod tests {
         assert_eq!(read(&["11-25-2026 10:00:00"], &plain, None), (vec!["2026-11-25".to_owned()], String::new()));
     }
 
-    /// Loads files with the given lines above their tables as a campaign. Returns the days on which its tests began and
-    /// its notes about dates.
+    /// Loads as one campaign files that have the given lines above their tables. Returns the days on which its tests
+    /// began and its notes about dates.
     fn loaded(above: &[(&str, bool)], profile: &str) -> (Vec<String>, String) {
         let folder = tempfile::tempdir().unwrap();
         for (k, (lines, semicolons)) in above.iter().enumerate() {
@@ -178,7 +178,8 @@ mod tests {
     #[test]
     fn dates_decide_only_where_one_reading_lies_much_closer_together() {
         let said = |dates: &[&str]| read(dates, &Options::default(), None).1;
-        // The tests lie 39 days apart in the American order and 243 in the other; then 66 and 214.
+        // The tests lie 39 days apart in the American order and 243 days in the European order. The second pair lies 66
+        // and 214 days apart.
         assert!(said(&["1/2/2026 9:00:00", "2/10/2026 9:00:00"]).contains("close together"));
         assert!(!said(&["1/2/2026 9:00:00", "3/9/2026 9:00:00"]).contains("close together"));
     }

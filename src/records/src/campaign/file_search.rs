@@ -18,7 +18,7 @@ use dashpot_messages::Sentence;
 pub(super) struct File {
     pub path: PathBuf,
     pub options: Arc<Options>,
-    /// Prefix of the names of its tests: the subfolder that contains the file, followed by a slash.
+    /// Prefix of the names of the tests in the file: its subfolder, followed by a slash.
     pub within: String,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Found {
     pub files: Vec<File>,
     /// Folders with a profile, and the options of the profile.
     pub folders: Vec<(PathBuf, Options)>,
-    /// Folders whose subfolders contain records that were not requested.
+    /// Folders whose subfolders contain records, although the user did not request subfolders.
     pub below: Vec<Below>,
     pub excluded: Excluded,
 }
@@ -143,7 +143,7 @@ impl Search<'_> {
     }
 }
 
-/// Subfolders that contain records, of a folder whose subfolders were not requested.
+/// The subfolders with records of one folder, if the user did not request subfolders.
 pub(super) struct Below {
     folder: PathBuf,
     names: Vec<String>,
@@ -164,8 +164,8 @@ impl Below {
     }
 }
 
-/// Depth of the search for records, in folders. Campaigns lie one or two deep. A link to a parent folder would make an
-/// unlimited search endless.
+/// Depth of the search for records, in folders. Campaigns are one or two folders deep. A link to a parent folder would
+/// make an unlimited search endless.
 const DEEPEST: usize = 4;
 
 /// Counts the files in a folder and its subfolders that are records by their extensions. Ignores unreadable folders.
@@ -179,13 +179,13 @@ fn records_below(folder: &Path, deep: usize) -> usize {
     within.filter_map(Result::ok).map(|entry| count(&entry.path())).sum()
 }
 
-/// Returns whether the search skips a file: a hidden file, or the lock file of a workbook open in a spreadsheet.
+/// Returns whether the search skips a file: a hidden file, or the lock file of an open workbook.
 fn is_passed_over(name: &str) -> bool {
     name.starts_with('.') || name.starts_with("~$")
 }
 
-/// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note that names the
-/// other entries.
+/// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note with the names of
+/// all other entries.
 fn entries(
     folder: &Path,
     has_profile: bool,
@@ -200,12 +200,12 @@ fn entries(
     let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // A profile that was read is not a stray file either.
+        // There is no message about a profile that was read.
         if is_passed_over(&name) || (has_profile && name == profile::FILE) {
             continue;
         }
         if entry.is_dir() {
-            // A subfolder that contains records gets its own message.
+            // Another message reports a subfolder with records.
             if records_below(&entry, DEEPEST) == 0 {
                 ignored.push(name);
             } else {

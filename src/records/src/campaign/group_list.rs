@@ -1,4 +1,4 @@
-//! The list of a laboratory with the gas pressure, clicks or serial number of each test or of each damper's folder.
+//! A laboratory's list that states gas pressure, clicks or serial number for each test or damper folder.
 //!
 //! `dashpot diagnose --group tests.csv:clicks`.
 
@@ -46,7 +46,7 @@ pub enum ListError {
         /// The requested column.
         column: String,
     },
-    /// The list names folders and something else.
+    /// The list contains folders and an entry that is not a folder.
     #[error("{file}: line {line}: {of:?} is no folder, as others of the first column are")]
     NoFolder {
         /// Path.
@@ -84,8 +84,8 @@ pub fn named(by: &str) -> Option<(&Path, &str)> {
 }
 
 impl GroupList {
-    /// Reads a list: a heading, then one line for each test. The first column names tests, files or folders, where `*`
-    /// matches any text. Commas, semicolons or tabs separate the columns.
+    /// Reads a list: a heading, then one line for each test. The first column contains names of tests, files or
+    /// folders. `*` matches any text. Commas, semicolons or tabs separate the columns.
     ///
     /// # Errors
     /// A file that cannot be read, a missing column, a line of another length, or no line with a group.
@@ -118,11 +118,11 @@ impl GroupList {
         Ok(GroupList { path: path.to_owned(), column: column.to_owned(), entries })
     }
 
-    /// Returns the folders that the list names, each with its group (empty if it has none). Returns no folder if the
-    /// list names tests. Paths are relative to the list, to the data or to the working directory.
+    /// Returns the folders that the list names, each with its group (empty if it has none). If the list names tests,
+    /// the result is empty. Paths are relative to the list, to the data or to the working directory.
     ///
     /// # Errors
-    /// A list that names folders and something else.
+    /// A list that contains folders and an entry that is not a folder.
     pub fn folders(&self, data: &[PathBuf]) -> Result<Vec<(PathBuf, &str)>, ListError> {
         let beside = self.path.parent().unwrap_or(Path::new(""));
         let within = || std::iter::once(beside).chain(data.iter().map(PathBuf::as_path)).chain([Path::new("")]);
@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(group("a1").as_deref(), Some("3"));
         assert_eq!(group("a2").as_deref(), Some("5"));
         assert_eq!(group("b17").as_deref(), Some("3"));
-        // c1 has no entry in the column, and d has no line.
+        // Test c1 has no entry in the column, and test d has no line.
         assert_eq!((group("c1"), group("d")), (None, None));
         let (a, b) = (record("a1"), record("b1"));
         assert_eq!(list.without_test(&[&a, &b]), ["rig/a2.csv (line 3)", "c1 (line 5)"]);

@@ -40,7 +40,7 @@ pub struct Split {
 /// Reason for which data cannot be split into groups.
 #[derive(Debug, thiserror::Error)]
 pub enum GroupError {
-    /// The option is none of the three forms.
+    /// The option has none of the three forms.
     #[error(
         "--group takes the word folders, a pattern of the tests' names with {PLACE} once where the group stands and * for anything, such as \
          '*_c{PLACE}_*', or a list with a column, such as tests.csv:clicks; it is {by:?}"
@@ -98,8 +98,8 @@ const PLACE: &str = "{}";
 /// The groups are the folders in the data (`folders`), parts of the test names (a pattern with `{}`), or entries of a
 /// list's column (`FILE.csv:COLUMN`).
 ///
-/// `read` reads the files of one campaign. All groups and their `reference` get the same positive direction, as far as
-/// they come from one rig.
+/// `read` reads the files of one campaign. If all groups and their `reference` come from one rig, they have one common
+/// positive direction.
 ///
 /// # Errors
 /// A pattern without `{}`, data without folders, a list without the column or without any of the tests, or records that
@@ -116,7 +116,7 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
-    // Each folder is a campaign of its own, so its notes already concern a single group.
+    // Each folder is a separate campaign, so its notes already concern a single group.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }
@@ -182,7 +182,7 @@ fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign
     Ok(split)
 }
 
-/// Reads each folder as one campaign. All campaigns then get the same positive direction.
+/// Reads each folder as one campaign. Gives all campaigns one common positive direction.
 fn read_each<'a>(
     folders: impl Iterator<Item = &'a PathBuf>,
     read: &Read<'_>,
@@ -234,7 +234,7 @@ fn by_list(
         groups.entry((*group).to_owned()).or_default().extend(records);
     }
     if !folders.is_empty() {
-        // The list may be in another folder and name the folders by other paths.
+        // The list may be in another folder and contain other paths of the same folders.
         let place = |p: &Path| p.canonicalize().unwrap_or_else(|_| p.to_owned());
         let listed: Vec<PathBuf> = folders.iter().map(|(folder, _)| place(folder)).collect();
         let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));
@@ -252,7 +252,8 @@ fn by_list(
     Ok(split)
 }
 
-/// Returns the shortest part of a name that matches `{}` in the pattern, the first among equals.
+/// Returns the shortest part of a name that matches `{}` in the pattern. Among parts of equal length, returns the
+/// first.
 fn found<'a>(pattern: &str, name: &'a str) -> Option<&'a str> {
     let (before, after) = pattern.split_once(PLACE)?;
     let places: Vec<usize> = name.char_indices().map(|(i, _)| i).chain([name.len()]).collect();

@@ -1,4 +1,4 @@
-//! Reads a motion to be imposed on a model, from the file formats of records but without cleaning.
+//! Reads a motion to be imposed on a model. The file formats are those of records, but the motion is not cleaned.
 
 use std::path::Path;
 
@@ -31,13 +31,13 @@ pub struct MotionRecord {
     pub setting: Option<MotionSetting>,
 }
 
-/// Reads a motion. `options` state units, columns and ignored channels, as for records, but no signs. Extension is
-/// positive unless a profile in the file's folder says otherwise. The force column is not read. The setting is
-/// recognized as in records.
+/// Reads a motion. `options` state units, columns and ignored channels, but no signs. Extension is positive unless a
+/// profile in the file's folder states another direction. The force column is not read. The setting is recognized as in
+/// records.
 ///
 /// # Errors
-/// [`RecordError`] if the file cannot be read, holds several tests or lacks a value, or if its time does not increase.
-/// The same error reports a missing column for the setting, or a velocity that contradicts the displacement.
+/// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not
+/// increase. A missing setting column, or a velocity that contradicts the displacement, is also a [`RecordError`].
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
         return Err(RecordError::NotFound { file: file.into() });
@@ -65,7 +65,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     }
     let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
-    // A profile states the signs of the files in its folder. Without a profile extension is positive.
+    // A profile states the signs of the files in its folder. Without a profile, extension is positive.
     if let Some(profile) = profile {
         let turned = profile.flip_motion != (profile.positive == Some(Positive::Compression));
         let sign = if turned { -1.0 } else { 1.0 };
@@ -114,7 +114,7 @@ mod tests {
     fn a_motion_needs_no_force_and_is_not_touched() {
         let motion = read("t_ms;x_mm;F\n0;0,5;1\n1;99;2\n2;0,5;3\n", &Options::default()).unwrap();
         assert_eq!(motion.time, [0.0, 0.001, 0.002]);
-        // The jump would be an outlier in the cleaning of records.
+        // The cleaning of records would remove the jump as an outlier.
         assert_eq!(motion.displacement.unwrap(), [0.0005, 0.099, 0.0005]);
         assert!(motion.velocity.is_none());
         let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };

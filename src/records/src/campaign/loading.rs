@@ -39,9 +39,9 @@ pub struct Campaign {
     pub delay: Option<Delay>,
     /// Notes about the campaign as a whole.
     pub notes: Vec<Note>,
-    /// Files and tests that could not be used, each with its reason. The notes name the first of them too.
+    /// Files and tests that could not be used, each with its reason. The notes also report the first of them.
     pub unusable: Vec<Unusable>,
-    /// Every file that was read, profiles too, in the order of reading.
+    /// Every file that was read, including profiles, in the order of reading.
     #[serde(skip)]
     pub files: Vec<PathBuf>,
 }
@@ -87,10 +87,11 @@ pub struct Progress {
 
 /// Loads files and folders as one campaign.
 ///
-/// A folder stands for all record files directly in it, and with [`Options::subfolders`] for those in its subfolders
-/// too. `campaign.toml` in a records folder applies where `options` state nothing. Files that are no records and faulty
-/// tests are named and left out, unless [`Options::strict`] is set. `progress` is called from several threads, once per
-/// finished step. The result does not depend on the number of threads.
+/// A folder means all record files directly in it. With [`Options::subfolders`] it includes the record files in its
+/// subfolders. `campaign.toml` in a records folder supplies the entries that `options` lack. A note reports faulty
+/// tests and files that are not records, and the campaign leaves them out, unless [`Options::strict`] is set.
+/// `progress` is called from several threads, once per finished step. The result does not depend on the number of
+/// threads.
 ///
 /// # Errors
 /// [`RecordError`] if the records require a decision of the user, or if no usable record remains.
@@ -116,7 +117,7 @@ pub fn load(
             tests
         })
         .collect();
-    // If the folder itself contains no readable record, the records are in its subfolders.
+    // If the folder contains no readable record, the records are in its subfolders.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
@@ -224,7 +225,7 @@ const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_veloci
 
 /// Moves the notes about files and their division into tests to the front of the campaign's notes.
 ///
-/// Each such note appears once for each file.
+/// The campaign has one such note for each file.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
@@ -239,7 +240,8 @@ fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     notes.splice(0..0, told);
 }
 
-/// Returns the options of the campaign as a whole: the given options, and the direction on which the profiles agree.
+/// Returns the options of the campaign as a whole: the given options, and the common positive direction of the
+/// profiles.
 fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, RecordError> {
     let mut whole = options.clone();
     if let [(_, only)] = folders {
@@ -279,10 +281,10 @@ impl<'a> Counter<'a> {
     }
 }
 
-/// Numbers records of equal name (same test name in two files), so that every name is unique.
+/// Numbers records with equal names, which occur in different files, so that every name is unique.
 fn unique_names(records: &mut [Record]) {
     let mut taken: HashSet<String> = HashSet::with_capacity(records.len());
-    // Next number to try, by name.
+    // For each name, the next number to try.
     let mut next: HashMap<String, usize> = HashMap::new();
     for record in records {
         if taken.contains(&record.name) {
@@ -410,7 +412,7 @@ mod tests {
         assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
         assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
         assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
-        // The message names the first bad file in order, whichever thread finds its fault first.
+        // The message names the first bad file in order, even if another thread finds a fault earlier.
         let files = [("a1.csv", sine(1.0)), ("a2.csv", "x\n".into()), ("a10.csv", "y\n".into())];
         let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
         let strict = Options { strict: true, ..Options::default() };
@@ -447,7 +449,7 @@ mod tests {
         ] {
             assert!(told.iter().any(|t| t.contains(name) && t.contains(why)), "{name}: {told:?}");
         }
-        // A record that requires a decision of the user is not left out.
+        // If a record requires a decision of the user, the campaign is rejected instead of leaving the record out.
         let unit = good.replace("force_N", "force");
         let files = [("a.csv", good.as_str()), ("b.csv", unit.as_str())];
         assert!(
@@ -467,7 +469,7 @@ mod tests {
         };
         let deep = Options { subfolders: true, ..Options::default() };
         let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
-        // The folder contains only subfolders, and a table of results that is not a record.
+        // The folder contains only subfolders, and a results table, which is not a record.
         for strays in
             [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
         {
@@ -480,7 +482,7 @@ mod tests {
             let left_out = |n: &&Note| n.kind == "left_out";
             assert_eq!(campaign.notes.iter().filter(left_out).count(), strays.len(), "{:?}", campaign.notes);
             assert!(campaign.notes.iter().any(|n| n.text.to_string().contains("pictures")));
-            // A pattern may include the name of the subfolder.
+            // A pattern may contain the name of the subfolder.
             let without = Options { exclude: vec!["sine/*".into()], ..deep.clone() };
             assert_eq!(names(&load_folder(&folder, &without).unwrap()), ["tri/slow/a"]);
         }
@@ -591,7 +593,7 @@ mod tests {
         let campaign = load_folder(&folder(&[("a.csv", &text)]), &Options::default()).unwrap();
         let record = &campaign.records[0];
         assert_eq!(campaign.sign.positive, crate::Positive::Compression);
-        // Cycles begin at an upward crossing, toward rebound.
+        // Cycles begin at an upward zero crossing, which is a motion toward rebound.
         assert!(record.velocity[record.cycles[1].start] > 0.3);
         assert!((record.mean_displacement - 0.01).abs() < 2e-4);
     }

@@ -8,12 +8,12 @@ use crate::quantities::setting_value::{Setting, SettingRules};
 /// Source of the setting of a motion.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum SettingSource {
-    /// A column of the file: its heading, and the channel as which it was read.
+    /// A column of the file: its heading, and the channel that was assigned to it.
     Column(String, Channel),
     /// The name of the file.
     Name {
-        /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may number the
-        /// motions.
+        /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may be the
+        /// number of the motion instead.
         is_sure: bool,
     },
     /// `campaign.toml` in the file's folder.
@@ -34,8 +34,8 @@ pub struct MotionSetting {
 }
 
 impl MotionSetting {
-    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Moves the
-    /// columns out of the samples.
+    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Removes
+    /// the setting columns from the samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();
         let constant = |setting: Setting, source| MotionSetting {

@@ -1,4 +1,4 @@
-//! Known facts about the records of a folder, in its file `campaign.toml`, which all commands apply.
+//! Known facts about the records of a folder, from the file `campaign.toml` in that folder. All commands apply them.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,12 +14,12 @@ use crate::source;
 
 /// Name of the file.
 pub const FILE: &str = "campaign.toml";
-/// Largest profile, bytes. A profile has one line for each statement.
+/// Largest profile, bytes. A profile has one line for each entry, so a larger file is not a profile.
 const LARGEST: u64 = 1 << 20;
 /// First entry of the file.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
-/// The entries of the profile file. Missing entries are left to the records.
+/// The entries of the profile file. Missing entries are determined from the records.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
@@ -55,7 +55,7 @@ pub struct Profile {
     /// Mass between load cell and damper that moves with the damper's end, kg.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub rig_mass_kg: f64,
-    /// Samples per second of files that have no column of time, 1/s.
+    /// Sampling rate of files without a time column, 1/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sample_rate_hz: Option<f64>,
     /// Order of day and month in the dates of the files: day-first or month-first.
@@ -104,8 +104,8 @@ fn one() -> f64 {
 }
 
 impl Profile {
-    /// Reads the profile of a folder. Returns `None` if there is no file, or if the file describes how a virtual
-    /// campaign was measured.
+    /// Reads the profile of a folder. Returns `None` if there is no file, or if the file describes the measurement of a
+    /// virtual campaign.
     ///
     /// # Errors
     /// The file cannot be read, or has an entry that is not understood.
@@ -123,7 +123,7 @@ impl Profile {
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
         match table.get("format").and_then(toml::Value::as_str) {
             Some(FORMAT) => {}
-            // The description that the virtual rig writes contains nothing about reading.
+            // The description that the virtual rig writes contains no entries for reading.
             Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
             _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),
         }

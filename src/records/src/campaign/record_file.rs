@@ -23,7 +23,7 @@ pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, 
         return Err(RecordError::NotRead { file: file.into(), is, instead });
     }
     let read = match ending.as_str() {
-        // Many loggers write MDF files with this extension, and many rigs text files.
+        // Many loggers write MDF files with this extension, and many rigs write text files.
         "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
         "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
         "xlsx" | "xlsm" => xlsx::read(source, &name, options),

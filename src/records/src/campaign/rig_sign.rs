@@ -1,7 +1,7 @@
 //! Finds one common sign for all campaigns of a rig.
 //!
-//! Groups, a reference and the tests compared with it share the cables of one rig. The campaign with the most certain
-//! sign therefore decides for the uncertain ones.
+//! Groups, a reference and the compared tests come from one rig with the same wiring. The campaign with the most
+//! certain sign therefore determines the uncertain signs.
 
 use super::loading::Campaign;
 use crate::cleaning::cycles_of;
@@ -12,8 +12,8 @@ use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
 use dashpot_messages::Sentence;
 
-/// Reverses campaigns that disagree with the most certain one, and adds a note. Campaigns with a stated or a certain
-/// direction stay unchanged.
+/// Reverses campaigns whose sign differs from the most certain one, and adds a note. Campaigns with a stated or a
+/// certain direction stay unchanged.
 pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     let Some(surest) = campaigns.iter().map(|c| &c.sign).max_by(|a, b| a.confidence.total_cmp(&b.confidence)).cloned()
     else {
@@ -69,7 +69,7 @@ impl Campaign {
                 values.iter_mut().for_each(|value| *value = -*value);
             }
             record.mean_displacement = -record.mean_displacement;
-            // Cycles begin at an upward crossing, toward rebound.
+            // Cycles begin at an upward zero crossing, which is a motion toward rebound.
             record.cycles = cycles_of(&record.time, &record.displacement);
             record.counted = Some(counted);
             record.frame = record.frame.reversed();

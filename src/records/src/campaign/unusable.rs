@@ -1,8 +1,8 @@
-//! Parts that a campaign leaves out: files that are no records, and faulty tests.
+//! Parts that a campaign leaves out: files that are not records, and faulty tests.
 //!
-//! One faulty test of fifty is no reason to reject the other forty-nine, but it must not vanish. Every report of the
-//! campaign names it with its reason. A fault of all tests (a column, a unit, a sign) rejects the campaign, because
-//! only the user knows the remedy.
+//! One faulty test of fifty is no reason to reject the other forty-nine. Every report of the campaign names the faulty
+//! test and the reason. A fault of all tests (a column, a unit, a sign) rejects the campaign, because only the user
+//! knows the remedy.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ use dashpot_messages::Sentence;
 pub struct Unusable {
     /// Reason, as a sentence that names the file and the test within it.
     pub why: Sentence,
-    /// Whether it is a faulty test. Otherwise the file is no record at all.
+    /// Whether the part is a faulty test. Otherwise it is a file that is not a record.
     pub is_test: bool,
 }
 
@@ -36,12 +36,12 @@ impl Unusable {
 /// Scope of the fault of a file or test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Reach {
-    /// The file is no record.
+    /// The file is not a record.
     NoRecord,
     /// The fault concerns this test only.
     Test,
-    /// The fault concerns this test if the other tests are free of it. If most tests have it, a wrong column, unit or
-    /// sign is more likely.
+    /// The fault concerns this test only, unless most tests have the same fault. Then a wrong column, unit or sign is
+    /// more likely.
     TestUnlessMost,
     /// The user must decide for the whole campaign.
     Campaign,
@@ -73,15 +73,15 @@ impl RecordError {
             | E::Clipped { .. }
             | E::NoMotion { .. }
             | E::ConstantForce { .. } => Reach::Test,
-            // A file without the columns of the other files is another table or a damaged one.
+            // A file without the columns of the other files is a damaged record or a table of another kind.
             E::MissingColumn { .. }
             | E::NoSuchColumn { .. }
             | E::Cell { .. }
             | E::Fields { .. }
             | E::ConstantTime { .. }
             | E::Contradiction { .. } => Reach::TestUnlessMost,
-            // Implausible figures and exchanged headings concern the campaign: a few strong tests alone may reveal a
-            // unit or column that is wrong in all tests.
+            // Implausible values and exchanged headings concern the campaign. A unit or column that is wrong in all
+            // tests may show only in a few strong tests.
             _ => Reach::Campaign,
         }
     }
@@ -99,7 +99,7 @@ impl Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Returns `None` and stores the fault if the campaign can leave the part out. Returns all other faults as errors.
+    /// Stores a fault and returns `None` if the campaign can leave the part out. Returns other faults as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -116,10 +116,10 @@ impl Sieve {
         self.faults.is_empty()
     }
 
-    /// Returns the first fault as an error if no usable test remains. Returns the first systematic fault if at least as
-    /// many tests have such a fault as are usable.
+    /// Returns the first fault as an error if no usable test remains. Returns the first possibly systematic fault if
+    /// tests with such faults are at least as many as usable tests.
     ///
-    /// A wrong column, unit or sign would give all of them such a fault.
+    /// A wrong column, unit or sign can cause the same fault in many tests.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
         let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
         let first = if usable == 0 {
@@ -142,9 +142,9 @@ impl Sieve {
     }
 }
 
-/// Returns a note for each of the first parts and one note for the rest.
+/// Returns one note for each of the first parts, and a single note for the rest.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Number of notes that name one part each. More would hide the other notes. `unusable` contains all parts.
+    /// Largest number of notes about single parts, so that other notes stay visible. `unusable` contains all parts.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();
@@ -209,7 +209,7 @@ mod tests {
         );
         assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
-        // Of two tests without a clock and two good ones, the column of the good ones may be the wrong one.
+        // Two tests lack a time column and two have one. Either pair may be at fault, so the campaign is rejected.
         let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
         // Short tests never count as a systematic fault.

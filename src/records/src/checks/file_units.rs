@@ -1,11 +1,12 @@
 //! Checks the unit of single files by comparison with the other tests of the campaign at similar velocities.
 //!
-//! The tests of a campaign are of one damper, so they show similar forces at one velocity, whatever their strokes.
-//! Heat, mounts, stops and free play change the force by tens of percent, a wrong unit by the ratio of two units.
+//! The tests of a campaign are of one damper, so they have similar forces at equal velocities, regardless of their
+//! strokes. Heat, mounts, stops and free play change the force by tens of percent. A wrong unit changes it by the ratio
+//! of two units.
 //!
-//! The largest set of tests that agree is the reference. A test may deviate from the reference by the ratio of another
-//! unit of force, displacement, velocity or time. If that unit makes it agree at all its velocities, the test was
-//! likely written in that unit.
+//! The largest set of tests that agree is the reference. A test may deviate from the reference by the ratio of two
+//! units of force, displacement, velocity or time. If another unit makes the test agree at all its velocities, the file
+//! likely uses that unit.
 
 use super::force_levels::{Level, Levels, apart, levels, velocity};
 use super::plausibility::shows_noise_alone;
@@ -47,7 +48,7 @@ impl Seen<'_> {
     }
 }
 
-/// Another unit in which a test may have been written.
+/// Another unit that the file of a test may use.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 struct Slip {
     /// Root mean square residual with that unit, as a natural logarithm of the force ratio.
@@ -57,12 +58,12 @@ struct Slip {
     likely: Unit,
 }
 
-/// Rejects a campaign if some of its files were likely written in another unit than stated. A unit given by the user
-/// counts as correct.
+/// Rejects a campaign if some of its files likely use another unit than they state. A unit given by the user counts as
+/// correct.
 pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>) -> Result<(), RecordError> {
     let seen: Vec<Seen<'_>> = records
         .iter()
-        // No unit explains a force that is noise. Another check reports that case.
+        // No change of unit explains a force that consists of noise. Another check reports that case.
         .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
@@ -75,7 +76,7 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
 
 /// Groups the tests by the setting of an adjustable damper. Leaves out tests whose setting changes.
 ///
-/// From soft to hard the force of one damper grows by as much as the ratio of two units.
+/// Between soft and hard settings, the force of one damper may differ as much as between two units.
 fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     let mut groups: Vec<Vec<Seen<'_>>> = Vec::new();
     for test in seen.into_iter().filter(|test| test.record.setting_signal.is_none()) {
@@ -92,8 +93,7 @@ fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     groups
 }
 
-/// Rejects tests of one damper at one setting if some were likely written in another unit. `all` is the number of tests
-/// read.
+/// Rejects tests of one damper at one setting if some likely use another unit. `all` is the number of tests read.
 fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     let agreeing = largest_agreeing(seen);
     if agreeing.len() < 2 {
@@ -111,7 +111,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     let Some(((channel, written, likely), tests)) = found.into_iter().max_by_key(|(_, tests)| tests.len()) else {
         return Ok(());
     };
-    // The error reports the figures of the test with the largest force.
+    // The error reports the values of the test with the largest force.
     let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
     let Some((level, beside)) = others.beside(shown) else { return Ok(()) };
@@ -128,7 +128,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     })))
 }
 
-/// Returns the largest set of tests in which each agrees with at least one other, in their order.
+/// Returns the largest set of tests in which each test agrees with at least one other. The order is that of `seen`.
 fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     let mut set: Vec<usize> = (0..seen.len()).collect();
     fn root(set: &mut [usize], mut i: usize) -> usize {
@@ -150,7 +150,7 @@ fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     for i in 0..seen.len() {
         members.entry(root(&mut set, i)).or_default().push(i);
     }
-    // Of sets of equal size, take the one that contains the first test.
+    // Of sets of equal size, take the set with the earliest test.
     members.into_values().rev().max_by_key(Vec::len).unwrap_or_default()
 }
 
@@ -160,12 +160,12 @@ fn agree(one: &Levels, other: &Levels) -> bool {
     !ratios.is_empty() && median(&mut ratios).abs() < AGREE
 }
 
-/// The reference: tests that agree, and their forces at each velocity.
+/// The reference: tests that agree with each other, and their forces at each velocity.
 struct Others<'a> {
     tests: Vec<&'a Seen<'a>>,
     /// Natural logarithm of the force against the motion.
     curve: BTreeMap<i32, f64>,
-    /// Force between the directions, N, and its scatter from test to test.
+    /// Mean of the forces in rebound and compression, N, and its scatter from test to test.
     between: BTreeMap<i32, (f64, f64)>,
 }
 
@@ -198,29 +198,29 @@ impl<'a> Others<'a> {
         Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
     }
 
-    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. Without a common
-    /// level returns the two closest ones.
+    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
+    /// common level, returns the two closest levels.
     fn beside(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at its velocities, as logarithms. Its forces and velocities are
-    /// scaled by the given factors.
+    /// Returns the deviations of a test from the others at its velocities, as logarithms. The test's forces and
+    /// velocities are scaled by the given factors.
     fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
     }
 
-    /// Returns whether some of the others at common velocities are about as short as a test of the given amplitude, m.
+    /// Returns whether some other tests at common velocities have about the given amplitude, m, or less.
     fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
         let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Returns whether the force between the directions contradicts a factor on the force: without the factor it is
-    /// closer to the others'.
+    /// Returns whether the mean force of the two directions contradicts a factor on the force. It does if it is closer
+    /// to the other tests without the factor.
     fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {
@@ -234,7 +234,7 @@ impl<'a> Others<'a> {
     }
 }
 
-/// Returns the channel whose unit is likely wrong, the unit in which it was read, and the likely units.
+/// Returns the channel with a likely wrong unit, the unit as read, and the likely units.
 fn slip(test: &Seen<'_>, others: &Others<'_>) -> Option<(Channel, Unit, Vec<Unit>)> {
     let mut as_read: Vec<f64> = others.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {
@@ -265,7 +265,7 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
         _ => (1.0, factor),
     };
     let off = others.off(test, of_force, of_velocity);
-    // The others must have most of the velocities of the rescaled test, because only common velocities allow a
+    // The other tests must cover most velocities of the rescaled test, because only common velocities allow a
     // comparison.
     if off.len() < FEWEST || 2 * off.len() < test.levels.len() {
         return None;
@@ -279,8 +279,8 @@ fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit,
     let step = libm::log(test.step());
     let fits = match channel {
         Channel::Force => !others.gas_speaks_against(test, factor),
-        // A wrong unit of time also changes the sampling, so the right one moves the step toward that of the others. A
-        // wrong unit of displacement does not change the step.
+        // A wrong unit of time also changes the sampling, so the right unit moves the time step toward that of the
+        // other tests. A wrong unit of displacement does not change the time step.
         Channel::Time => (step + libm::log(factor) - usual_step).abs() < (step - usual_step).abs(),
         _ => amplitude < LARGEST_AMPLITUDE,
     };
@@ -369,8 +369,8 @@ mod tests {
         assert_eq!(said(&records, &Options::default()), "");
     }
 
-    /// A semi-active damper without gas, whose settings differ in force by as much as two units. A file in kN deviates
-    /// from the tests at its own setting.
+    /// A semi-active damper without gas, with settings that differ in force by a typical ratio of two units. A file in
+    /// kN deviates from the tests at its own setting.
     #[test]
     fn settings_are_told_by_their_own_tests() {
         let at = |value: f64| {
@@ -423,7 +423,7 @@ mod tests {
             records[from..].iter_mut().for_each(|r| times(r, Channel::Force, 1e-3));
             let message = said(&records, &Options::default());
             if from == 0 {
-                // A unit that is wrong in all files is found by the check of plausibility.
+                // The plausibility check finds a unit that is wrong in all files.
                 assert_eq!(message, "");
             } else {
                 assert!(message.contains("t1.csv") && message.contains("t6.csv"), "{message}");

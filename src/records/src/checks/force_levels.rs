@@ -1,6 +1,6 @@
-//! Force levels of a test at each velocity: the force against the motion, and the force between the two directions.
+//! Force levels of a test at each velocity: the part that resists the motion, and the mean of both directions.
 //!
-//! The tests of one damper are compared by these levels, whatever their strokes and frequencies.
+//! These levels make tests of one damper comparable, even if strokes and frequencies differ.
 
 use crate::data::record::Record;
 use crate::numbers::median;
@@ -53,7 +53,7 @@ pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels 
     .collect()
 }
 
-/// Returns whether a sample lies in the middle of a stroke. At the ends stops and springs add forces.
+/// Returns whether a sample lies in the middle of a stroke. At the ends of a stroke, stops and springs add forces.
 pub(crate) fn is_in_the_middle(record: &Record, i: usize) -> bool {
     record.velocity[i].abs() >= MIDDLE * record.peak_velocity
 }

@@ -1,12 +1,12 @@
-//! Finds tests whose force between rebound and compression deviates from that of the other tests at similar velocities.
+//! Finds tests whose mean force of rebound and compression deviates from that of other tests at similar velocities.
 //!
-//! Either motion and force are both reversed, or the zero of the load cell has moved.
+//! A deviation means that motion and force are both reversed, or that the zero of the load cell has changed.
 //!
 //! The energy does not reveal a test with both signs reversed, because the damper still dissipates. But the gas then
-//! seems to pull the rod in, and rebound and compression are exchanged. Both change the force between the directions.
+//! seems to pull the rod in, and rebound and compression are exchanged. Both change the mean force.
 //!
-//! The forces are compared in the middle of the strokes, where the damper is fast. At the ends of a long stroke a stop
-//! may push the other way. Both halves of a stroke count, so that hysteresis cancels.
+//! The forces are compared in the middle of the strokes, where the damper is fast. At the ends of a long stroke the
+//! force of a stop may have the opposite sign. Both halves of a stroke count, so that hysteresis cancels.
 
 use super::force_levels::{Levels, is_in_the_middle, levels};
 use crate::data::record::{Note, Record};
@@ -17,13 +17,13 @@ use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO
 use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
-/// Force between the directions of each test, N, by velocity level.
+/// Mean force of the two directions of each test, N, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
 /// Deviation of a test from the others.
 struct Beside {
-    /// Deviation of its force between the directions from the others', N: the median over its velocities, and the
-    /// scatter about the median.
+    /// Deviation of its mean force of the two directions from that of the others, N. The median over the velocities,
+    /// and the scatter about the median.
     offset: f64,
     scatter: f64,
     /// Number of velocities.
@@ -45,18 +45,18 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     let offset = load_cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
-        // Other settings of the damper have other forces.
+        // The force depends on the setting of the damper.
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let beside = |levels: &Levels, turn: f64, at: &Others| beside((i, &is_alike), levels, turn, at, offset);
         let Some(own) = beside(&as_read[i], 1.0, &at) else { continue };
-        // The deviation must be large at every velocity of the test. A triangle has few samples at all velocities but
-        // one.
+        // The deviation must be large at every velocity of the test. A triangle has many samples at a single velocity
+        // and few at all others.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
         if is_off && beside(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
-        // A moved zero is equal at every velocity. Effects of short strokes and of positions on a damper are not.
+        // A changed zero is the same at every velocity. Effects of stroke and position depend on velocity.
         let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
         let at_the_ends = beside(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
@@ -87,7 +87,7 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     }
 }
 
-/// Returns whether two tests were measured at one constant setting of the damper, or both state none.
+/// Returns whether two tests were measured at one constant setting of the damper, or both without a stated setting.
 fn is_at_one_setting(a: &Record, b: &Record) -> bool {
     let changes = a.setting_signal.is_some() || b.setting_signal.is_some();
     !changes
@@ -98,7 +98,7 @@ fn is_at_one_setting(a: &Record, b: &Record) -> bool {
         }
 }
 
-/// Collects the force between the directions of all tests, by velocity level.
+/// Collects the mean force of the two directions of all tests, by velocity level.
 fn by_velocity(seen: &[Levels]) -> Others {
     let mut at = Others::new();
     for (i, levels) in seen.iter().enumerate() {
@@ -151,7 +151,7 @@ mod tests {
     use crate::fixtures::sine_record;
     use crate::quantities::setting_value::Setting;
 
-    /// Makes sines of (amplitude, peak velocity) on a damper with gas and with a rebound stop from 45 mm on.
+    /// Makes sines of (amplitude, peak velocity) on a damper with gas and with a rebound stop that begins at 45 mm.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
             sine_record(k, amplitude, speed, |x, v| {
@@ -200,7 +200,8 @@ mod tests {
             records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
             records
         };
-        // The harder setting has another mean of both directions, as if rebound and compression differed.
+        // The mean force of both directions differs at the harder setting, as it does if rebound and compression are
+        // unequal.
         let mut both = at(0.0, 50.0);
         both.extend(at(0.8, -150.0).into_iter().skip(4).take(3));
         assert_eq!(said(&both), "");

@@ -1,6 +1,6 @@
-//! Rejects figures that no suspension damper has. The usual causes are an unstated unit and an unconnected load cell.
+//! Rejects values that no suspension damper has. The usual causes are an unstated unit and an unconnected load cell.
 //!
-//! Figures that are far too large are rejected. Small figures may be intended and only cause a note.
+//! Values that are far too large are rejected. Small values may be intended and only cause a note.
 
 use std::collections::HashMap;
 
@@ -21,7 +21,7 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let force = largest(&record.force);
     let absurd = |what: Sentence, channels: &[Channel], advice| {
-        // A user who has stated the unit needs other advice than to state it.
+        // If the user has stated the unit, the advice to state it does not help.
         let given = channels.iter().any(|channel| options.units.contains_key(channel));
         let advice = if given { phrases::UNIT_WAS_GIVEN } else { advice };
         Err(RecordError::Absurd { record: record.source.clone(), what, advice })
@@ -51,10 +51,10 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
     Ok(())
 }
 
-/// Adds notes about a campaign with only small figures, about tests without force and about identical tests.
+/// Adds notes about a campaign with only small values, about tests without force and about identical tests.
 ///
 /// # Errors
-/// Most tests show no force, or the force of every test is below that of any damper.
+/// Most tests show no force, or the force of every test is too small for any damper.
 pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note>) -> Result<(), RecordError> {
     let silent: Vec<&Record> = records.iter().filter(|r| shows_noise_alone(r)).collect();
     if let Some(first) = silent.first() {

@@ -4,11 +4,11 @@
 //! the rig, so force times velocity must be positive on average. If it is negative, one of the two is reversed, and the
 //! campaign is rejected.
 //!
-//! Second: are both counted positive in rebound or in compression? Energy gives no answer. Gas pressure pushes the rod
-//! out, and most dampers resist rebound more than compression. Both are evidence, weighed as odds.
+//! Second: are both positive in rebound or in compression? The energy does not depend on this. Gas pressure pushes the
+//! rod out, and most dampers resist rebound more than compression. Both facts are evidence, combined as odds.
 //!
-//! The asymmetry comes from the valves, so only the growth of the force with speed counts. Friction does not grow and
-//! has no preferred direction. Gas and the zero of the load cell cancel in the growth.
+//! The asymmetry comes from the valves, so only the increase of the force with speed counts. Friction does not increase
+//! with speed and has no preferred direction. Gas and the zero of the load cell cancel in the increase.
 
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ use dashpot_messages::Sentence;
 pub struct SignFinding {
     /// Positive direction of the files, after the sign reversals that the options request.
     pub positive: Positive,
-    /// Whether the user stated it; else it was estimated.
+    /// Whether the user stated the direction. Otherwise it is an estimate.
     pub is_stated: bool,
     /// Probability that the direction is correct: 0.5 without evidence, 1 if certain.
     pub confidence: f64,
@@ -42,8 +42,8 @@ pub struct SignFinding {
     pub reasons: Vec<Sentence>,
     /// Force at standstill, tension positive, N: minus the gas force, plus the offset of the load cell.
     pub standstill_force: f64,
-    /// Ratio of the damping force in rebound to that in compression at similar speed, if it could be determined, in the
-    /// direction `positive`.
+    /// Ratio of the damping force in rebound to that in compression at similar speed, for the direction `positive`, if
+    /// the ratio could be determined.
     pub asymmetry: Option<f64>,
 }
 
@@ -57,23 +57,24 @@ impl SignFinding {
 /// One test's evidence, in the file's signs.
 struct Evidence {
     name: String,
-    /// Correlation of force and velocity over whole cycles: the power relative to the largest power for these
+    /// Correlation of force and velocity over whole cycles: the power relative to the largest possible power at these
     /// amplitudes.
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
     /// Logarithm of the ratio of the force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
-    /// Growth of the force from slow to fast, at positive and at negative velocity, N.
+    /// Increase of the force from low to high speed, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,
     /// Uncertainty of the force at a given speed due to hysteresis, N.
     level_error: f64,
     peak_velocity: f64,
 }
 
-/// Estimates the direction, or takes the stated one, and makes rebound positive in all motions.
+/// Estimates the direction unless it is stated, and makes rebound positive in all motions.
 ///
-/// Also detects a delay of the force channel. The direction is judged without the delay, but the motions keep it.
+/// Also detects a delay of the force channel. The delay is removed for the estimate of the direction, but the motions
+/// retain it.
 pub(crate) fn settle(
     motions: &mut [Motion],
     options: &Options,
@@ -93,7 +94,8 @@ pub(crate) fn settle(
     let cycles: Vec<(usize, Overtones)> =
         motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
-    // As recorded the damper dissipates, so it may be of an unknown kind. Add a note and leave the record unchanged.
+    // With the recorded signs the damper dissipates, so it may be of an unknown kind. Add a note and leave the record
+    // unchanged.
     if 2 * exchanged.len() > cycles.len() {
         let text =
             Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
@@ -113,7 +115,7 @@ pub(crate) fn settle(
 
 /// Gathers the evidence of all tests, and the campaign's force at standstill.
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
-    // A force at standstill below the offset says nothing about gas.
+    // A force at standstill below the offset is no evidence of gas.
     let offset = load_cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let mut evidence: Vec<Evidence> = motions.iter().map(|motion| gather(motion, offset)).collect();
     let standstill = standstill(&evidence);
@@ -134,8 +136,8 @@ fn lateness(
     notes: &mut Vec<Note>,
 ) -> Result<Option<Delay>, RecordError> {
     let feeding: Vec<usize> = (0..evidence.len()).filter(|&i| evidence[i].power < -UNCLEAR).collect();
-    // Exchanged displacement and force reverse the loop, as do a wrong sign and a delay of half a cycle. Only the wave
-    // form distinguishes these causes.
+    // Exchanged channels, a wrong sign and a delay of half a cycle all reverse the loop. Only the wave form
+    // distinguishes these causes.
     let exchanged: Vec<(usize, Overtones)> = feeding
         .iter()
         .filter_map(|&i| Some((i, Overtones::measure(&motions[i])?)))
@@ -197,8 +199,8 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     let n = x.len() as f64;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / n;
     let (mx, mf) = (mean(x), mean(force));
-    // Over whole cycles springs and gas return the energy that they store. Otherwise a linear fit removes their
-    // contribution.
+    // Over whole cycles, springs and gas return the energy that they store. Without whole cycles, a linear fit removes
+    // their contribution.
     let stiffness = if motion.cycles.is_empty() {
         let sxx: f64 = x.iter().map(|x| (x - mx).powi(2)).sum();
         let sxf: f64 = x.iter().zip(force).map(|(x, f)| (x - mx) * (f - mf)).sum();
@@ -252,7 +254,7 @@ fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Op
     (forces.len() >= FEWEST).then(|| median(&mut forces))
 }
 
-/// A slow test that supplies the slow force of a faster test without slow samples, such as a triangle.
+/// A slow test. It supplies the force at low speed if a faster test, such as a triangle, has no slow samples.
 struct Slow {
     peak: f64,
     /// Force at its own peak velocity, positive and negative, N.
@@ -265,7 +267,7 @@ impl Slow {
     }
 }
 
-/// Computes the growth of a test's force with speed in each direction, N.
+/// Computes the increase of a test's force with speed in each direction, N.
 fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     let of = |positive: bool| {
         let fast = level(motion, positive, peak, [FAST, f64::INFINITY])?;
@@ -280,11 +282,10 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// Returns the logarithm of the ratio of the force growth at positive velocity to that at negative velocity, and its
-/// uncertainty.
+/// Returns the logarithm of the ratio of force increases at positive and negative velocity, and its uncertainty.
 ///
-/// Both are medians over the faster tests. Hysteresis is similar in all tests, so more tests do not reduce the
-/// uncertainty.
+/// Both returned values are medians over the faster tests. Hysteresis is similar in all tests, so more tests do not
+/// reduce the uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -292,7 +293,7 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
         .filter_map(|e| {
             let [positive, negative] = e.growth?;
             let error = e.level_error.max(f64::MIN_POSITIVE);
-            // A growth below its error may be as large as the error.
+            // The true increase may be as large as its error.
             let (positive, negative) = (positive.max(error), negative.max(error));
             Some((libm::log(positive / negative), libm::hypot(error / positive, error / negative)))
         })
@@ -305,7 +306,7 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
 /// Returns the logarithm of the odds that the force is tension positive, from the force at standstill.
 ///
 /// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
-/// rigs the force says nothing, which limits the odds.
+/// rigs, the force is no evidence, which limits the odds.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // The logistic curve deviates from the normal distribution by less than 0.01.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
@@ -344,7 +345,8 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
 }
 
 fn list(names: &[&Evidence]) -> Sentence {
-    /// Largest number of tests that the message names. The message only counts the rest, to stay readable.
+    /// Largest number of tests that the message names. The message states only the number of the other tests, to stay
+    /// readable.
     const NAMED: usize = 8;
     let quoted = |e: &&Evidence| Sentence::from(phrases::QUOTED).with("test", &e.name);
     let named = Sentence::list(names.iter().take(NAMED).map(quoted).collect(), phrases::COMMA);
@@ -422,9 +424,9 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // For two normal distributions the log odds are 2 · prior ratio · found ratio / scatter². Use half of that, and at
-    // most seven to one, since some dampers are symmetric or inverse. The error of the growth adds to the scatter of
-    // dampers.
+    // For two normal distributions the log odds are 2 · prior ratio · found ratio / scatter². Use half of these log
+    // odds, and odds of at most seven to one, since some dampers are symmetric or inverse. The error of the force
+    // increase adds to the scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
@@ -477,7 +479,7 @@ fn direction(
         None => (found, false, sure),
     };
     let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
-    // With this direction the gas would pull the rod in.
+    // In this direction, the gas would pull the rod in.
     if let Some((force, uncertainty)) = standstill
         && turn * force > 2.0 * uncertainty
     {
@@ -530,7 +532,7 @@ mod tests {
         assert_eq!(list(&names).to_string(), format!("{eight} and 2 more"));
     }
 
-    /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by these signs.
+    /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by the given signs.
     fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
         campaign_read(force, motion, preload, &Options::default())
     }
@@ -582,7 +584,8 @@ mod tests {
         let cases = [
             (-1.0, 1.0, "--flip force", Options { flip_force: true, ..Options::default() }, Positive::Rebound),
             (1.0, -1.0, "--flip motion", Options { flip_motion: true, ..Options::default() }, Positive::Rebound),
-            // Reversing the motion also makes the signs consistent. Both are then counted positive in compression.
+            // A reversal of the motion also makes the signs consistent. Force and motion are then positive in
+            // compression.
             (-1.0, 1.0, "--flip force", Options { flip_motion: true, ..Options::default() }, Positive::Compression),
         ];
         for (force, motion, advice, cure, positive) in cases {
@@ -599,7 +602,7 @@ mod tests {
         assert!(error.contains("too small to tell"), "{error}");
     }
 
-    /// Makes tests of a nonlinear damper, some of them with force and displacement exchanged, in the same units.
+    /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same.
     fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {
@@ -612,7 +615,7 @@ mod tests {
                 samples.force.iter_mut().for_each(|f| *f *= 1e-4);
                 std::mem::swap(x, &mut samples.force);
             }
-            // A stated unit keeps the check of single files from rejecting them.
+            // With a stated unit, the check of single files does not reject the tests.
             let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
             motions.push(cleaning::repair(samples, &options).unwrap());
         }
@@ -628,7 +631,8 @@ mod tests {
             let text = error.to_string();
             assert!(text.contains("look exchanged") && !text.contains("--delay") && !text.contains("--flip"), "{text}");
         }
-        // With a reversed sign as well, the damper dissipates. Nothing is rejected, but the direction is uncertain.
+        // With exchanged channels and a reversed sign, the damper dissipates. The tests are accepted, but the direction
+        // is uncertain.
         let (finding, _, notes) = settled(exchanged_campaign(&[true; 3], -1.0), &Options::default()).unwrap();
         assert!(finding.confidence <= 0.5 && notes.iter().any(|n| n.kind == "exchanged"), "{finding:?}");
         let (finding, _, notes) = settled(exchanged_campaign(&[false; 3], 1.0), &Options::default()).unwrap();
@@ -685,7 +689,8 @@ mod tests {
                     let (x, v) = (samples.displacement.as_mut().unwrap(), samples.velocity.as_mut().unwrap());
                     let (mut place, step) = (0.01, samples.time[1] - samples.time[0]);
                     for (x, v) in x.iter_mut().zip(v) {
-                        // The speed is the mean speed of the sine, in its direction. A standstill remains one.
+                        // The speed of the triangle is the mean speed of the sine, with its sign. Zero velocity stays
+                        // zero.
                         *v = if *v == 0.0 { 0.0 } else { (4.0 * 0.05 * frequency).copysign(*v) };
                         place += step * *v;
                         *x = place;
@@ -703,7 +708,7 @@ mod tests {
     #[test]
     fn friction_tells_no_direction_however_unlike_its_sides_are() {
         for triangle in [false, true] {
-            // The friction is sixty percent larger at positive velocity, and nearly constant over the speed.
+            // The friction is sixty percent larger at positive velocity, and nearly independent of speed.
             let rubs = |v: f64| (if v > 0.0 { 800.0 } else { 500.0 }) * libm::tanh(v / 0.002) + 40.0 * v;
             let finding = device(triangle, |v| rubs(v) - 150.0);
             assert!(finding.confidence < 0.62, "{triangle} {finding:?}");
@@ -729,7 +734,7 @@ mod tests {
         assert!(notes.iter().any(|n| n.kind == "sign" && n.text.to_string().contains("speak for the opposite")));
         assert_eq!(motions[0].force[7], -campaign(1.0, 1.0, -150.0)[0].force[7]);
 
-        // Without a gas force only the asymmetry is evidence, which gives no certainty.
+        // Without a gas force, the only evidence is the asymmetry, so the direction is uncertain.
         let (weak, ..) = settled(campaign(1.0, 1.0, 0.0), &Options::default()).unwrap();
         assert!((0.5..0.93).contains(&weak.confidence) && weak.positive == Positive::Rebound, "{weak:?}");
         // The gas force contradicts the asymmetry.

@@ -1,4 +1,4 @@
-//! Finds tests that end within their first cycle, because an export broke off or a rig stopped.
+//! Finds tests that end within their first cycle, because an export was incomplete or a rig stopped.
 
 use crate::cleaning::turning_points;
 use crate::data::record::{Note, Record};
@@ -38,7 +38,8 @@ mod tests {
             tell(&[record], &mut notes);
             notes.len()
         };
-        // A sine that breaks off after a little more than half a cycle, and one that ends at its turning point.
+        // A sine that stops after a little more than half a cycle gives a note. A sine that ends at its turning point
+        // gives none.
         assert_eq!(told(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
         assert_eq!(told(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
         // A motion from standstill to standstill, and two cycles.

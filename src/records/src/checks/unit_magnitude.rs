@@ -1,5 +1,5 @@
-//! Rejects units that are wrong by a factor of a thousand. The evidence is a combination of figures that no damper and
-//! no rig shows.
+//! Rejects units that are wrong by a factor of a thousand. The evidence is a combination of values that is impossible
+//! for dampers and rigs.
 
 use crate::data::record::Record;
 use crate::error::RecordError;
@@ -13,8 +13,8 @@ use crate::tuning::unit_magnitude::{
 };
 use dashpot_messages::Sentence;
 
-/// Rejects a campaign whose figures indicate a unit wrong by a factor of a thousand. A unit given by the user counts as
-/// correct.
+/// Rejects a campaign if its values indicate a unit that is wrong by a factor of a thousand. A unit given by the user
+/// counts as correct.
 pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {
     let Some(fastest) = records.iter().max_by(|a, b| a.peak_velocity.total_cmp(&b.peak_velocity)) else {
         return Ok(());
@@ -70,7 +70,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         return slip(Channel::Displacement, Unit::Millimetre, Unit::Metre, evidence);
     }
     let is_weak = strongest < WEAK && damping < WEAKEST && fastest.peak_velocity > MOVING;
-    // A dead load cell shows small forces too, but they do not correlate with the motion.
+    // A dead load cell also shows small forces, but those do not correlate with the motion.
     if !insisted(Channel::Force) && is_weak && follows(fastest) {
         let evidence = Sentence::from(phrases::TOO_WEAK)
             .with("count", records.len())
@@ -157,7 +157,7 @@ mod tests {
         for force in [20.0, 60.0, 200.0, 2000.0, 20e3] {
             for plan in plans {
                 for friction in [0.02, 0.1] {
-                    // The friction of a small damper is a few newtons too. A slow test shows little else.
+                    // Even a small damper has a few newtons of friction, which dominate the force of a slow test.
                     let records = campaign(force, friction * force + 2.0, plan, [1.0; 3]);
                     assert_eq!(said(&records), "", "{force} N, {plan:?}");
                 }
@@ -175,7 +175,8 @@ mod tests {
                 ([1.0, 1e-3, 1.0], "--unit displacement=m, or --unit displacement=mm to insist"),
             ] {
                 let records = campaign(force, 0.05 * force, &USUAL, slip);
-                // A time that is too short by a factor of a thousand may already be rejected for its implausible speed.
+                // If the time is too short by a factor of a thousand, an earlier check may reject the implausible
+                // speed.
                 let message = said(&records);
                 assert!(message.contains(wanted), "{force} {slip:?}: {message}");
             }

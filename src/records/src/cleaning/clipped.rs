@@ -35,7 +35,7 @@ impl Reach {
         self
     }
 
-    /// Returns whether some test exceeds the value of the flat top.
+    /// Returns whether the range of some test extends beyond the value of the flat top.
     fn goes_beyond(&self, channel: Channel, top: &FlatTop) -> bool {
         let (low, high) = if channel == Channel::Velocity { self.velocity } else { self.displacement };
         if top.up { high > top.value + top.overshoot } else { low < top.value - top.overshoot }
@@ -57,7 +57,7 @@ struct FlatTops {
 struct FlatTop {
     samples: std::ops::Range<usize>,
     value: f64,
-    /// Whether it is a maximum and not a minimum.
+    /// Whether it is a maximum; otherwise it is a minimum.
     up: bool,
     /// Estimated height of the clipped part, from the slopes before and after.
     overshoot: f64,
@@ -84,8 +84,8 @@ impl FlatTops {
     }
 }
 
-/// Returns whether the other motion channel confirms the flat top. A constant velocity between turns, or a standstill
-/// between two ramps, is not clipping.
+/// Returns whether the other motion channel confirms the flat top. A constant velocity between turning points, or a
+/// standstill between two ramps, is not clipping.
 fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
     let (first, last) = (top.samples.start, top.samples.end - 1);
     let seconds = time[last] - time[first];
@@ -105,9 +105,9 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
 
 /// Handles clipped channels. Returns the samples whose force is unusable.
 ///
-/// The caller drops clipped force samples once the motion is complete, because the motion is valid there. A clipped
-/// motion channel is dropped if the other can replace it. `reach` is the range of the motion over all tests of the
-/// campaign.
+/// The motion is valid at clipped force samples, so the caller drops them after completing the motion. A clipped motion
+/// channel is dropped if the other motion channel can replace it. `reach` is the range of the motion over all tests of
+/// the campaign.
 pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
@@ -193,8 +193,9 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
 
 /// Finds flat tops at the largest and the smallest value.
 ///
-/// The top of a coarse sine is flat too. A signal is clipped if it enters the top with a slope that would have carried
-/// it on. With the slope s at both ends of a gap of length m, a parabola rises by s·m/4 above its ends.
+/// The top of a coarse sine is flat too. A signal is clipped if its slope at the edge of the flat top shows that it
+/// would have risen further. With the slope s at both edges of a top of length m, a parabola rises by s·m/4 above the
+/// edges.
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);
@@ -207,8 +208,8 @@ fn flat_tops(values: &[f64]) -> Option<FlatTops> {
         let mut start = 0;
         for run in values.chunk_by(|a, b| a == b) {
             let end = start + run.len();
-            // Compute the slope over half the gap. Next to a rounded top a shorter span would mistake a step of the
-            // last digit for a slope.
+            // Compute the slope over half the length of the top. Next to a rounded top, a step of the last digit would
+            // distort the slope over a shorter span.
             let reach = (run.len() / 2).max(3);
             if run[0] == extreme && run.len() >= RUN && start >= reach && end + reach <= n {
                 let rise = up * (values[start] - values[start - reach]) / reach as f64;
@@ -241,7 +242,7 @@ mod tests {
         let mut samples = clip(0.98 * top);
         let expected: Vec<bool> = samples.force.iter().map(|f| *f == 0.98 * top).collect();
         let masked = deal(&mut samples, &Reach::default()).unwrap();
-        // Single noisy samples at the limit are not a flat top. All long runs are.
+        // Single noisy samples at the limit are not a flat top. All long runs are flat tops.
         let missed = masked.iter().zip(&expected).filter(|(m, e)| !**m && **e).count();
         let hits = masked.iter().filter(|m| **m).count();
         assert!(hits > 2 * missed && masked.iter().zip(&expected).all(|(m, e)| !*m || *e), "{hits} {missed}");
@@ -279,7 +280,7 @@ mod tests {
         assert!(deal(&mut samples, &own).is_err());
         deal(&mut samples, &reach).unwrap();
         assert!(samples.notes[0].kind == "rounded", "{:?}", samples.notes);
-        // Many samples are an end of the range, which may differ from that of the other tests.
+        // Many equal samples indicate the end of a measuring range, which may differ from the range of the other tests.
         assert!(deal(&mut clip(0.8), &reach).is_err());
     }
 
@@ -296,15 +297,15 @@ mod tests {
         }
     }
 
-    /// A velocity with plateaus, recorded without noise. The displacement confirms the plateaus, so they stay. A larger
-    /// displacement shows that they are clipped.
+    /// A velocity with plateaus, recorded without noise. If the displacement confirms the plateaus, they stay. A larger
+    /// displacement shows that the plateaus are clipped.
     #[test]
     fn a_plateau_that_the_displacement_confirms_is_no_clipping() {
         let (rate, frequency, speed) = (1000.0, 5.0, 0.05);
         let mut samples = SineTest::default().samples();
         let n = samples.len();
-        // The motion turns within about sixteen samples. Within two samples the slope would look like a step of the
-        // last digit.
+        // The motion turns within about sixteen samples. Over two samples, the slope would not differ from a step of
+        // the last digit.
         let of = |t: f64| speed * (4.0 * libm::sin(std::f64::consts::TAU * frequency * t)).clamp(-1.0, 1.0);
         samples.time = (0..n).map(|i| i as f64 / rate).collect();
         let velocity: Vec<f64> = samples.time.iter().map(|t| of(*t)).collect();
@@ -314,7 +315,7 @@ mod tests {
         samples.force = velocity.iter().map(|v| 1500.0 * v + libm::sin(v * 7e3)).collect();
         deal(&mut samples, &Reach::default()).unwrap();
         assert!(samples.velocity.is_some(), "{:?}", samples.notes);
-        // The velocity channel is unchanged, but the damper moved faster than its plateaus.
+        // The velocity channel is unchanged, but the displacement is that of a faster motion than the plateaus show.
         let went_on = |t: f64| 4.0 * speed * libm::sin(std::f64::consts::TAU * frequency * t);
         let real: Vec<f64> = samples.time.iter().map(|t| went_on(*t)).collect();
         samples.displacement = Some(moved(&real));

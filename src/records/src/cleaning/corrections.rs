@@ -10,7 +10,7 @@ use crate::signal::delayed_motion::DelayedMotion;
 use dashpot_messages::Sentence;
 
 /// Applies factors to channels other than the force, before displacement and velocity are compared. Without a velocity
-/// channel the factor of the displacement also scales the derived velocity.
+/// channel, the factor of the displacement also scales the velocity derived from it.
 pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
     for (channel, gain) in options.gains.iter().filter(|(_, gain)| **gain != 1.0) {
         let Some(values) = samples.channel_mut(*channel) else { continue };
@@ -22,7 +22,7 @@ pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
 
 /// Applies the corrections of the options, in the file's own directions, with a note for each.
 ///
-/// Returns the range of the remaining samples. After a delay correction the other samples have no motion.
+/// Returns the range of the remaining samples. The delay correction leaves the other samples without a motion.
 pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<usize> {
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.force_zero_n != 0.0 {
@@ -110,7 +110,7 @@ mod tests {
         let sound = repair(test.samples(), &Options::default()).unwrap();
         for (steps, delay) in [(9, 9.0 / 800.0), (40, 40.0 / 800.0)] {
             let mut late = test.samples();
-            // The force of sample i is in row i + steps.
+            // After the rotation, the force of sample i is in row i + steps.
             late.force.rotate_right(steps);
             let options = Options { delay_s: delay, ..Options::default() };
             let found = repair(late, &options).unwrap();
@@ -122,7 +122,8 @@ mod tests {
                 assert!((found.velocity[i] - sound.velocity[i]).abs() < 1e-9 + 1e-3 * 1.3, "{i}");
             }
         }
-        // A delay between two samples. The motion of a sine is interpolated to a thousandth of a step.
+        // The delay is not a whole number of samples. The interpolation of a sine has an error of a thousandth of a
+        // step.
         let options = Options { delay_s: 3.4 / 800.0, ..Options::default() };
         let found = repair(test.samples(), &options).unwrap();
         let steady = found.steady();

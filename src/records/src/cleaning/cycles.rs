@@ -1,8 +1,8 @@
 //! Finds the whole cycles of a periodic test in its displacement.
 //!
 //! A cycle runs from one upward crossing of the mean to the next. The mean is local, midway between the neighboring
-//! turning points, so that a slow drift has no effect. Turning points count only if the motion between them is large
-//! (hysteresis), so that noise has no effect. The frequency may vary, as with drives without speed control. Cycles
+//! turning points, so that a slow drift has no effect. Turning points count only if the motion between them exceeds a
+//! threshold, so that noise has no effect. The frequency may vary, because some drives have no speed control. Cycles
 //! whose stroke or period differs from the rest (run-up, run-down, a pause) are excluded.
 
 use super::drift::time_mean;
@@ -23,8 +23,8 @@ pub(crate) fn find(time: &[f64], displacement: &[f64]) -> Vec<Cycle> {
     }
     let noise = difference_noise(displacement);
     let floor = (8.0 * noise).max(1e-3 * whole);
-    // The rig may have moved to its start position before the test. The test's own stroke is then a small part of the
-    // whole range, and a smaller threshold finds it.
+    // The rig may have moved to its start position before the test. The stroke of the test is then a small part of the
+    // whole range, so its cycles require a smaller threshold.
     let mut threshold = 0.3 * whole;
     for _ in 0..7 {
         if threshold < floor {
@@ -46,7 +46,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     }
     let stroke = |c: &Cycle| c.stroke();
     let (typical_stroke, stroke_tolerance) = typical(&candidates, stroke, TOLERANCE.0);
-    // Noise alone scatters the extremes of cycles.
+    // Noise scatters the extremes of cycles even if the motion is constant.
     let stroke_tolerance = stroke_tolerance.max(6.0 * noise / typical_stroke);
     let (typical_period, period_tolerance) = typical(&candidates, Cycle::period, TOLERANCE.0);
     let accepted: Vec<Cycle> = candidates
@@ -69,7 +69,8 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     if covered < 0.1 * (time[time.len() - 1] - time[0]) {
         return Vec::new();
     }
-    // Swings of similar size and length also occur on a road. Only a similar shape makes them cycles.
+    // A road motion also contains swings of similar size and duration. They are cycles only if their shapes are
+    // similar.
     let shapes: Vec<[f64; PHASES]> = accepted.iter().map(|c| shape(time, x, c)).collect();
     let mut likeness: Vec<f64> = shapes
         .windows(2)
@@ -85,11 +86,11 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     if stand_alone(time, x, &cycles, noise) { cycles } else { Vec::new() }
 }
 
-/// Returns whether the cycles suffice for a test. One or two cycles must have the shape of a test cycle. Two must also
-/// agree in stroke and period.
+/// Returns whether the cycles suffice for a test. One or two cycles must have the shape of a test cycle. Two cycles
+/// must also agree in stroke and period.
 fn stand_alone(time: &[f64], x: &[f64], cycles: &[Cycle], noise: f64) -> bool {
     let looks_made = |c: &Cycle| {
-        // A road profile has more turning points. A driven cycle has one stroke out and one back.
+        // A road profile has more turning points. A cycle of a drive has one stroke in each direction.
         let turns = turning_points(&x[c.start..c.end], (WIGGLE * c.stroke()).max(8.0 * noise)).len();
         turns <= 4 && fundamental_share(time, x, c) >= LONELY
     };
@@ -125,8 +126,8 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
     cycles.len() < before
 }
 
-/// Moves the crossings to the mean of the cycles themselves. The first estimate is the mean between turning points,
-/// which run-up and run-down shift at the first and last crossing.
+/// Moves the crossings to the mean of the found cycles. The first estimate is the mean between turning points, which
+/// run-up and run-down shift at the first and last crossing.
 fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, x, c.start, c.end)).collect();
     let joined = |k: usize| k > 0 && k < cycles.len() && cycles[k - 1].end == cycles[k].start;
@@ -178,14 +179,14 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// Returns the median and its relative tolerance, at least `least`.
+/// Returns the median of a quantity and its relative tolerance, which is at least `least`.
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());
     (centre, restrict(4.0 * scatter / centre, least, TOLERANCE.1))
 }
 
-/// Returns all intervals between two upward crossings, alike or not.
+/// Returns all intervals between two upward crossings, similar or not.
 pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
     let turns = turning_points(x, threshold);
     let crossings = crossings(time, x, &turns);
@@ -195,7 +196,7 @@ pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> 
         .map(|pair| {
             let ((start, start_time), (end, end_time)) = (pair[0], pair[1]);
             let inside = &x[start..end];
-            // Spikes were removed before, so the extremes are those of the motion.
+            // Spikes have already been removed, so the extremes are those of the motion.
             let (low, high) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
             Cycle { start, end, start_time, end_time, low, high }
         })
@@ -203,7 +204,7 @@ pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> 
 }
 
 /// Finds the turning points of a signal: alternating minima and maxima that differ by more than `threshold`. The first
-/// and the last may be ends of the record instead.
+/// and the last index may be ends of the record instead.
 pub(crate) fn turning_points(x: &[f64], threshold: f64) -> Vec<usize> {
     let mut turns = Vec::new();
     let (mut low, mut high) = (0, 0);
@@ -244,7 +245,8 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
             continue;
         }
         let (first, last) = (k == 0, k + 2 == turns.len());
-        // The level is midway between the turns around the flank. A flank at the record's end has no turn there.
+        // The level is midway between the turns around the flank. A flank at an end of the record has no turning point
+        // at that end.
         let before = (k > 0).then(|| 0.5 * (x[low] + 0.5 * (x[turns[k - 1]] + x[high])));
         let after = turns.get(k + 2).map(|&next| 0.5 * (x[high] + 0.5 * (x[low] + x[next])));
         let mean = match (before, after) {
@@ -255,7 +257,7 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
             _ => continue,
         };
         let flank = low..=high;
-        // The standstill before the first flank and after the last may lie at the mean. Use the crossing next to the
+        // The standstill before the first flank and after the last may lie at the mean. Use the crossing closest to the
         // motion.
         let below = if last {
             flank.clone().find(|&i| x[i] >= mean).map(|i| i.saturating_sub(1).max(low))
@@ -267,21 +269,21 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
         let Some(at) = crossing_time(time, x, near, mean, band, low..=high) else {
             continue;
         };
-        // A record that begins or ends at a crossing may miss the crossing by a sample.
+        // If a record begins or ends at a crossing, the computed crossing may be one sample outside the record.
         if at < time[low] - 1.5 * step || at > time[high] + 1.5 * step {
             continue;
         }
-        // A crossing within a tenth of a sample counts as at the sample.
+        // A crossing within a tenth of a step after a sample is assigned to that sample.
         let index = time.partition_point(|&t| t < at - 0.1 * step);
         crossings.push((index, at));
     }
     crossings
 }
 
-/// Computes the time at which the displacement crosses `level` near sample `near`. Fits a straight line to the samples
-/// of the flank within `band` of the level.
+/// Computes the time at which the displacement crosses `level` near sample `near`. The method is a straight-line fit to
+/// the samples of the flank within `band` of the level.
 ///
-/// A single pair of samples would pass its noise on to the crossing.
+/// Interpolation between only two samples would add their noise to the crossing time.
 fn crossing_time(
     time: &[f64],
     x: &[f64],
@@ -325,7 +327,7 @@ fn shape(time: &[f64], x: &[f64], cycle: &Cycle) -> [f64; PHASES] {
     shape.map(|v| (v - mean) / scale)
 }
 
-/// Returns the fraction of a cycle's variance that its fundamental carries.
+/// Returns the fraction of a cycle's variance that is due to its fundamental.
 fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     let span = cycle.start..cycle.end;
     let mean = x[span.clone()].iter().sum::<f64>() / span.len() as f64;
@@ -340,10 +342,10 @@ fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     2.0 * (c * c + s * s) / (span.len() as f64 * total)
 }
 
-/// Returns a peak of |values| that does not depend on a single noisy sample.
+/// Returns a peak of |values| that is robust against single noisy samples.
 ///
-/// The peak is the 99th percentile of each cycle, and the median over the cycles. A sine loses 0.01 % by this
-/// definition.
+/// The peak is the median over the cycles of the 99th percentile in each cycle. For a sine, it is 0.01 % smaller than
+/// the amplitude.
 pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
     let peak = |span: &[f64]| quantile(&mut span.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.99);
     if cycles.is_empty() {
@@ -401,7 +403,7 @@ mod tests {
             let mut random = Random::new(seed);
             let per_cycle = 150.0;
             let time: Vec<f64> = (0..1800).map(|i| f64::from(i) / per_cycle / frequency).collect();
-            // Phase in cycles: 12 in all. The frequency varies by `wander`.
+            // Phase in cycles. The test has 12 cycles. The frequency varies by `wander`.
             let phase: Vec<f64> = time.iter().map(|t| {
                 let cycles = t * frequency;
                 cycles + wander * (cycles / 2.0).sin() * 2.0

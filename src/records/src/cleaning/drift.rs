@@ -1,4 +1,4 @@
-//! Slow change of mean displacement and force over the cycles, which is reported but never removed.
+//! Reports slow changes of mean displacement and force over the cycles. No change is removed.
 
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;
@@ -79,7 +79,7 @@ mod tests {
         }
         report(&time, &x, &force, &cycles::find(&time, &x), &mut notes);
         assert_eq!(notes.len(), 2, "{notes:?}");
-        // Nine periods of 1 s lie between the first and the last cycle.
+        // The distance between the first and the last cycle is nine periods of 1 s.
         assert!(notes[0].text.to_string().contains("drifts by 4.5"), "{}", notes[0].text);
         assert!(
             notes[1].text.to_string().contains("drifts by -54.")

@@ -9,7 +9,7 @@ use crate::quantities::channel::Channel;
 use crate::tuning::duplicates::BLOCK;
 use dashpot_messages::Sentence;
 
-/// Largest number of positions that are checked for a repeated block. The time of each check is proportional to the
+/// Largest number of positions that are checked for a repeated block. Each check takes a time proportional to the
 /// number of rows.
 const LOOKS: usize = 200;
 
@@ -21,7 +21,7 @@ pub(crate) fn remove(samples: &mut Samples) {
 
 /// Returns a hash of one row's values, exact to the last bit.
 fn row_key(samples: &Samples, i: usize, channels: &[Channel]) -> u64 {
-    // FNV-1a over the bits. The values themselves decide about equality.
+    // FNV-1a over the bits. Equality is decided by the values, not by the hash.
     channels.iter().filter_map(|&c| samples.channel(c)).fold(0xcbf2_9ce4_8422_2325, |hash: u64, values| {
         let mixed = (hash ^ values[i].to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
         mixed ^ (mixed >> 29)
@@ -32,7 +32,7 @@ fn equal(samples: &Samples, i: usize, j: usize, channels: &[Channel]) -> bool {
     channels.iter().filter_map(|&c| samples.channel(c)).all(|values| values[i] == values[j])
 }
 
-/// Removes rows that repeat an earlier row with its time stamp.
+/// Removes rows that equal an earlier row in time, force and motion.
 fn same_time(samples: &mut Samples) {
     let channels = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
     let mut seen: HashMap<u64, usize> = HashMap::with_capacity(samples.len());
@@ -58,14 +58,14 @@ fn same_time(samples: &mut Samples) {
 /// Removes blocks that repeat the rows just before them under new time stamps (a buffer written twice).
 ///
 /// A noise-free periodic record repeats itself too, so one of two further conditions must hold. The first is that the
-/// block breaks the motion at its seam. The second is that the rest of the record, one block length apart, is similar
-/// but not equal to the last digit.
+/// motion jumps where the block begins. The second is that other rows one block length apart are similar but differ in
+/// the last digit.
 fn new_time(samples: &mut Samples) {
     let channels = [Channel::Force, Channel::Displacement, Channel::Velocity];
     let mut removed: Vec<(usize, usize, usize)> = Vec::new();
     while let Some((start, length)) = find_block(samples, &channels) {
         let line = samples.lines[start];
-        // Later rows were measured earlier than their time stamps state.
+        // The rows after the block were measured earlier than their time stamps state.
         let shift = samples.time[start] - samples.time[start - length];
         for time in &mut samples.time[start + length..] {
             *time -= shift;
@@ -102,8 +102,8 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
             continue;
         };
         let lag = i - before;
-        // No block begins inside a run of repeated rows, so only the first row is checked. The number of checks is
-        // limited.
+        // A block cannot begin inside a run of repeated rows, so only the first row of a run is checked. The number of
+        // checks is limited.
         let inside = i > lag && equal(samples, i - 1, i - 1 - lag, channels);
         if lag >= BLOCK && !inside && looked_at < LOOKS {
             looked_at += 1;
@@ -118,7 +118,7 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
     None
 }
 
-/// Returns whether the motion jumps back at the seam before row `i`.
+/// Returns whether the motion jumps back immediately before row `i`.
 fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
     [Channel::Displacement, Channel::Velocity].iter().filter_map(|&c| samples.channel(c)).any(|values| {
         let block = &values[i - lag..i];
@@ -128,8 +128,8 @@ fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
     })
 }
 
-/// Returns whether rows one lag apart outside the repeated run are similar and differ by noise. A smooth difference, as
-/// in the run-up of a noise-free record, does not count.
+/// Returns whether rows one lag apart, outside the repeated run, differ only by noise. A smooth difference, such as the
+/// run-up of a noise-free record, does not count.
 fn rest_is_noisy(samples: &Samples, i: usize, lag: usize, run: usize) -> bool {
     let force = &samples.force;
     let scale = 0.2 * range(force);
@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Writes the rows `range` twice. With `new_stamps` the time continues to increase.
+    /// Writes the rows `range` twice. With `new_stamps`, the time of the second copy continues to increase.
     fn doubled(sound: &Samples, range: std::ops::Range<usize>, new_stamps: bool) -> Samples {
         let order: Vec<usize> = (0..range.end).chain(range.start..sound.len()).collect();
         let mut samples = sound.clone();
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn doubled_blocks_are_removed() {
         let sound = SineTest::default().samples();
-        // Part of a cycle, and a whole cycle (which leaves no seam).
+        // Part of a cycle, and a whole cycle, after which the motion does not jump.
         for range in [500..560, 600..800] {
             for new_stamps in [false, true] {
                 let mut samples = doubled(&sound, range.clone(), new_stamps);
@@ -181,7 +181,7 @@ mod tests {
     fn sound_and_noise_free_records_are_left_alone() {
         for noise in [0.0, 4.0] {
             let mut samples = SineTest { noise, ..SineTest::default() }.samples();
-            // Round the values as a file does, so that noise-free cycles are equal to the last digit.
+            // Round the values to the digits of a file, so that noise-free cycles are equal to the last digit.
             for values in [Channel::Force, Channel::Displacement, Channel::Velocity] {
                 samples.channel_mut(values).unwrap().iter_mut().for_each(|v| *v = (*v * 1e6).round() / 1e6);
             }

@@ -11,8 +11,8 @@ use crate::tuning::frozen::RUN;
 
 /// Rejects a record with a frozen channel.
 ///
-/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell). A channel that is
-/// coarse elsewhere is therefore frozen only if it is constant for two whole strokes.
+/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell). Therefore, a channel
+/// with coarse resolution counts as frozen only if it is constant for two whole strokes.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     check(samples, Channel::Force, &motion(samples))?;
     if let Some(velocity) = &samples.velocity {
@@ -59,13 +59,13 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
         return Ok(());
     }
     let noise = difference_noise(other);
-    // The force may change a little at standstill, as friction relaxes.
+    // The force may change slightly at standstill because friction relaxes.
     let share = if channel == Channel::Displacement { 0.5 } else { 0.1 };
     let mut start = 0;
     for run in values.chunk_by(|a, b| a == b) {
         let end = start + run.len();
         if run.len() >= RUN {
-            // The other channel may still settle in the first samples after a stop.
+            // The other channel may still change in the first samples after a stop.
             let inner = &other[start + run.len() / 10..end];
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
@@ -140,7 +140,8 @@ mod tests {
 
     #[test]
     fn rest_and_coarse_plateaus_are_not_frozen() {
-        // Pure friction without noise, load cell of 1 N: the force is constant through most of every stroke.
+        // With pure friction, no noise and a load cell resolution of 1 N, the force is constant through most of every
+        // stroke.
         let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         let velocity = samples.velocity.clone().unwrap();
         samples.force = velocity.iter().map(|v| (60.0 * libm::tanh(v / 1e-5)).round() - 120.0).collect();

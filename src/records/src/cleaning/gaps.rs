@@ -11,7 +11,7 @@ use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
 use dashpot_messages::Sentence;
 use std::ops::Range;
 
-/// Splits a test at its gaps and puts a note about them first.
+/// Splits a test at its gaps and inserts a note about them before the other notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let gaps = find(&samples.time);
     if gaps.is_empty() {
@@ -65,7 +65,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 
 /// Removes pieces without a whole cycle if other pieces have cycles. Returns a note about the removed pieces.
 ///
-/// Such a stump would be a motion that ends at the gap. A longer piece is a motion of another kind and stays.
+/// Such a piece is a motion that the gap interrupts. A longer piece is a motion of another kind and stays.
 fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
     let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;
     let stroke = |span: &Range<usize>| {
@@ -100,7 +100,7 @@ fn find(time: &[f64]) -> Vec<usize> {
     let steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
     let typical = median(&mut steps.clone());
     (0..steps.len())
-        // The comparison with the whole record is fast and leaves few candidates.
+        // The comparison with the typical step of the whole record is fast and selects few candidates.
         .filter(|&k| steps[k] > LONGER * typical)
         .filter(|&k| {
             let side = |range: std::ops::Range<usize>| {
@@ -147,7 +147,7 @@ mod tests {
         let mut samples = SineTest::default().samples();
         samples.retain(|i| !(300..308).contains(&i));
         let n = samples.len();
-        // From here on only every fortieth sample remains.
+        // In the second half, only every fortieth sample remains.
         samples.retain(|i| i < n / 2 || i % 40 == 0);
         assert_eq!(split(samples).len(), 1);
     }
@@ -169,7 +169,7 @@ mod tests {
     fn a_stump_without_a_whole_cycle_is_left_out() {
         let sine = SineTest { frequency: 4.0, ..SineTest::default() };
         let mut samples = sine.samples();
-        // Data are missing from a third of the first cycle on.
+        // The gap begins at a third of the first cycle.
         let at = ((sine.steady_from() + 0.3) * 200.0) as usize;
         let (from, to) = (at.min(samples.len() / 4), samples.len());
         let step = samples.time[1] - samples.time[0];

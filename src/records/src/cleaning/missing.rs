@@ -1,4 +1,4 @@
-//! Handles empty and not-a-number cells: drops a few rows, and rejects a record with many.
+//! Handles empty and not-a-number cells: drops the rows if they are few, otherwise rejects the record.
 
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -9,7 +9,7 @@ use dashpot_messages::Sentence;
 
 /// Drops rows in which time, force or motion is missing.
 ///
-/// Bridges holes of side force and temperature, which are slow and often logged at a lower rate.
+/// Interpolates missing values of side force and temperature, which are slow and often logged at a lower rate.
 pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();
@@ -59,8 +59,8 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
 
 const NEEDED: [Channel; 4] = [Channel::Time, Channel::Force, Channel::Displacement, Channel::Velocity];
 
-/// Removes motion columns without a single value if the other motion channel exists, and empty side force and
-/// temperature columns.
+/// Removes empty columns of side force and temperature. Removes an empty motion column if the other motion channel
+/// exists.
 fn forget_empty_columns(samples: &mut Samples) {
     let empty = |values: &Option<Vec<f64>>| values.as_ref().is_some_and(|v| v.iter().all(|x| x.is_nan()));
     let both = samples.displacement.is_some() && samples.velocity.is_some();
@@ -85,7 +85,8 @@ fn forget_empty_columns(samples: &mut Samples) {
     }
 }
 
-/// Fills missing values by linear interpolation over time. The first and the last value extend to the ends.
+/// Fills missing values by linear interpolation over time. Before the first and after the last value, the interpolation
+/// is constant.
 fn bridge(time: &[f64], values: &mut [f64]) -> usize {
     let known: Vec<usize> = (0..values.len()).filter(|&i| !values[i].is_nan()).collect();
     let (Some(&first), Some(&last)) = (known.first(), known.last()) else {

@@ -1,5 +1,5 @@
-//! Cleaning of one test. Every step repairs safe cases, notes its repairs with figures, and rejects data that cannot be
-//! trusted.
+//! Cleaning of one test. Every step makes the repairs that are safe and notes them with figures. It rejects unreliable
+//! data.
 
 mod clipped;
 mod corrections;
@@ -44,8 +44,8 @@ pub(crate) use drift::time_mean;
 
 /// Sorts the rows and splits the record into tests.
 ///
-/// Drops missing and repeated rows and orders the time stamps. Splits at gaps in time, at standstills between tests,
-/// and at changes of amplitude, frequency or speed without a standstill.
+/// Drops repeated rows and rows with missing values, and orders the time stamps. Splits at gaps in time, at standstills
+/// between tests, and at changes of amplitude, frequency or speed without a standstill.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped_columns::refuse(&samples, options)?;
@@ -61,7 +61,7 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
         .collect())
 }
 
-/// Cleans a test without gaps and standstills between tests, up to the determination of the sign.
+/// Cleans a single test with all steps that precede the determination of the sign.
 #[cfg(test)]
 pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     let mut pieces = sort_out(samples, options)?;
@@ -69,7 +69,7 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, Reco
     mend(pieces.remove(0), options, &Reach::default())
 }
 
-/// Cleans a test up to the determination of the sign: repairs single samples, derives a missing motion channel and
+/// Cleans a test before the determination of the sign. Repairs single samples, derives a missing motion channel and
 /// applies the user's corrections. `reach` is the range of the motion over all tests of the campaign.
 pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<Motion, RecordError> {
     enough(&samples)?;
@@ -176,7 +176,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         }
         (Some(displacement), None) => Ok(differentiated(samples, displacement)),
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
-        // The table layout requires a motion channel, and cleaning drops at most one of two.
+        // The table layout requires a motion channel, and cleaning drops at most one of two motion channels.
         (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
     }
 }
@@ -203,13 +203,14 @@ fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMoti
 }
 
 /// Derives the displacement from the velocity. Subtracts the velocity offset, which would integrate to a drift. The
-/// offset is the mean over whole cycles, because the damper returns in every cycle.
+/// offset is the mean over whole cycles, because the damper returns to its position in every cycle.
 fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> CompleteMotion {
     let time = &samples.time;
     let n = time.len();
     let mut cycles = Vec::new();
     let mut removed = 0.0;
-    // The first pass removes the offset of the whole record. The others remove the residual offset over whole cycles.
+    // The first iteration removes the offset of the whole record. The others remove the residual offset over whole
+    // cycles.
     for _ in 0..3 {
         let span = steady(&cycles, n);
         let offset = time_mean(time, &velocity, span.start, span.end.min(n - 1));
@@ -239,10 +240,10 @@ pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Ran
     cycles::find(time, displacement).iter().map(|c| c.start..c.end).collect()
 }
 
-/// Completes the cleaning of a rebound positive test: removes standstill and ramps, finds whole cycles and computes the
-/// figures of the test.
+/// Completes the cleaning of a rebound-positive test. Removes standstill and ramps, finds whole cycles and computes the
+/// characteristic values of the test.
 pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
-    // The cycles of a test with a changing setting differ, so the test stays whole, as a road does.
+    // If the setting changes during a test, its cycles differ. The test then stays whole, like a road test.
     motion.cycles = match motion.setting_signal {
         Some(_) => Vec::new(),
         None => cycles::find(&motion.time, &motion.displacement),
@@ -250,7 +251,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     let untrimmed = motion.time.len() >= FEWEST;
     let whole = motion.clone();
     trim::trim(&mut motion);
-    // A slow logger records few samples of a short test. The samples around its whole cycles then count too.
+    // A slow logger records few samples of a short test. The samples before and after the whole cycles then count too.
     if motion.time.len() < FEWEST && untrimmed {
         motion = whole;
     }
@@ -452,7 +453,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(drawn(200))]
-        /// For any file contents cleaning returns a valid record or an error, and never panics.
+        /// Cleaning returns a valid record or an error for any file contents, and never panics.
         #[test]
         fn any_table_gives_a_sound_record_or_an_error(
             rows in prop::collection::vec(

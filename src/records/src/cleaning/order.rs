@@ -9,17 +9,17 @@ use dashpot_messages::Sentence;
 
 /// Removes rows at the beginning that belong to an earlier run.
 ///
-/// A logger may write its buffer before the buffer is filled anew. The old rows then come first, and the clock of the
-/// later rows does not continue theirs.
+/// A logger may write out its buffer before new data replace the old. The old rows then come first, and the clock of
+/// the later rows does not continue that of the old rows.
 pub(crate) fn drop_stale(samples: &mut Samples) {
     let time = &samples.time;
     let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);
     let (Some(first), None) = (back.next(), back.next()) else { return };
-    // Rows that are slightly out of order belong among the later rows.
+    // If the clock does not return to before the first row, the rows are out of order, not stale.
     if time[first] >= time[0] || first as f64 > STALE * time.len() as f64 {
         return;
     }
-    // The clock of the later rows must not return to the old rows, as after a mere interruption.
+    // A small backward step of the clock means rows out of order, not rows of an earlier run.
     let step = sample_time(&time[first..]);
     if first <= REACH && time[0] - time[first] <= REACH as f64 * step {
         return;
@@ -39,7 +39,7 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
 /// Makes time strictly increasing: reorders single rows and spreads rows that share a time stamp.
 ///
 /// # Errors
-/// Time never advances, or whole blocks step back in time.
+/// The time never increases, or it steps back by whole blocks of rows.
 pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     if range(&samples.time) == 0.0 && samples.len() > 1 {
         return Err(RecordError::ConstantTime { at: samples.at.clone(), time: samples.time[0] });
@@ -69,7 +69,8 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// Spreads rows that share a time stamp up to the next stamp. They were logged faster than the stamps resolve.
+/// Spreads rows that share a time stamp up to the next stamp. The logging interval of such rows is shorter than the
+/// resolution of the stamps.
 fn spread(samples: &mut Samples) {
     let n = samples.len();
     let shared = (1..n).filter(|&i| samples.time[i] == samples.time[i - 1]).count();
@@ -113,7 +114,7 @@ mod tests {
                 note.text
             );
         }
-        // Two consecutive tests are not a test with stale rows. Neither are rows that are slightly out of order.
+        // Two consecutive tests, and rows slightly out of order, do not count as stale rows.
         let mut two = sound.clone();
         for i in 0..two.len() / 2 {
             two.time[i] += 100.0;

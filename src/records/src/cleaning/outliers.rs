@@ -1,4 +1,4 @@
-//! Spikes: one to three samples far from both neighbors, which no mechanical motion produces.
+//! Replaces spikes: one to three samples far from both neighbors. No mechanical motion produces them.
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
@@ -53,9 +53,9 @@ pub(crate) fn replace(samples: &mut Samples) {
 
 /// Returns start and length of every spike.
 ///
-/// A spike leaves the band between its neighbors and returns. A reversal of friction or the knee of a blow-off does not
-/// return: the force stays on the other side, or only its slope changes. A break-away peak leaves the band, but by less
-/// than its friction step.
+/// A spike leaves the band between its neighbors and returns. After a reversal of friction, the force does not return.
+/// At the knee of a blow-off, only the slope of the force changes. A break-away peak leaves the band by less than its
+/// friction step.
 fn find(values: &[f64]) -> Vec<(usize, usize)> {
     let n = values.len();
     let sigma = difference_noise(values);
@@ -93,7 +93,7 @@ fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usi
     let above = inside.iter().map(|v| v - band.1).fold(f64::INFINITY, f64::min);
     let below = inside.iter().map(|v| band.0 - v).fold(f64::INFINITY, f64::min);
     let off = above.max(below);
-    // Largest step nearby, without the steps of the spike.
+    // Largest step near the spike, excluding the steps of the spike itself.
     let nearby = steps[start.saturating_sub(8)..start - 1]
         .iter()
         .chain(steps.get(start + length..(start + length + 7).min(steps.len())).unwrap_or_default())
@@ -126,7 +126,7 @@ mod tests {
     }
 
     /// Friction that reverses within a sample, break-away peaks of one and a half times the friction, and a blow-off
-    /// knee. All sampling rates, with and without noise.
+    /// knee. The test covers several sampling rates, with and without noise.
     #[test]
     fn reversals_break_away_and_knees_stay() {
         for per_cycle in [20, 47, 200, 1000] {

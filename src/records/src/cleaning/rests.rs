@@ -1,8 +1,8 @@
-//! Splits a record of several consecutive tests without a column that separates them, as rigs with a test list write
-//! it.
+//! Splits a record of several consecutive tests without a column that separates them. Rigs that run a list of tests
+//! write such records.
 //!
-//! A standstill separates two tests if the motions before and after it differ. A pause between equal cycles separates
-//! nothing.
+//! A standstill separates two tests if the motions before and after it differ. A pause between equal cycles does not
+//! separate tests.
 
 use super::cycles::{self, turning_points};
 use crate::data::cycle::Cycle;
@@ -23,33 +23,33 @@ struct Moves {
     samples: Range<usize>,
     low: f64,
     high: f64,
-    /// Distance between turning points over the time it takes, m/s.
+    /// Distance between turning points divided by its duration, m/s.
     speed: f64,
     returns: bool,
-    /// Whether it consists of strokes in one direction with standstills between them.
+    /// Whether the motion consists of strokes in one direction with standstills between the strokes.
     in_strokes: bool,
 }
 
-/// Splits a record into its tests and puts a note about them first.
+/// Splits a record into its tests and inserts a note about them before the other notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
     };
-    // Channels that hold their last value at standstill show no noise there.
+    // A channel that repeats its last value at standstill shows no noise, so the threshold has two lower limits.
     let still = (STILL * difference_noise(x)).max(quantum(x)).max(STILL_OF_RANGE * range(x));
     let moving = between(&rests(&samples.time, x, still), x.len());
     if moving.len() < 2 {
         return vec![samples];
     }
     let (tests, found) = tests(&samples.time, x, moving, still);
-    // If no motion is periodic, as on a road with stops, no criterion separates the tests.
+    // If no motion is periodic, such as a road with stops, no criterion separates the tests.
     if tests.len() < 2 || found.iter().all(Vec::is_empty) {
         return vec![samples];
     }
     let of = tests.len();
     samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_RESTS).with("count", of) });
-    // A test without cycles keeps half of the standstill on either side, for the force at standstill. A test with
-    // cycles loses the standstill anyway.
+    // A test without cycles keeps half of the standstill on either side, for the force at standstill. A later step
+    // removes the standstill of a test with cycles.
     let middle = |k: usize| match k {
         0 => 0,
         k if k == of => samples.len(),
@@ -66,8 +66,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 
 /// Makes a record of one test from a range of samples.
 ///
-/// The test is number `place` of `of`. Its name contains the amplitude and frequency of its cycles, or half the
-/// `stroke` if it has none.
+/// The test is number `place` of `of`. Its name contains the amplitude and frequency of its cycles, or half of `stroke`
+/// if the test has no cycles.
 pub(super) fn part(
     samples: &Samples,
     span: Range<usize>,
@@ -133,9 +133,10 @@ fn between(rests: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
     starts.zip(ends).filter(|(from, to)| to > from).map(|(from, to)| from..to).collect()
 }
 
-/// Measures the motion in a range of samples. Returns `None` if it hardly exceeds a standstill.
+/// Measures the motion in a range of samples. Returns `None` if the motion is hardly larger than that of a standstill.
 fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Moves> {
-    // Standstills are found in pieces. Still samples at the ends of a motion belong to them, except for a small margin.
+    // The search for standstills works piece by piece. Still samples at the ends of a motion belong to the standstills,
+    // except for a small margin.
     let stands = |at: f64| move |i: &usize| (x[*i] - at).abs() <= still;
     let from = span.clone().find(|i| !stands(x[span.start])(i))?;
     let to = span.clone().rev().find(|i| !stands(x[span.end - 1])(i))? + 1;
@@ -144,7 +145,7 @@ fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Move
     }
     let span = from.saturating_sub(MARGIN).max(span.start)..(to + MARGIN).min(span.end);
     let inside = &x[span.clone()];
-    // Spikes are not yet removed, but they are few among hundreds of samples.
+    // Spikes have not been removed yet, but they are few among hundreds of samples.
     let spikes = (5.0 / inside.len() as f64).min(0.002);
     let ends = |q: f64| quantile(&mut inside.to_vec(), q);
     let (low, high) = (ends(spikes), ends(1.0 - spikes));
@@ -164,11 +165,11 @@ impl Moves {
     fn is_like(&self, other: &Moves, still: f64) -> bool {
         let near = SAME_ENDS * (self.high - self.low).max(other.high - other.low) + still;
         let same_ends = (self.low - other.low).abs() <= near && (self.high - other.high).abs() <= near;
-        // Strokes may be fast in one direction and slow in the other.
+        // Strokes of one test may be fast in one direction and slow in the other.
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
-    /// Returns whether a standstill is no longer than the apparent standstill of this motion at its turning points.
+    /// Returns whether a standstill is as short as the apparent standstill of this motion at its turning points.
     ///
     /// A sine of amplitude a and frequency f stays within d of its end for sqrt(2 d / a) / (pi f).
     fn only_turns(&self, rest: f64, still: f64) -> bool {
@@ -181,7 +182,7 @@ impl Moves {
         (self.speed - other.speed).abs() <= SAME_SPEED * self.speed.max(other.speed)
     }
 
-    /// Returns whether a stroke leads into this motion or out of it.
+    /// Returns whether a stroke moves the damper to the start of this motion or away from its end.
     fn takes(&self, stroke: &Moves, still: f64) -> bool {
         let near = SAME_ENDS * (self.high - self.low) + still;
         stroke.low >= self.low - near && stroke.high <= self.high + near && self.is_as_fast_as(stroke)
@@ -191,8 +192,8 @@ impl Moves {
 /// Returns the tests among the motions, and the whole cycles of each.
 fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec<Moves>, Vec<Vec<Cycle>>) {
     let whole = |a: &Moves, b: &Moves| moves(time, x, a.samples.start..b.samples.end, still);
-    // Join a motion that repeats the previous one. Strokes in one direction with a hold at each end are thus one test.
-    // So is a slow motion with apparent standstills at its turning points.
+    // Join a motion that repeats the previous one. Strokes in one direction with a hold at each end thus become one
+    // test. A slow motion with apparent standstills at its turning points also becomes one test.
     let mut runs: Vec<Moves> = Vec::new();
     for next in moving.into_iter().filter_map(|span| moves(time, x, span, still)) {
         let goes_on = |last: &&Moves| {
@@ -202,7 +203,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
         };
         let joined = runs.last().filter(goes_on);
         match joined.and_then(|last| whole(last, &next)) {
-            // The duration of the standstill between them does not count for the speed.
+            // The speed excludes the duration of the standstill between the two motions.
             Some(both) => {
                 let last = runs.pop().unwrap_or_else(|| next.clone());
                 let speed = 0.5 * (last.speed + next.speed);
@@ -211,7 +212,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
             None => runs.push(next),
         }
     }
-    // A stroke in one direction leads into a test or out of one.
+    // A stroke in one direction moves the damper to the start of a test or away from its end.
     let mut groups: Vec<Moves> = Vec::new();
     let mut way_in: Option<Moves> = None;
     for run in runs {
@@ -307,7 +308,7 @@ mod tests {
             .rest(3.0)
             .sine(2.0, 8.0, 20.0)
             .rest(1.5)
-            // The next motion has another position with a move to it, and is slow enough for apparent standstills at
+            // The next motion begins after a move to another position. It is slow enough for apparent standstills at
             // its turning points.
             .to(20.0, 5.0)
             .rest(2.0)
@@ -330,7 +331,7 @@ mod tests {
         let mut random = Random::new(9);
         let mut held = 0.0;
         let x = course.rest(2.0).x;
-        // Noise of some micrometers. At standstill the channel updates only every quarter of a second.
+        // Noise of some micrometers. At standstill, the value of the channel changes only every quarter of a second.
         let mut out = Vec::new();
         for (i, x) in x.iter().enumerate() {
             if *x != 0.0 || i % 125 == 0 {
@@ -356,7 +357,7 @@ mod tests {
         for course in [dwell, strokes, stairs, Course::new().rest(5.0).sine(10.0, 1.0, 5.0).rest(5.0)] {
             assert_eq!(course.names(), ["long"]);
         }
-        // A slow sine has no standstill at any turning point, wherever it ends.
+        // The turning points of a slow sine are not standstills, even if the sine ends at one of them.
         for (frequency, cycles) in [(0.01, 2.0), (0.0146, 3.0), (0.0096, 2.3), (0.004, 1.6), (0.02, 4.75)] {
             for amplitude in [10.0, 60.0] {
                 let course = Course::new().rest(2.0).sine(amplitude, frequency, cycles).rest(2.0);

@@ -31,7 +31,7 @@ impl SettingColumn {
             own => own,
         };
         let (name, unit, factor) = setting_in_unit(written).unwrap_or((named, written, 1.0));
-        // If the user states the unit, the values are in that unit.
+        // If the user states a unit, the values of the column are in that unit.
         let is_other = rules.name.is_some() && !rules.unit.is_empty() && rules.unit != unit;
         SettingColumn {
             name: rules.name.clone().unwrap_or_else(|| name.to_owned()),
@@ -41,8 +41,8 @@ impl SettingColumn {
     }
 }
 
-/// Moves the channel of the setting out of the samples, with its name and unit. The column that the user named precedes
-/// that of the current.
+/// Moves the channel of the setting out of the samples, with its name and unit. A column that the user named has
+/// precedence over a current column.
 pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Option<(Vec<f64>, String, String)> {
     match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {
@@ -64,7 +64,7 @@ pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setti
         samples.note("empty_setting", Sentence::from(phrases::SETTING_EMPTY).with("setting", &name));
     }
     let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
-    // A column in A under a heading in mA has such values.
+    // The heading states mA, but the values are typical of a column in A.
     if is_current && in_milliamperes && largest > 0.0 && as_set(largest, "A") == 0.0 {
         let current = format!("{:.1}", 1e3 * largest);
         samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(of("p [bar]", &named), owned("pilot", "bar", 1.0));
     }
 
-    /// A note reports a current that is too small for a valve, and an empty column.
+    /// A note reports a current that is too small for a valve. A note also reports an empty column.
     #[test]
     fn currents_that_no_valve_answers_to_and_empty_columns_are_noted() {
         let noted = |heading: &str, current: f64| {
@@ -121,10 +121,10 @@ mod tests {
             let notes: Vec<String> = samples.notes.iter().map(|note| note.text.to_string()).collect();
             (setting.map(|setting| setting.value), notes.concat())
         };
-        // The value 1.6 under a heading in mA.
+        // The column contains the value 1.6, and its heading states mA.
         let (value, said) = noted("I_mA", 1.6e-3);
         assert!(value == Some(0.0) && said.contains("at most 1.6 mA") && said.contains("--unit current=A"), "{said}");
-        // No note for a sensor offset (1.6 mA), nor for a valve that is on (0.4 A) or off (0 A).
+        // A sensor offset (1.6 mA) and a valve that is on (0.4 A) or off (0 A) give no note.
         for (heading, current) in [("current [A]", 1.6e-3), ("current [mA]", 0.4), ("current [mA]", 0.0)] {
             assert_eq!(noted(heading, current).1, "", "{heading} {current}");
         }

@@ -1,7 +1,7 @@
-//! Splits a record of several tests without a standstill between them, as a drive writes it that steps through
-//! amplitudes or frequencies.
+//! Splits a record of several tests without a standstill between them. A drive that steps through amplitudes or
+//! frequencies writes such records.
 //!
-//! Tests are separated by jumps of stroke or period that persist. A sweep, whose cycles change gradually, is one test.
+//! A lasting jump of stroke or period separates two tests. A sweep, whose cycles change gradually, is one test.
 
 use super::cycles::{self, candidates};
 use super::rests::part;
@@ -21,7 +21,7 @@ fn setting(cycle: &Cycle) -> [f64; 2] {
     [libm::log(cycle.stroke()), libm::log(cycle.period())]
 }
 
-/// Splits a record into its tests and puts a note about them first.
+/// Splits a record into its tests and inserts a note about them before the other notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
@@ -38,7 +38,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let cycles_of = |span: &Range<usize>| cycles::find(&samples.time[span.clone()], &x[span.clone()]);
     let test = |(k, run): (usize, &Range<usize>)| {
         let whole = middle(k)..middle(k + 1);
-        // Standstill and run-down at the ends of the record may be longer than the test.
+        // At the ends of the record, standstill and run-down may be longer than the test.
         let own = all[run.start].start..all[run.end - 1].end;
         [whole, own].into_iter().map(|span| (cycles_of(&span), span)).find(|(cycles, _)| !cycles.is_empty())
     };
@@ -65,7 +65,7 @@ fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     let mut start = 0;
     while start < all.len() {
         let mut end = start + 1;
-        // Compare with the cycles just before, so that a slowly varying drive keeps one setting.
+        // Compare with the cycles just before, so that slow variations of the drive are not a new setting.
         while end < all.len() && near(&all[end], typical(&all[end.saturating_sub(BEFORE).max(start)..end])) {
             end += 1;
         }
@@ -82,10 +82,10 @@ fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     if runs.len() < 2 || (covered as f64) < COVERED * all.len() as f64 { Vec::new() } else { runs }
 }
 
-/// Returns whether the following cycles have another setting.
+/// Returns whether the cycles after a boundary have another setting than those before it.
 ///
-/// Compares the last cycle before with the first cycle after. In a sweep or with a slowly varying drive the two are
-/// similar.
+/// Compares the last cycle before with the first cycle after. In a sweep or a slow variation of the drive, these two
+/// cycles are similar.
 fn jumps(before: &[Cycle], after: &[Cycle], noise: f64) -> bool {
     let scatter = |cycles: &[Cycle], k: usize| {
         let mut steps: Vec<f64> =
@@ -144,11 +144,12 @@ mod tests {
     #[test]
     fn what_changes_little_by_little_or_all_the_time_is_one_test() {
         for seconds in [20.0, 60.0] {
-            // A sweep of frequency, a sweep of amplitude, and a drive whose frequency varies by a tenth.
+            // Each of these is one test: a frequency sweep, an amplitude sweep, and a drive whose frequency varies by a
+            // tenth.
             assert_eq!(driven(seconds, |t| (10.0, 0.5 * 16f64.powf(t / seconds))).len(), 1);
             assert_eq!(driven(seconds, |t| (2.0 + 20.0 * t / seconds, 3.0)).len(), 1);
             assert_eq!(driven(seconds, |t| (10.0, 2.0 * (1.0 + 0.1 * (TAU * t / 10.0).sin()))).len(), 1);
-            // A beat, as from two superposed sines.
+            // A beat, such as the sum of two sines.
             assert_eq!(driven(seconds, |t| (10.0 * (1.2 + (TAU * t / 4.0).sin()), 3.0)).len(), 1);
         }
         assert_eq!(driven(10.0, |_| (10.0, 2.0)).len(), 1);

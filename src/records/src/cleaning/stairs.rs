@@ -1,7 +1,7 @@
-//! Splits friction programs: strokes of constant speed in both directions, a few at each of several speeds, without a
-//! standstill. Each speed is a test.
+//! Splits friction programs: a few strokes of constant speed in both directions at each of several speeds, without a
+//! standstill. Each speed is one test.
 //!
-//! Each speed has too few whole cycles for a comparison of cycles, so the strokes are compared.
+//! Each speed has too few whole cycles for a comparison of cycles. Therefore, the strokes are compared.
 
 use super::cycles::{self, turning_points};
 use super::rests::part;
@@ -26,7 +26,7 @@ struct Stroke {
     is_straight: bool,
 }
 
-/// Splits a record into its speeds and puts a note about them first.
+/// Splits a record into its speeds and inserts a note about them before the other notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
@@ -62,15 +62,15 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     parts.map(|(k, (span, (cycles, stroke)))| part(&samples, span, (k, count), &cycles, stroke)).collect()
 }
 
-/// Returns the strokes between turning points. A turning point between two samples separates them.
+/// Returns the strokes between turning points. The turning point between two strokes may be between two samples.
 fn strokes(time: &[f64], x: &[f64]) -> Vec<Stroke> {
     let threshold = (STROKE * range(x)).max(10.0 * difference_noise(x));
     let turns = turning_points(x, threshold);
     let inner = turns.get(1..turns.len().saturating_sub(1)).unwrap_or_default();
     let mut bounds = vec![0];
     for (k, &turn) in inner.iter().enumerate() {
-        // Noise decides which of two samples at a turning point is the extreme. Assign each to the stroke whose line it
-        // fits.
+        // Noise may determine which of two samples at a turning point is the extreme. Assign each sample to the stroke
+        // with the closer fitted line.
         let (from, to) = (bounds[k], inner.get(k + 1).copied().unwrap_or(x.len()));
         let off = |cut: &usize| stroke(time, x, from..*cut).off + stroke(time, x, *cut..to).off;
         let cuts = [turn + 1, turn, turn + 2].into_iter().filter(|cut| *cut > from + 2 && *cut + 2 < to);
@@ -115,7 +115,7 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, moving};
 
-    /// Makes two cycles of a triangle at each speed, mm/s, over 35 mm or at least half a second.
+    /// Makes two cycles of a triangle at each speed, mm/s, over 35 mm or for at least half a second.
     fn program(rate: f64, speeds: &[f64]) -> Samples {
         let mut random = Random::new(4);
         let mut x = Vec::new();

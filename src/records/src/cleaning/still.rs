@@ -10,7 +10,7 @@ use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 /// Rejects a test without motion.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
-    // A channel that is constant while the other moves is another fault, with other advice.
+    // If one motion channel is constant while the other changes, a different check reports the fault.
     if motion.iter().flatten().any(|(_, values)| !rests(values)) {
         return Ok(());
     }
@@ -39,7 +39,7 @@ fn rests(values: &[f64]) -> bool {
     range(values) < RANGE * noise && spread < SPREAD * noise
 }
 
-/// Returns whether a channel has at most as many distinct values as a sensor at rest.
+/// Returns whether a channel has as few distinct values as a sensor at rest.
 fn flickers(values: &[f64]) -> bool {
     let mut seen: Vec<f64> = Vec::with_capacity(FLICKER);
     for value in values {
@@ -79,7 +79,7 @@ mod tests {
         {
             let message = with(still, false).unwrap_err();
             assert!(message.contains("test.csv: the damper does not move: displacement"), "{message}");
-            // A sensor that is constant while the other moves is another fault.
+            // This check accepts a sensor that is constant while the other moves, because a different check reports it.
             with(still, true).unwrap();
         }
         // A stroke as small as the noise of its sensor is still a stroke.

@@ -1,4 +1,4 @@
-//! Rejects exchanged headings: a time that does not advance, or a displacement that looks like a force.
+//! Rejects exchanged headings: a time that does not increase, or a displacement with the properties of a force.
 
 use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
@@ -11,7 +11,8 @@ use crate::quantities::channel::Channel;
 use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
 use dashpot_messages::Sentence;
 
-/// Rejects samples whose headings look exchanged. A unit that the user gave for a channel confirms its heading.
+/// Rejects samples with headings that are probably exchanged. A unit that the user gave for a channel confirms its
+/// heading.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
     let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
     let error = |a: Channel, b: Channel, evidence: Sentence| RecordError::Swapped {
@@ -52,7 +53,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format!("{:.1}", 1e3 * move_range))
         .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // The motion spans meters under a force of newtons, and the channel called force is the smoother of the two.
+    // The displacement has a range of meters, the force has a range of newtons, and the channel named force is
+    // smoother.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
@@ -60,8 +62,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
             Sentence::from(phrases::FORCE_SMOOTHER).with_sentence("spans", spans),
         ));
     }
-    // A damper dissipates, so the loop of force over displacement has one sense of rotation. Exchanged channels reverse
-    // it. So does a wrong sign, so only a smooth force with a rough displacement is evidence.
+    // A damper dissipates, so the sense of rotation of the force-displacement loop is known. Exchanged channels reverse
+    // it. A wrong sign reverses it too. Therefore, only a smooth force with a rough displacement counts as evidence.
     if let Some(v) = &samples.velocity {
         let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
         if by_f > 0.97 && by_x < 0.8 {
@@ -79,7 +81,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
     Ok(())
 }
 
-/// Deviation of a periodic test from a sine in displacement and in force: the harmonics relative to the fundamental.
+/// Deviation of a periodic test from a sine in displacement and in force: the ratios of harmonics to fundamental.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Overtones {
     pub displacement: f64,
@@ -132,7 +134,7 @@ fn forward(values: &[f64]) -> f64 {
     steps as f64 / (values.len() - 1).max(1) as f64
 }
 
-/// Computes the root mean square of the third differences relative to the range. Steps, knees and noise make it large.
+/// Computes the root mean square of the third differences relative to the range. Steps, knees and noise increase it.
 fn roughness(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> =
         values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
@@ -151,7 +153,7 @@ fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
 }
 
-/// Computes the correlation of a column's derivative with another column as its velocity.
+/// Computes the correlation between the derivative of a column and another column, its possible velocity.
 fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
     let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
     // Differences over several samples reduce the noise.
@@ -188,7 +190,7 @@ mod tests {
     fn swapped_headings_are_told_with_the_evidence() {
         assert_eq!(said(|_| ()), "");
         assert_eq!(said(|s| s.velocity = None), "");
-        // A reversed sign of force or motion is another fault.
+        // Another check reports a reversed sign of force or motion.
         assert_eq!(said(|s| s.force.iter_mut().for_each(|f| *f = -*f)), "");
         assert_eq!(
             said(|s| {
@@ -201,7 +203,7 @@ mod tests {
             for scale in [1.0, 1e-3] {
                 let message = said(|s| {
                     swap_with_force(s);
-                    // Columns under the wrong heading are read in the wrong unit.
+                    // A wrong heading also gives the column a wrong unit.
                     s.displacement.as_mut().unwrap().iter_mut().for_each(|x| *x *= scale);
                     s.force.iter_mut().for_each(|f| *f *= 1e3);
                     if without_velocity {

@@ -1,5 +1,5 @@
-//! Removes everything but whole cycles: standstill and run-up before, run-down and standstill after, a noisy last
-//! cycle.
+//! Removes everything but whole cycles: standstill and run-up before them, run-down and standstill after them, and a
+//! noisy last cycle.
 
 use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
@@ -24,7 +24,7 @@ pub(crate) fn trim(motion: &mut Motion) {
     let count = motion.cycles.len();
     let frequency = count as f64 / motion.cycles.iter().map(Cycle::period).sum::<f64>();
     if span.start > 0 || span.end < n {
-        // The last whole cycle is followed by the beginning of another one, a run-down or a standstill.
+        // The last whole cycle precedes the beginning of another cycle, a run-down or a standstill.
         let moved = super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
         let tail = if moved { "an incomplete cycle or run-down" } else { "rest" };
         motion.notes.push(Note {
@@ -59,8 +59,8 @@ pub(crate) fn trim(motion: &mut Motion) {
     }
 }
 
-/// Removes a disturbed last cycle, which many rigs cause by stopping. Four cycles or more allow a comparison with the
-/// others.
+/// Removes a last cycle that the stopping of the rig disturbs. The comparison with the other cycles requires four or
+/// more cycles.
 fn drop_noisy_last(motion: &mut Motion) {
     let count = motion.cycles.len();
     if count < 4 {

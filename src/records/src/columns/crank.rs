@@ -1,4 +1,4 @@
-//! Converts records over a crank angle instead of time, as dynos with a crank drive write them.
+//! Converts records that have a crank angle instead of time. Dynos with a crank drive write them.
 //!
 //! If the lines above the table state the speed of the crank, the angle gives the time.
 
@@ -32,7 +32,7 @@ const SPEEDS: [&str; 10] = [
     "转速",
     "frequency",
 ];
-/// Heading that replaces that of the angle.
+/// Heading that replaces the heading of the angle column.
 const TIME: &str = "Time [s]";
 
 /// The crank as a clock.
@@ -50,8 +50,8 @@ pub(crate) struct Crank {
     last: Option<f64>,
 }
 
-/// Finds a column of angles in a heading without a time, and the speed in the lines above. The heading of the column
-/// becomes that of a time.
+/// Finds a column of angles in a heading without a time, and the speed in the lines above. Replaces the heading of the
+/// column by a time heading.
 pub(crate) fn find<'a>(
     header: &mut [String],
     units: Option<&mut Vec<String>>,
@@ -86,7 +86,7 @@ pub(crate) fn find<'a>(
 }
 
 impl Crank {
-    /// Returns the time of an angle, s. A decrease by more than half a turn begins the next turn.
+    /// Returns the time at which the crank has an angle, s. A decrease by more than half a turn begins the next turn.
     pub fn time(&mut self, angle: f64) -> f64 {
         if self.last.is_some_and(|last| angle < last - 0.5 * self.turn) {
             self.turns += 1.0;
@@ -156,7 +156,7 @@ mod tests {
             times.iter().zip([0.0, 0.25, 359.0 / 360.0, 1.0, 1.5]).all(|(a, b)| (a - b).abs() < 1e-12),
             "{times:?}"
         );
-        // An angle without a speed gives no time. Neither does another quantity.
+        // Without a speed, an angle does not determine the time. A column of another quantity is not an angle.
         assert!(find(&mut vec!["Angle".to_owned()], None, std::iter::empty()).is_none());
         assert!(find(&mut vec!["Force [N]".to_owned()], None, ["RPM: 60"].into_iter()).is_none());
     }

@@ -4,19 +4,19 @@ use csv::ReaderBuilder;
 
 /// Supported delimiters, in the order in which they are tried.
 ///
-/// A comma may also be a decimal comma, so it follows the tab and the semicolon. The bar is last, because it is rare.
+/// A comma may also be a decimal comma, so the tab and the semicolon come first. The bar is last, because it is rare.
 pub(crate) const ALL: [u8; 4] = [b'\t', b';', b',', b'|'];
 
 /// Detects the delimiter of a short table from its heading: the most frequent one, or a comma if there is none.
 pub fn detect(heading: &str) -> u8 {
     let count = |d: u8| heading.bytes().filter(|b| *b == d).count();
-    // Of equally frequent delimiters the first is used.
+    // If several delimiters are equally frequent, the first of this list has precedence.
     [b',', b';', b'\t', b'|'].into_iter().rev().max_by_key(|d| count(*d)).unwrap_or(b',')
 }
 
 /// Splits one line at a delimiter, with support for quotes.
 pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
-    // For a line without quotes the setup of a reader would take longer than the split.
+    // For a line without quotes, the setup of a reader would take longer than the split.
     if !line.is_empty() && !line.contains(['"', '\r', '\n']) {
         return line.split(char::from(delimiter)).map(str::to_owned).collect();
     }
@@ -26,9 +26,9 @@ pub(crate) fn split(line: &str, delimiter: u8) -> Vec<String> {
 }
 
 /// Returns whether quoted cells of comma-separated text contain decimal commas: `"0,5","12,75"`. A comma before three
-/// digits is ambiguous, because it may separate thousands. A number that also has a point excludes decimal commas.
+/// digits is ambiguous, because it may separate thousands. A number with a point excludes decimal commas.
 pub(crate) fn quotes_decimal_commas(text: &str) -> bool {
-    /// Number of rows to inspect. A column of numbers shows its decimals sooner.
+    /// Number of rows to inspect. In a column of numbers, decimals occur within these rows.
     const ROWS: usize = 500;
     let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(text.as_bytes());
     let mut told = false;

@@ -5,7 +5,7 @@ use crate::quantities::setting_value::CLICKS;
 use crate::quantities::unit::{Dimension, Unit, plain};
 use std::str::FromStr;
 
-/// Returns the headings of a channel without unit and accents, in lower case, with blanks between the words.
+/// Returns the headings of a channel in lower case, without unit and accents, with blanks between the words.
 pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
     match channel {
         Channel::Time => &[
@@ -179,7 +179,7 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "电流",
             "電流",
         ],
-        // A pressure or a voltage may be any quantity, so only clicks identify a setting.
+        // A pressure or a voltage may have any meaning, so only clicks identify a setting.
         Channel::Setting => &CLICKS,
     }
 }
@@ -190,7 +190,7 @@ pub(crate) enum Heading {
     Channel(Channel, HeadingUnit),
     /// The column that distinguishes several tests in one file.
     Test,
-    /// Sample time of a record without a time vector (MAT scalars).
+    /// Sample time of a record without a time vector (a scalar of a MAT file).
     SampleTime(HeadingUnit),
     /// Samples per second of a record without a time vector.
     SampleRate,
@@ -209,7 +209,7 @@ pub(crate) enum HeadingUnit {
     Known(Unit),
 }
 
-/// Headings of a column with the name of the test, alone or before a word of [`OF_A_TEST`].
+/// Headings of a column with the name of the test, alone or followed by a word of [`OF_A_TEST`].
 const TESTS: [&str; 27] = [
     "test",
     "run",
@@ -258,7 +258,7 @@ const OF_A_TEST: [&str; 15] = [
     "名称",
 ];
 
-/// Words in a heading without information about the quantity.
+/// Words of a heading that give no information about the quantity.
 const FILLERS: [&str; 58] = [
     "channel",
     "ch",
@@ -302,7 +302,7 @@ const FILLERS: [&str; 58] = [
     "misurato",
     "medida",
     "medido",
-    // Names that rig controllers use for the measured value and for its axis.
+    // Words of rig controllers for a measured value and for its axis.
     "feedback",
     "fbk",
     "fb",
@@ -320,7 +320,7 @@ const FILLERS: [&str; 58] = [
     "filtered",
     "gefiltert",
 ];
-/// Words that name a sensor or an input. A heading that is recognized without removing such words takes precedence.
+/// Words that name a sensor or an input. A heading that is recognized without removal of such words has precedence.
 const SENSORS: [&str; 15] = [
     "lvdt",
     "sensor",
@@ -339,18 +339,18 @@ const SENSORS: [&str; 15] = [
     "messung",
 ];
 
-/// Clock headings that name the unit of the count.
+/// Headings of a clock that contain the unit of its count.
 const CLOCKS: [(&[&str], Unit); 3] = [
     (&["seconds", "secs", "sekunden", "secondes", "segundos", "secondi"], Unit::Second),
     (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
     (&["micros", "microseconds", "mikrosekunden", "microsecondes"], Unit::Microsecond),
 ];
 
-/// Words of headings that are recognized only if no other heading names the quantity. Simulink, for example, writes a
-/// `tout` in addition to `time`.
+/// Headings that count only if no other heading names the quantity. For example, Simulink writes `tout` in addition to
+/// `time`.
 const STOPGAPS: [&str; 6] = ["times", "tout", "dist", "distance", "forc", "lead"];
 
-/// Returns whether a heading gives precedence to one that names the quantity by a common name.
+/// Returns whether a heading has lower precedence than a heading with a common name of the quantity.
 pub(crate) fn is_stopgap(text: &str) -> bool {
     if text.len() > LONGEST {
         return false;
@@ -361,10 +361,11 @@ pub(crate) fn is_stopgap(text: &str) -> bool {
     words(text).iter().any(is_one)
 }
 
-/// Length limit of a heading, bytes. A longer text is no heading, and comparing its words would take minutes.
+/// Length limit of a heading, bytes. A longer text is not a heading, and the comparison of its words would take
+/// minutes.
 const LONGEST: usize = 400;
 
-/// Words of a heading for the setpoint of a quantity, or for a single figure, and not for its signal over time.
+/// Words that indicate a setpoint or a single value of a quantity instead of its signal over time.
 const NO_COURSE: [&str; 30] = [
     "command",
     "cmd",
@@ -428,7 +429,7 @@ pub(crate) fn heading(text: &str) -> Heading {
     }
 }
 
-/// Returns whether the heading is recognized without removing sensor names and numbers.
+/// Returns whether the heading is recognized without removal of sensor names and numbers.
 pub(crate) fn is_plain(text: &str) -> bool {
     text.len() <= LONGEST && strict(text) != Heading::Unknown
 }
@@ -440,7 +441,8 @@ fn strict(text: &str) -> Heading {
         return classify(&words(name), HeadingUnitText::Bracketed(unit));
     }
     let words = words(text);
-    // The longest matching unit has precedence: `Piston velocity in/s`, but `Messzeit in s`.
+    // The longest matching unit has precedence: `in/s`, not `s`, in `Piston velocity in/s`. In `Messzeit in s`, only
+    // `s` matches.
     let mut other = None;
     for (split, unit) in trailing_units(&words) {
         match classify(&words[..split], HeadingUnitText::Trailing(unit)) {
@@ -454,7 +456,7 @@ fn strict(text: &str) -> Heading {
     other.unwrap_or_else(|| classify(&words, HeadingUnitText::None))
 }
 
-/// Reads a heading with the name of a sensor, the number of an input, or a name from the acquisition.
+/// Reads a heading that also contains a sensor name, an input number, or a name from the acquisition system.
 ///
 /// Examples are `Ch 1 Displacement (mm)`, `Displacement LVDT [mm]` and `Position(Linear:Digital Position) (mm)`. A
 /// stated unit must match the channel.
@@ -483,16 +485,16 @@ fn loose(text: &str) -> Heading {
     }
 }
 
-/// Reads a long name with one wrong letter, such as `Lead Actuator Displacment`. Excludes times, because `Restzeit` is
-/// not a misspelled `Testzeit`.
+/// Reads a long name with one wrong letter, such as `Lead Actuator Displacment`. Excludes time headings, because
+/// `Restzeit` is not a misspelled `Testzeit`.
 fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
-    /// Number of letters above which a name with one wrong letter is unambiguous.
+    /// Smallest number of letters at which a name with one wrong letter is unambiguous.
     const LONG: usize = 9;
     let telling: Vec<&str> = told.iter().map(String::as_str).filter(|w| !FILLERS.contains(w)).collect();
     let [name] = telling[..] else { return Heading::Unknown };
     let length = name.chars().count();
-    // Compare letter by letter only names of similar length, because this function is called for every possible heading
-    // cell.
+    // This function is called for every possible heading cell. Therefore, compare only names of similar length letter
+    // by letter.
     let near = |h: &&&str| h.chars().count() >= LONG && h.chars().count().abs_diff(length) <= 1;
     let of = |channel: &Channel| headings(*channel).iter().filter(near).any(|h| distance(name, h) == 1);
     match ([Channel::Displacement, Channel::Velocity, Channel::Force].into_iter().find(of), unit) {
@@ -504,7 +506,8 @@ fn misspelt(told: &[String], unit: Option<Unit>) -> Heading {
     }
 }
 
-/// Removes the rate that some acquisitions append to the name of their time channel: `Zeit 1 - Standardmessrate`.
+/// Removes the rate that some acquisition systems append to the name of their time channel: `Zeit 1 -
+/// Standardmessrate`.
 fn without_rate(text: &str) -> String {
     const RATES: [&str; 6] = [
         "standardmessrate",
@@ -517,19 +520,19 @@ fn without_rate(text: &str) -> String {
     let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
     let lower = remark.to_lowercase();
     match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
-        // The unit follows the rate.
+        // In the heading, the unit follows the rate.
         Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
         None => text.to_owned(),
     }
 }
 
-/// Returns units written as trailing words (`velocity_m_s`, `force N`) and their positions, the longest first.
+/// Returns units written as trailing words (`velocity_m_s`, `force N`) and their positions. The longest unit is first.
 fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
     (1..=2.min(words.len().saturating_sub(1)))
         .rev()
         .map(|count| words.len() - count)
         .filter_map(|split| Some((split, words[split..].join("/").parse::<Unit>().ok()?)))
-        // In `Load cell A` the letter numbers the cell and is no unit.
+        // In `Load cell A`, the letter identifies the cell and is not a unit.
         .filter(|(split, unit)| {
             unit.dimension() != Dimension::Current
                 || headings(Channel::Current).contains(&words[..*split].join(" ").as_str())
@@ -542,7 +545,7 @@ fn trailing_unit(words: &[String]) -> (usize, Option<Unit>) {
     trailing_units(words).first().map_or((words.len(), None), |(split, unit)| (*split, Some(*unit)))
 }
 
-/// Returns the heading without its unit, in words, for comparison with names given by the user.
+/// Returns the words of a heading without its unit, for comparison with names given by the user.
 pub(crate) fn without_unit(text: &str) -> String {
     if text.len() > LONGEST {
         return text.to_owned();
@@ -557,7 +560,7 @@ pub(crate) fn without_unit(text: &str) -> String {
     }
 }
 
-/// Returns the heading nearest to a missing name, if at most a third of the letters differ.
+/// Returns the heading most similar to a missing name, if at most a third of the letters differ.
 pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = without_unit(wanted);
     let allowed = (wanted.chars().count() / 3).max(1);
@@ -572,16 +575,16 @@ pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a s
 
 /// Returns the heading that most resembles a misspelled heading of a channel.
 pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a str> {
-    /// Number of headings of a file to compare. Hostile files have millions.
+    /// Number of headings of a file to compare. A malicious file may have millions.
     const COMPARED: usize = 200;
     let known = headings(channel).iter().filter(|h| h.chars().count() >= 3);
     known.filter_map(|h| nearest(h, found.iter().copied().take(COMPARED))).next()
 }
 
-/// Returns the number of letter changes, insertions, deletions and exchanges of neighbors that convert one text into
-/// the other (Damerau 1964). Long texts count as infinitely distant.
+/// Returns the edit distance of two texts with exchange of neighboring letters (Damerau 1964). Long texts have an
+/// infinite distance.
 fn distance(a: &str, b: &str) -> usize {
-    /// Headings are shorter than this. The limit bounds the work on hostile files.
+    /// Length of a long text, above that of any heading. Limits the computing time for malicious files.
     const LONG: usize = 64;
     let is_long = |text: &str| text.chars().nth(LONG).is_some();
     if is_long(a) || is_long(b) { usize::MAX } else { strsim::osa_distance(a, b) }
@@ -624,21 +627,21 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
             Some(_) => Heading::Unknown,
         };
     }
-    // `fs` is the sampling frequency in most files. With a unit of force it is the side force.
+    // In most files, `fs` is the sampling frequency. If `fs` has a unit of force, it is the side force.
     match &unit {
         Some(Ok(u)) if name == "fs" && u.dimension() == Dimension::Force => {
             return Heading::Channel(Channel::SideForce, HeadingUnit::Known(*u));
         }
         _ => {}
     }
-    // `T [degC]`: the letter also names the time, but the unit indicates a temperature.
+    // The letter `T` may also mean time, but the unit in `T [degC]` indicates a temperature.
     match &unit {
         Some(Ok(u)) if name == "t" && u.dimension() == Dimension::Temperature => {
             return Heading::Channel(Channel::Temperature, HeadingUnit::Known(*u));
         }
         _ => {}
     }
-    // A clock heading that names the unit of the count, as small boards write it.
+    // Microcontroller boards write clock headings that contain the unit of the count.
     if unit.is_none()
         && let Some((_, unit)) = CLOCKS.iter().find(|(names, _)| names.contains(&name.as_str()))
     {
@@ -650,7 +653,7 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     match unit {
         None => Heading::Channel(channel, HeadingUnit::Missing),
         Some(Ok(u)) if u.dimension() == channel.dimension() => Heading::Channel(channel, HeadingUnit::Known(u)),
-        // A single letter with a unit of another quantity (`f [Hz]`, `v [V]`) is not a damper channel.
+        // A single letter with a unit of another quantity (`f [Hz]`, `v [V]`) does not name a damper channel.
         Some(_) if name.len() == 1 => Heading::Unknown,
         Some(Ok(u)) => Heading::Channel(channel, HeadingUnit::Unknown(u.name().to_string())),
         Some(Err(text)) => Heading::Channel(channel, HeadingUnit::Unknown(text)),
@@ -846,7 +849,7 @@ mod tests {
             ("u [mm]", None, Some(Channel::Displacement)),
             ("Force setpoint [N]", None, None),
             ("displacement command (mm)", None, None),
-            // The heading itself is recognized, so the unit decides nothing.
+            // The heading itself is recognized, so the unit has no influence.
             ("Lateral Force [N]", None, None),
             ("Force [N]", None, None),
             ("[N]", None, None),

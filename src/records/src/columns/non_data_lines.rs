@@ -1,7 +1,8 @@
 //! Handles lines of a table that are not rows.
 //!
 //! Such lines describe the channels below the heading, give results or remarks below the last row, or are messages of
-//! the acquisition between rows. Notes report these lines. Many of them, or lines with figures, are an error.
+//! the acquisition between rows. Notes report these lines. If they are many, or if they contain numbers, they are an
+//! error.
 
 use super::heading::{Heading, heading};
 use super::table::{Rows, is_units_row};
@@ -9,7 +10,8 @@ use crate::error::RecordError;
 use crate::messages::phrases;
 use dashpot_messages::{Sentence, Template};
 
-/// Largest number of lines without figures right below a heading: names of sensors, rates, remarks on a channel.
+/// Largest number of lines without numbers directly below a heading. Such lines contain sensor names, rates or remarks
+/// on a channel.
 pub(crate) const LABELS: usize = 5;
 
 /// The lines of one table that are not rows.
@@ -18,11 +20,11 @@ pub(crate) struct Beside {
     labels: Vec<(usize, String)>,
     foot: Option<Foot>,
     rows: usize,
-    /// Lines between rows without a figure.
+    /// Lines without a number between two rows.
     remarks: Lot,
     /// Rows with extra text after the columns of the heading. The text is ignored.
     texts: Lot,
-    /// Rows with extra figures after the columns of the heading. The rows are left out.
+    /// Rows with extra numbers after the columns of the heading. The table leaves these rows out.
     figures: Lot,
 }
 
@@ -30,17 +32,17 @@ pub(crate) struct Beside {
 #[derive(Default)]
 struct Lot {
     count: usize,
-    /// Line numbers of the first of them.
+    /// Line numbers of the first lines.
     lines: Vec<usize>,
     first: String,
     fault: Option<RecordError>,
 }
 
 impl Lot {
-    /// Number of lines that a note names.
+    /// Largest number of lines that a note names.
     const NAMED: usize = 5;
 
-    /// Adds lines. Keeps the text and the fault of the first one.
+    /// Adds lines. Stores the text and the fault of the first line.
     fn add_all(&mut self, lines: &[usize], text: &str, fault: RecordError) {
         if self.fault.is_none() {
             (self.first, self.fault) = (text.to_owned(), Some(fault));
@@ -50,10 +52,11 @@ impl Lot {
         self.count += lines.len();
     }
 
-    /// Returns a note about the lines, or their fault if `few` is set and they are more than single stray lines.
+    /// Returns a note about the lines. Returns their fault instead if `few` is set and they are too many for stray
+    /// lines.
     fn tell(self, rows: usize, few: bool, template: Template) -> Result<Option<Sentence>, RecordError> {
-        /// Number of stray lines that any test may have, and the number of rows per further stray line. More lines
-        /// indicate another table than the heading says.
+        /// Number of stray lines that any test may have, and number of rows per further stray line. More lines indicate
+        /// that the table does not match its heading.
         const FEW: (usize, usize) = (3, 50);
         let stray = self.count <= FEW.0.max(rows / FEW.1) && 2 * self.count < rows;
         match self.fault {
@@ -72,19 +75,19 @@ impl Lot {
     }
 }
 
-/// Text below the last row of figures, with the fault that applies if figures follow.
+/// Text below the last row, with the fault that applies if further rows follow.
 struct Foot {
     line: usize,
     text: String,
     fault: RecordError,
-    /// Line numbers if the text is a remark between rows, without figures, headings or units.
+    /// Line numbers if the text may be a remark between rows: it contains no numbers, headings or units.
     remarks: Option<Vec<usize>>,
 }
 
 impl Beside {
-    /// Handles a line that is no row. Accepts lines below a row, and lines without figures right below the heading.
-    /// Returns the fault of other lines. `figures` states whether a cell of a channel other than the time contains a
-    /// figure.
+    /// Handles a line that is not a row. Accepts lines below a row, and lines without numbers directly below the
+    /// heading. Returns the fault of other lines. `figures` states whether a cell of a channel other than the time
+    /// contains a number.
     pub fn take(
         &mut self,
         below_rows: bool,
@@ -113,7 +116,8 @@ impl Beside {
         Ok(())
     }
 
-    /// Handles a row of figures. Text between two rows is then no foot of the table, but a remark or a fault.
+    /// Handles a row of numbers. Any text since the previous row is then a remark or a fault, not the foot of the
+    /// table.
     pub fn row(&mut self) -> Result<(), RecordError> {
         self.rows += 1;
         let Some(Foot { text, fault, remarks, .. }) = self.foot.take() else { return Ok(()) };
@@ -122,8 +126,8 @@ impl Beside {
         Ok(())
     }
 
-    /// Handles a row with more fields than the heading. Returns whether the row is usable without them, which is so if
-    /// they are text.
+    /// Handles a row with more fields than the heading. Returns whether the row is usable without the extra fields,
+    /// because they are text.
     pub fn surplus(&mut self, line: usize, fields: &[String], figures: bool, fault: RecordError) -> bool {
         let kind = if figures { &mut self.figures } else { &mut self.texts };
         kind.add_all(&[line], &shortened(fields), fault);
@@ -133,7 +137,7 @@ impl Beside {
     /// Adds notes to the tests of a table about the lines that were not read.
     ///
     /// # Errors
-    /// The fault of lines that are too many to be stray lines.
+    /// The fault of the lines, if they are too many for stray lines.
     pub fn report(self, rows: &mut Rows) -> Result<(), RecordError> {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));

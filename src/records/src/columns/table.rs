@@ -18,10 +18,11 @@ use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
 use dashpot_messages::Sentence;
 
-/// Number of lines at the top of a file in the search for the header.
+/// Number of lines at the top of a file that the search for the header covers.
 pub(crate) const HEADER_WITHIN: usize = 60;
 
-/// Largest number of columns of a table. A rig records tens. Each heading is compared with every channel.
+/// Largest number of columns of a table. A rig records tens of columns. The limit bounds the comparisons of headings
+/// with channels.
 pub(crate) const MOST_COLUMNS: usize = 4096;
 
 /// Assignment of columns to channels.
@@ -49,8 +50,8 @@ pub(crate) struct Column {
 
 /// Returns whether a line of cells can be a header.
 ///
-/// Two cells must be known headings or named in the options. Alternatively a cell may have a unit that indicates a
-/// channel, if there is a time and no cell is a figure. Without a time the table contains results.
+/// Two cells must be known headings or named in the options. If there is a time and no cell is a number, a unit that
+/// indicates a channel also counts. A table without a time contains results.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
@@ -110,7 +111,7 @@ pub(crate) fn channel_of(text: &str, options: &Options) -> Option<Channel> {
     })
 }
 
-/// Returns the column number, from 1, that the user gives instead of a heading.
+/// Returns the column number if the user states a number instead of a heading. Columns count from 1.
 pub(crate) fn column_number(wanted: &str) -> Option<usize> {
     wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)
 }
@@ -133,13 +134,13 @@ fn maybe(near: Option<&str>) -> Option<Sentence> {
     near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
-/// Reads a number, also with a decimal comma if the delimiter allows one. Empty and not-a-number cells give NaN.
+/// Reads a number. `decimal_comma` also allows a decimal comma. Empty and not-a-number cells give NaN.
 pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
         return Some(if value.is_finite() { value } else { f64::NAN });
     }
-    // A typographic minus sign, and the exponents of Fortran.
+    // Handle a typographic minus sign, and the exponents that Fortran writes.
     if let Some(plain) = text.strip_prefix('\u{2212}') {
         return number(plain, decimal_comma).map(|value| -value);
     }
@@ -161,7 +162,7 @@ pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     None
 }
 
-/// Makes the error for a file without a known header. `cells` are those of its first line.
+/// Makes the error for a file without a known header. `cells` are the cells of its first line.
 pub(crate) fn no_header<S: AsRef<str>>(at: &Place, cells: &[S]) -> RecordError {
     let line: Vec<&str> = cells.iter().map(AsRef::as_ref).collect();
     no_header_near(at, &line.join(", "), &[(1, line)])
@@ -183,7 +184,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
         };
         cells.iter().take(MOST_COLUMNS).map(AsRef::as_ref).filter_map(of).collect()
     };
-    // The first of the lines with the most recognized columns.
+    // Of several lines with the most recognized columns, this is the first.
     let best = lines.iter().rev().map(|(line, cells)| (line, understood(cells))).max_by_key(|(_, known)| known.len());
     let first = lines.first();
     let figures =
@@ -218,7 +219,7 @@ const LISTED: usize = 40;
 impl Layout {
     /// Assigns the columns of a header to channels.
     ///
-    /// `sample_time_given` is true if the source has its own sample time and needs no time column.
+    /// `sample_time_given` is true if the source states its own sample time and requires no time column.
     pub fn new<S: AsRef<str>>(
         at: &Place,
         line: usize,
@@ -230,7 +231,7 @@ impl Layout {
         Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
     }
 
-    /// Builds the layout. `is_clock` returns whether a column contains times of day, which need no unit.
+    /// Builds the layout. `is_clock` returns whether a column contains times of day, which require no unit.
     pub fn with_clock<S: AsRef<str>>(
         at: &Place,
         line: usize,
@@ -263,7 +264,7 @@ impl Layout {
             let index = if let Some(wanted) = options.columns.get(&channel) {
                 match wanted_column(wanted, &header)[..] {
                     [index] => Some(index),
-                    // A test at a constant setting, stated by its name, has no such column.
+                    // If the name of a test states a constant setting, the table has no setting column.
                     [] if channel == Channel::Setting => None,
                     [] => {
                         return Err(RecordError::NoSuchColumn {
@@ -295,8 +296,8 @@ impl Layout {
                 let mut possible = candidates.clone();
                 possible.extend(&by_their_unit);
                 possible.sort_unstable();
-                // A heading that names the quantity precedes one that also names the sensor. Of a pair such as `Force
-                // (V)` and `Force (kN)` the one with a unit of the quantity is used.
+                // A heading that contains only the quantity has precedence over a heading that also contains the
+                // sensor. Of a pair such as `Force (V)` and `Force (kN)`, use the column with a unit of the quantity.
                 prefer(&mut candidates, |i| is_plain(header[i]) && !is_stopgap(header[i]));
                 prefer(&mut candidates, |i| is_plain(header[i]));
                 prefer(&mut candidates, |i| {
@@ -305,8 +306,8 @@ impl Layout {
                             u[i].as_ref().parse::<Unit>().is_ok_and(|u| u.dimension() == channel.dimension())
                         })
                 });
-                // If no heading names the channel, use the only column in a unit of the channel. For a displacement
-                // there must be no velocity either.
+                // If no heading names the channel, use the only column with a unit of the channel. For a displacement,
+                // this requires that no column is a velocity.
                 let wanted = match channel {
                     Channel::Displacement => {
                         !options.columns.contains_key(&Channel::Velocity)
@@ -320,7 +321,7 @@ impl Layout {
                         guessed.push((channel, header[index].to_string()));
                     }
                 }
-                // A current may be that of any device, so only a column with a unit of current is read.
+                // A current may belong to any device, so only a column with a unit of current counts.
                 let is_known = |i: &usize| {
                     let unit =
                         unit_of(at, line, channel, header[*i], &headings[*i], units.map(|u| u[*i..].iter()), options);
@@ -329,7 +330,7 @@ impl Layout {
                 if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
                     continue;
                 }
-                // Several columns of clicks belong to a table of peaks or to two adjusters.
+                // Several columns of clicks occur in a table of peaks or for two adjusters.
                 if channel == Channel::Setting && candidates.len() > 1 {
                     continue;
                 }
@@ -399,7 +400,7 @@ fn several_columns(at: &Place, line: usize, channel: Channel, header: &[&str], s
     RecordError::SeveralColumns { at: at.clone(), line, channel, headings }
 }
 
-/// Keeps only the better candidates, if there are several candidates and some are better.
+/// Retains only the candidates for which `better` is true, if there are several candidates and some are better.
 fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
     if candidates.len() > 1 && candidates.iter().any(|i| better(*i)) {
         candidates.retain(|i| better(*i));
@@ -437,7 +438,7 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
         Heading::Channel(_, HeadingUnit::Unknown(text)) => return Err(unknown(text)),
         _ => {}
     }
-    // A column selected by name may still contain its unit: `Load Cell 1 [kN]`.
+    // The heading of a column that the user selected may contain its unit: `Load Cell 1 [kN]`.
     let written = column.rsplit_once(['[', '(']).map(|(_, unit)| unit);
     let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
     let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
@@ -464,15 +465,15 @@ pub(crate) struct Rows {
     budget: Budget,
     /// Date and time of the table's time zero, as [`Samples::begins`]. A column of dates has precedence.
     pub begins: Option<f64>,
-    /// Evidence for the order of day and month in its dates.
+    /// Evidence for the order of day and month in the table's dates.
     pub dates: Dates,
-    /// Statements of the file about the tests in addition to their figures.
+    /// Metadata of the tests that the file states.
     pub about: TestMetadata,
 }
 
 impl Rows {
     pub fn new(at: Place, name: String, layout: Layout, budget: &Budget) -> Self {
-        // The first row reports an exhausted budget, because a budget stays exhausted.
+        // If the budget is exhausted here, it stays exhausted, and the first row reports the error.
         let names = layout.columns.iter().map(|c| &c.heading).chain(&layout.ignored);
         let _ = budget.hold(512 + names.map(|name| name.len() as u64 + 64).sum::<u64>());
         let values = vec![Vec::new(); layout.columns.len()];

@@ -8,7 +8,7 @@ use super::test_metadata::TestMetadata;
 use crate::error::Place;
 use crate::quantities::setting_value::Setting;
 
-/// A test with valid samples and complete motion, still with the file's signs and untrimmed.
+/// A test with valid samples and complete motion, with the signs of the file and without trimming.
 #[derive(Debug, Clone)]
 pub(crate) struct Motion {
     pub at: Place,
@@ -28,7 +28,8 @@ pub(crate) struct Motion {
     /// See [`Record::setting_signal`](super::record::Record::setting_signal).
     pub setting_signal: Option<SettingSignal>,
     pub cycles: Vec<Cycle>,
-    /// Error stated by the user. The force channel still contains the inertia of the mass between load cell and damper.
+    /// Error stated by the user. The force channel still contains the inertia force of the mass between load cell and
+    /// damper.
     pub stated_error: MeasurementError,
     pub notes: Vec<Note>,
 }

@@ -7,7 +7,7 @@ pub(crate) struct Cycle {
     pub start: usize,
     /// One past the last sample.
     pub end: usize,
-    /// Time of the crossing at the start, between samples, s.
+    /// Time of the crossing at the start, s, interpolated between samples.
     pub start_time: f64,
     /// Time of the crossing at the end, s.
     pub end_time: f64,

@@ -8,9 +8,9 @@ pub struct MeasurementError {
     /// Mass between load cell and damper, kg. The load cell measures the inertia force of this mass, which moves with
     /// the damper's end.
     pub mass_kg: f64,
-    /// Growth of the force's gain with the campaign's clock, 1/s.
+    /// Drift of the force gain over the campaign clock, 1/s.
     pub gain_per_s: f64,
-    /// Growth of the force's zero with the campaign's clock, N/s.
+    /// Drift of the force zero over the campaign clock, N/s.
     pub zero_n_per_s: f64,
 }
 
@@ -19,7 +19,7 @@ impl MeasurementError {
     pub const NONE: MeasurementError =
         MeasurementError { delay_s: 0.0, mass_kg: 0.0, gain_per_s: 0.0, zero_n_per_s: 0.0 };
 
-    /// Returns the remaining error after an earlier correction by `before`.
+    /// Returns the error that remains after an earlier correction of the error `before`.
     pub fn beyond(&self, before: &MeasurementError) -> MeasurementError {
         MeasurementError {
             delay_s: self.delay_s - before.delay_s,

@@ -1,4 +1,4 @@
-//! One cleaned rig test: the channels in SI, rebound positive, and the facts known about them.
+//! One cleaned rig test: the channels in SI, rebound positive, and the known facts about the test.
 
 use super::measurement_error::MeasurementError;
 use super::rig_frame::RigFrame;
@@ -33,12 +33,11 @@ pub struct Record {
     /// Setting of the damper, if a channel or the name of the test states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
-    /// Signal of a setting that changes within the test, if a channel shows a change. [`Record::setting`] is then
-    /// `None`.
+    /// Signal of a setting that changes within the test, if a channel records it. [`Record::setting`] is then `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting_signal: Option<SettingSignal>,
-    /// The campaign's clock at the record's time zero, s. It is 0 if each record has its own clock or all records share
-    /// one.
+    /// The campaign's clock at the record's time zero, s. The value is 0 if each record has its own clock, or if all
+    /// records already have the same clock.
     #[serde(default)]
     pub clock_s: f64,
     /// Damper displacement, m.
@@ -74,16 +73,16 @@ pub struct Record {
     pub noise: Noise,
     /// Actions and findings of cleaning and derivation, in chronological order.
     pub notes: Vec<Note>,
-    /// Fingerprint of the record as read, if a correction was applied since.
+    /// Fingerprint of the record before corrections, if a correction was applied after reading.
     #[serde(skip)]
     pub original_fingerprint: Option<String>,
-    /// Measurement error stated by the user, for which the record is corrected: a delay and a mass.
+    /// Measurement error that the user states, a delay and a mass. The record is corrected for it.
     #[serde(skip)]
     pub stated_error: MeasurementError,
     /// Delay of the force channel estimated from the campaign, s; 0 if not significant.
     #[serde(skip)]
     pub apparent_delay_s: f64,
-    /// Positive direction with which its file was read. `None` for a record that was not read from a file.
+    /// Positive direction that was used for reading the file. `None` for a record that was not read from a file.
     #[serde(skip)]
     pub counted: Option<Counted>,
     /// Sign convention, zero, unit and range of its rig.
@@ -91,7 +90,7 @@ pub struct Record {
     pub frame: RigFrame,
 }
 
-/// Positive direction with which a file was read.
+/// Positive direction that was used for reading a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counted {
     /// The direction.
@@ -106,7 +105,7 @@ impl Record {
         Some((self.time.first()? + self.clock_s, self.time.last()? + self.clock_s))
     }
 
-    /// Returns a hash of the content. Equal hashes mean the same measurement, whatever the name of the file.
+    /// Returns a hash of the content. Equal hashes mean the same measurement, even if the file names differ.
     pub fn fingerprint(&self) -> String {
         if let Some(as_read) = &self.original_fingerprint {
             return as_read.clone();
@@ -137,14 +136,14 @@ pub struct Noise {
 pub enum NoiseSource {
     /// Differences between repeated cycles at equal phase.
     CycleRepeat,
-    /// High-pass differences of neighboring samples, if there are too few cycles.
+    /// High-pass differences of neighboring samples, used if there are too few cycles.
     SampleDifferences,
-    /// The record is too short for either.
+    /// The record is too short for both methods.
     #[default]
     Unknown,
 }
 
-/// A kind of finding. A separate name is necessary because serde would otherwise borrow the text from its input.
+/// A kind of finding. The alias prevents serde from borrowing the text from its input.
 pub type Kind = &'static str;
 
 /// An action or finding of cleaning or derivation on a record.
@@ -159,12 +158,12 @@ pub struct Note {
 }
 
 impl Note {
-    /// Returns whether the note is a warning: without a reaction a result may be wrong.
+    /// Returns whether the note is a warning: a result may be wrong unless the user reacts.
     pub fn is_loud(&self) -> bool {
         ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off"].contains(&self.kind)
     }
 
-    /// Returns whether the note reports damage to a record or an assumption, and not a routine step.
+    /// Returns whether the note reports damage to a record or an assumption, instead of a routine step.
     pub fn is_of_damage(&self) -> bool {
         [
             "clipped",
@@ -183,7 +182,7 @@ impl Note {
     }
 }
 
-/// Reads a kind as a static text. Each of the few dozen kinds is stored once.
+/// Reads a kind as a static text. Each of the few dozen different kinds is stored only once.
 fn known_kind<'de, D: Deserializer<'de>>(from: D) -> Result<Kind, D::Error> {
     static KINDS: Mutex<BTreeSet<Kind>> = Mutex::new(BTreeSet::new());
     let kind = String::deserialize(from)?;

@@ -1,4 +1,4 @@
-//! Coordinate frame of a rig's position, and the range of its tests.
+//! Coordinate frame of a rig's displacement, and the range of its tests.
 //!
 //! Proposed tests use the sign convention, the zero and the unit of the files, and stay within the range of the
 //! recorded tests.
@@ -7,12 +7,12 @@ use crate::numbers::restrict;
 use crate::quantities::unit::Unit;
 use crate::tuning::rig_frame::BEYOND;
 
-/// Transformation between the displacement of the files and the internal one, and the range of the tests.
+/// Transformation between displacements in the files and internal displacements, with the range of the tests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigFrame {
-    /// 1 if displacement in the files is positive in rebound, −1 if it is positive in compression.
+    /// Sign of displacement in the files: 1 if rebound is positive, −1 if compression is positive.
     pub turn: f64,
-    /// Reading of the files at zero displacement, m.
+    /// Displacement in the files at internal displacement zero, m.
     pub zero_m: f64,
     /// Factor on the displacement of the files.
     pub gain: f64,
@@ -62,12 +62,12 @@ impl RigFrame {
 
     /// Limits a sine to the range of the recorded tests, in internal coordinates.
     ///
-    /// Shifts or reduces a sine that exceeds the range, and lowers the frequency of one that is too fast.
+    /// Shifts or reduces a sine that exceeds the range, and lowers the frequency of a sine that is too fast.
     pub fn restrict_sine(&self, sine: RigSine) -> RigSine {
         let (low, high) = self.reach_m;
         let amplitude = sine.amplitude_m.min((0.5 + BEYOND) * (high - low));
         let (lowest, highest) = (low + amplitude, high - amplitude);
-        // An amplitude of half the range or more allows only the middle as mean.
+        // If the amplitude is half the range or more, the mean must be the middle of the range.
         let mean = if lowest <= highest { restrict(sine.mean_m, lowest, highest) } else { 0.5 * (low + high) };
         let fastest = (1.0 + BEYOND) * self.speed_m_s / (std::f64::consts::TAU * amplitude);
         RigSine { amplitude_m: amplitude, frequency_hz: sine.frequency_hz.min(fastest), mean_m: mean }
@@ -94,9 +94,9 @@ mod tests {
             assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-4), "{a:?} {b:?}");
         };
         near(made(sine(0.01, 1.0, -0.005)), sine(0.01, 1.0, 0.105));
-        // The sine covers the whole range, about its middle.
+        // The limited sine covers the whole range, about its middle.
         near(made(sine(0.08, 0.1, 0.0)), sine(0.0416, 0.1, 0.09));
-        // The sine is slower, and shifted to the end of the range: 510 mm/s with 10 mm of amplitude.
+        // The limited sine is slower and shifted to the end of the range: 510 mm/s with 10 mm amplitude.
         near(made(sine(0.01, 50.0, 0.045)), sine(0.01, 8.1169, 0.06));
         let anywhere = sine(0.01, 50.0, 0.045);
         assert_eq!(RigFrame::default().restrict_sine(anywhere), anywhere);

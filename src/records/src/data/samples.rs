@@ -1,4 +1,4 @@
-//! The samples of one test as read from the file: in SI, but with the file's signs and faults.
+//! The samples of one test as read from the file: in SI, but with the signs and faults of the file.
 
 use std::ops::Range;
 
@@ -20,12 +20,12 @@ pub(crate) struct Samples {
     /// Line (row, element) of every sample in its file, from 1.
     pub lines: Vec<usize>,
     pub time: Vec<f64>,
-    /// Date and time of its time zero, s since 1970 by the rig's own clock, if the file states it. A value below one
-    /// day is a time of an unknown day.
+    /// Date and time of the test's time zero, s since 1970 by the rig's own clock, if the file states it. A value below
+    /// one day is a time of an unknown day.
     pub begins: Option<f64>,
-    /// Evidence for the order of day and month in that date.
+    /// Evidence for the order of day and month in the start date.
     pub dates: Dates,
-    /// Statements of the file about the test in addition to its figures.
+    /// Metadata of the test that the file states.
     pub about: TestMetadata,
     pub force: Vec<f64>,
     pub displacement: Option<Vec<f64>>,
@@ -34,7 +34,7 @@ pub(crate) struct Samples {
     pub temperature: Option<Vec<f64>>,
     /// Current of an adjustable damper's valve, A.
     pub current: Option<Vec<f64>>,
-    /// Another setting of the damper, in the unit of its column.
+    /// A setting of the damper other than the current, in the unit of its column.
     pub setting: Option<Vec<f64>>,
     /// Headings of the available channels, as the file writes them.
     pub headings: Vec<(Channel, String)>,
@@ -48,7 +48,7 @@ impl Samples {
         self.time.len()
     }
 
-    /// Adds the date and time of the first sample, if the time column does not state it.
+    /// Adds the date and time of the first sample, if the time column does not state them.
     pub fn beginning(mut self, first: Option<f64>, dates: Dates) -> Samples {
         if self.begins.is_none() {
             let zero = self.time.iter().find(|t| t.is_finite());
@@ -96,7 +96,7 @@ impl Samples {
         }
     }
 
-    /// Keeps the samples whose index is listed, in that order, in every channel.
+    /// Keeps the samples with the listed indices, in the order of the list, in every channel.
     pub fn select(&mut self, indices: &[usize]) {
         self.lines = indices.iter().map(|&i| self.lines[i]).collect();
         for channel in Channel::ALL {
@@ -106,7 +106,7 @@ impl Samples {
         }
     }
 
-    /// Returns the samples of a range as a record of its own, with all information about this one.
+    /// Returns the samples of a range as a separate test, with all metadata of this test.
     pub fn piece(&self, span: Range<usize>) -> Samples {
         let cut = |values: &[f64]| values[span.clone()].to_vec();
         Samples {

@@ -11,13 +11,13 @@ use dashpot_messages::Sentence;
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise.
 const NOISE: f64 = 4.0;
-/// Smallest difference of successive levels, in tolerances. Levels of a ramp differ by less.
+/// Smallest difference of successive levels, in tolerances. The apparent levels of a ramp differ by less.
 const APART: f64 = 3.0;
 /// Largest deviation of a noisy sample from its level, in tolerances.
 const OUTLIER: f64 = 2.0;
-/// Smallest number of samples of a level. A supply in transition shows fewer.
+/// Smallest number of samples of a level. A supply in transition gives fewer samples.
 const STAYS: usize = 5;
-/// Smallest fraction of the samples at levels. A slow supply needs the other samples for its transitions.
+/// Smallest fraction of the samples at levels. The other samples may be transitions of a slow supply.
 const COVERED: f64 = 0.9;
 
 /// Pattern of a setting that changes within a test.
@@ -37,9 +37,9 @@ pub struct SettingStep {
     pub index: usize,
     /// End of the next level, exclusive.
     pub end: usize,
-    /// Level before.
+    /// Level before the change.
     pub from: f64,
-    /// Level after.
+    /// Level after the change.
     pub to: f64,
 }
 
@@ -54,7 +54,7 @@ pub struct SettingSignal {
     pub pattern: SettingPattern,
     /// Lowest and highest value.
     pub range: [f64; 2],
-    /// Value at each sample of the record. Within a level the value is that of the level, without noise.
+    /// Value at each sample of the record. Within a level, this is the value of the level, without noise.
     #[serde(skip)]
     pub values: Vec<f64>,
 }
@@ -68,7 +68,7 @@ struct Level {
 }
 
 impl SettingSignal {
-    /// Makes the signal of a channel. Replaces missing values by the previous one.
+    /// Makes the signal of a channel. Replaces a missing value by the previous value.
     pub fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
         let mut values = channel.to_vec();
         let mut last = channel.iter().copied().find(|v| v.is_finite()).unwrap_or(0.0);
@@ -99,7 +99,8 @@ impl SettingSignal {
         levels(&self.values).map_or_else(Vec::new, |levels| levels.windows(2).map(of).collect())
     }
 
-    /// Returns the command in the step that ends at a sample. A change is equally likely in both halves of the step.
+    /// Returns the command during the time step that ends at a sample. A change may occur anywhere in the step, so the
+    /// result is the mean of both values.
     pub fn command(&self, sample: usize) -> f64 {
         let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
         0.5 * (at(sample.saturating_sub(1)) + at(sample))
@@ -117,20 +118,20 @@ impl SettingSignal {
         text.with("low", format!("{low:.2}")).with("high", high.trim_end())
     }
 
-    /// Returns the difference of the largest and the smallest value in a range of samples.
+    /// Returns the difference between the largest and the smallest value in a range of samples.
     pub fn swing(&self, range: std::ops::Range<usize>) -> f64 {
         let [low, high] = extremes(self.values.get(range).unwrap_or(&[]));
         (high - low).max(0.0)
     }
 
-    /// Returns the signal at other samples, each given by its index in this signal.
+    /// Returns the signal at other samples, each stated by its index in this signal.
     #[must_use]
     pub fn select(&self, indices: impl IntoIterator<Item = usize>) -> SettingSignal {
         let values = indices.into_iter().filter_map(|index| self.values.get(index).copied()).collect();
         SettingSignal { values, ..self.clone() }
     }
 
-    /// Returns the signal with other values for the samples of its record.
+    /// Returns the signal with its values replaced, one per sample of the record.
     #[must_use]
     pub fn with_values(&self, values: Vec<f64>) -> SettingSignal {
         SettingSignal { values, ..self.clone() }
@@ -144,7 +145,7 @@ fn extremes(values: &[f64]) -> [f64; 2] {
 }
 
 /// Largest width of the running median that reduces noise before the search for levels, samples. A median preserves the
-/// position of a step, but loses levels of up to half its width.
+/// position of a step, but removes levels that are not longer than half its width.
 const SMOOTHED: usize = 25;
 
 /// A signal without the white noise that masks its levels.
@@ -152,11 +153,11 @@ struct Smoothed {
     values: Vec<f64>,
     /// Largest difference of values within a level.
     tolerance: f64,
-    /// Width of the running median, samples; 1 if none was necessary.
+    /// Width of the running median, samples; 1 if no median was necessary.
     width: usize,
 }
 
-/// Applies the shortest sufficient running median.
+/// Smooths a signal with the shortest sufficient running median.
 fn without_noise(values: &[f64]) -> Smoothed {
     let smooth = |width: usize| -> Vec<f64> {
         let at = |k: usize| {
@@ -181,7 +182,8 @@ fn without_noise(values: &[f64]) -> Smoothed {
     }
 }
 
-/// Finds the steps between levels that noise masks: the position with the smallest residual about the two levels.
+/// Locates the steps between noisy levels. Each step is at the position with the smallest residual about its two
+/// levels.
 fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
     for k in 1..levels.len() {
         let [before, after] = [levels[k - 1], levels[k]];
@@ -203,7 +205,7 @@ fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
 /// Returns the levels of a signal that consists of levels.
 fn levels(values: &[f64]) -> Option<Vec<Level>> {
     let Smoothed { values: smoothed, tolerance, width } = without_noise(values);
-    // Next to a step the median of noisy samples is biased toward the other level, for up to half its width.
+    // Within half the median's width of a step, the median of noisy samples is biased toward the other level.
     let stays = STAYS.max(if width == 1 { 0 } else { width });
     let mut levels: Vec<Level> = Vec::new();
     let mut from = 0;
@@ -216,7 +218,7 @@ fn levels(values: &[f64]) -> Option<Vec<Level>> {
         if end - from >= stays {
             let value = median(&mut values[from..end].to_vec());
             match levels.last_mut() {
-                // A noisy sample beyond the tolerance does not end a level.
+                // A single noisy sample beyond the tolerance does not end a level.
                 Some(last)
                     if (last.value - value).abs() <= tolerance
                         && from - last.end < stays
@@ -270,7 +272,7 @@ mod tests {
         }
     }
 
-    /// Noise of a thirtieth of the steps, as from a current clamp, masks none of them.
+    /// The noise is a thirtieth of the steps, a typical value of a current clamp. The search still finds every step.
     #[test]
     fn noise_hides_no_step() {
         let mut seed = 1u32;
@@ -305,7 +307,7 @@ mod tests {
         let signal = SettingSignal::new("current", "A", &slow);
         assert_eq!(signal.pattern, SettingPattern::Steps);
         assert_eq!(signal.steps().len(), 1);
-        // In a transition the signal has the measured values.
+        // During a transition, the signal has the measured values.
         assert!((signal.values[502] - slow[502]).abs() < 1e-12);
     }
 

@@ -110,7 +110,7 @@ const RIG: &[&str] = &[
     "试验机",
 ];
 
-/// Longest entry, characters. Longer texts are no names.
+/// Longest entry, characters. A longer text is not a name.
 const LONGEST: usize = 80;
 
 impl TestMetadata {
@@ -131,7 +131,7 @@ impl TestMetadata {
 
     /// Reads the metadata from a row above the table of a workbook.
     ///
-    /// The value is in the next nonempty cell, or in the cell of the name.
+    /// The value is in the next nonempty cell, or in the same cell as the name.
     pub(crate) fn of_row(&mut self, cells: impl Iterator<Item = String>) {
         let cells: Vec<String> = cells.filter(|cell| !cell.trim().is_empty()).collect();
         match &cells[..] {
@@ -192,7 +192,7 @@ mod tests {
         let english = TestMetadata::of_lines("\"Part Number\",\"A-17\"\nS/N: 9\n".lines());
         assert_eq!((english.part, english.serial), (some("A-17"), some("9")));
         assert_eq!(TestMetadata::of_lines("零件号\t4711\n".lines()).part, some("4711"));
-        // Neither a description that merely begins with such a word nor an empty cell is an entry.
+        // A description that begins with such a word is not an entry. An empty cell is not an entry either.
         assert!(TestMetadata::of_lines("Part of the campaign: 3\nTeil;;\n".lines()).is_empty());
         let mut row = TestMetadata::default();
         row.of_row(["Teil:", "", "4711"].map(str::to_owned).into_iter());

@@ -4,13 +4,14 @@ use super::date_order::DateOrder;
 
 /// Seconds of a day.
 pub(crate) const DAY: f64 = 86_400.0;
-/// The first instant of 1980, s since 1970, at which clocks start that were never set.
+/// The first instant of 1980, s since 1970, at which clocks start if nobody sets them.
 pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 
-/// Finds the start of a test in the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one).
+/// Finds the start of a test in the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one
+/// line).
 ///
-/// Returns seconds since 1970 by the rig's own clock, or `None` without a date. A line with both has precedence over
-/// separate lines.
+/// Returns seconds since 1970 by the rig's own clock, or `None` without a date. A line with date and time has
+/// precedence over separate lines.
 pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
     let (mut date, mut time) = (None, None);
     let both = |(day, word): (f64, &'a str), time: f64| Began { at: day + time, date: Some(word) };
@@ -83,7 +84,8 @@ fn civil(days: f64) -> (f64, f64, f64) {
     (year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0)), month, day)
 }
 
-/// Exchanges day and month of a time since 1970. Returns `None` if there is no date or the result is no date.
+/// Exchanges day and month of a time since 1970. Returns `None` if there is no date or the exchange gives an invalid
+/// date.
 pub(crate) fn swapped(seconds: f64) -> Option<f64> {
     if !(seconds >= DAY && seconds.is_finite()) {
         return None;
@@ -96,9 +98,10 @@ pub(crate) fn swapped(seconds: f64) -> Option<f64> {
 /// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`,
 /// `2024-03-01T12:34:56Z`.
 ///
-/// Returns seconds since 1970 with a date, else since midnight. Returns `None` for any other text.
+/// With a date, the result is in seconds since 1970. Without a date, it is in seconds since midnight. Returns `None`
+/// for any other text.
 pub fn seconds(text: &str) -> Option<f64> {
-    /// Longest text of a time, bytes, with a date and the name of a day.
+    /// Longest text of a time, bytes, including a date and the name of a day.
     const LONGEST: usize = 100;
     if text.len() > LONGEST {
         return None;
@@ -113,7 +116,7 @@ pub fn seconds(text: &str) -> Option<f64> {
         Some((date, time)) => (Some(date.trim()), time),
         None => (None, text),
     };
-    // Minutes and seconds, as a spreadsheet shows the time of a run. The decimals distinguish them from hours and
+    // Spreadsheets write the time of a run as minutes and seconds. The decimals distinguish such a time from hours and
     // minutes.
     if let (None, None, Some((minutes, seconds))) = (date, half, time.split_once(':'))
         && seconds.contains(['.', ','])
@@ -129,7 +132,7 @@ pub fn seconds(text: &str) -> Option<f64> {
     let seconds = match parts.next() {
         Some(text) if text.starts_with(|c: char| c.is_ascii_digit()) => text.replace(',', ".").parse::<f64>().ok()?,
         Some(_) => return None,
-        // `12:34` alone may also be minutes and seconds. With a date it is a time of day.
+        // `12:34` alone may also be minutes and seconds. With a date, the text is a time of day.
         None if date.is_some() => 0.0,
         None => return None,
     };
@@ -155,9 +158,9 @@ fn whole(text: &str) -> Option<f64> {
 pub(crate) struct Date {
     /// Number of the day, days since 1970.
     pub number: f64,
-    /// Assumed order of day and month, if the text is ambiguous and the two differ.
+    /// Assumed order of day and month, if the text is ambiguous and the two orders give different dates.
     pub order: Option<DateOrder>,
-    /// Number of the day with day and month exchanged, if that is also a valid date.
+    /// Number of the day with day and month exchanged, if the exchange gives a valid date.
     pub other: Option<f64>,
 }
 
@@ -166,9 +169,9 @@ fn day(text: &str) -> Option<f64> {
     date(text).map(|date| date.number)
 }
 
-/// Reads a date from year, month and day. The separators determine the order. With slashes the month comes first if
-/// possible, as in America. With hyphens the day comes first. The module `campaign::date_agreement` decides which order
-/// is right.
+/// Reads a date from year, month and day. The separators determine the order. With slashes, the month comes first if
+/// possible, as in America. With hyphens, the day comes first. The module `campaign::date_agreement` then selects the
+/// order for the campaign.
 pub(crate) fn date(text: &str) -> Option<Date> {
     let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
     let parts: Vec<f64> = text.split(separator).map(whole).collect::<Option<_>>()?;
@@ -200,7 +203,8 @@ fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
     Some(days - 719_468.0)
 }
 
-/// Makes times of day relative to the first one and returns the first. A step back by more than half a day is midnight.
+/// Makes times of day relative to the first one and returns the first. A backward step of more than half a day means
+/// that midnight has passed.
 pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
     let &first = times.iter().find(|t| t.is_finite())?;
     let (mut before, mut midnights) = (first, 0.0);

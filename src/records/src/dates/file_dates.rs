@@ -11,7 +11,7 @@ pub(crate) struct Dates {
     pub(crate) open: Option<Open>,
     /// Order that another date of the file determines.
     pub(crate) decided: Option<DateOrder>,
-    /// Order that programs with the number format of this file use.
+    /// Order that is typical of programs with the number format of this file.
     pub likely: Option<DateOrder>,
 }
 
@@ -20,12 +20,12 @@ pub(crate) struct Dates {
 pub(crate) struct Open {
     pub text: String,
     pub read: DateOrder,
-    /// Difference of the other date from the date as read, s.
+    /// The date in the other order minus the date as read, s.
     pub shift: f64,
 }
 
 impl Dates {
-    /// Collects the evidence of the lines above a table. The test began on the date `began`.
+    /// Collects the evidence of the lines above a table. `began` is the start date of the test.
     pub fn of_lines<'a>(lines: impl Iterator<Item = &'a str>, began: Option<&str>) -> Dates {
         let mut dates = Dates::default();
         if let Some(began) = began {
@@ -37,7 +37,7 @@ impl Dates {
         dates
     }
 
-    /// Evaluates a start date of a test, with or without a time, or a later date of the column.
+    /// Evaluates one more date: a start date, with or without a time, or a later date of the column.
     pub fn see(&mut self, text: &str) {
         let text = text.trim();
         let date = text.split([' ', 'T']).next().unwrap_or_default();
@@ -63,7 +63,7 @@ impl Dates {
     /// Uses the other order for the times of a column, s, if the order is ambiguous and the other order puts them
     /// closer together.
     ///
-    /// No test takes a month. Dates that are valid in only one order stay unchanged.
+    /// A test is shorter than a month. Dates that are valid in only one order stay unchanged.
     pub fn resolve_column(&mut self, times: &mut [f64]) {
         let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
         let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();

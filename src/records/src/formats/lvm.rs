@@ -1,7 +1,6 @@
-//! Reads LabVIEW measurement files (`.lvm`): a heading of keys for the file and for every packet, then columns.
-//!
-//! The heading of a packet states the units. The time has one column, one column per channel, or only a step. A packet
-//! that continues the previous one belongs to the same test. A packet whose time restarts is another test.
+//! Reads LabVIEW measurement files (`.lvm`): a header of keys for the file and for every packet, then columns. The
+//! header of a packet states the units. The time is in one column, in one column per channel, or only stated as a step.
+//! A packet that continues the previous one belongs to the same test. A packet whose time restarts is another test.
 
 use crate::columns::delimiter::split;
 use crate::columns::table::{Layout, Rows, is_header, no_header, number};
@@ -30,14 +29,14 @@ struct Packet<'a> {
     /// Line of the column names, from 1.
     line: usize,
     names: Vec<String>,
-    /// Keys of its heading, each with one cell per column.
+    /// Keys of the packet's header, each with one cell per column.
     keys: Vec<Vec<String>>,
     /// Lines of figures with their numbers, from 1.
     rows: Vec<(usize, &'a str)>,
 }
 
 impl Packet<'_> {
-    /// Returns the entry of its heading for a key and a column.
+    /// Returns the entry of the packet's header for a key and a column.
     fn said(&self, key: &str, column: usize) -> &str {
         let found = self.keys.iter().find(|cells| cells[0].trim() == key);
         found.and_then(|cells| cells.get(column)).map_or("", |cell| cell.trim())
@@ -48,7 +47,7 @@ impl Packet<'_> {
         (1..self.names.len()).find_map(|k| number(self.said(key, k), true).filter(|v| v.is_finite()))
     }
 
-    /// Charges the work of looking up the keys for every name, and the names for every row.
+    /// Charges the budget for the lookup of keys for every name, and of names for every row.
     fn charge(&self, budget: &Budget) -> Result<(), Exhausted> {
         let visits = self.names.len().saturating_mul(4 * self.keys.len() + self.rows.len());
         budget.work(10 * visits as u64)
@@ -58,13 +57,13 @@ impl Packet<'_> {
         self.names[column].trim() == "X_Value"
     }
 
-    /// Returns the clock time of its start, s since 1970 or since midnight.
+    /// Returns the clock time at the start of the packet, s since 1970 or since midnight.
     fn clock(&self) -> Option<f64> {
         let column = (1..self.names.len()).find(|k| !self.said("Time", *k).is_empty())?;
         clock::seconds(&format!("{} {}", self.said("Date", column), self.said("Time", column)))
     }
 
-    /// Returns the evidence for the order of day and month in its date.
+    /// Returns the evidence for the order of day and month in the packet's date.
     fn dates(&self) -> Dates {
         let mut dates = Dates::default();
         (1..self.names.len()).for_each(|k| dates.see(self.said("Date", k)));
@@ -97,7 +96,7 @@ pub(crate) fn parse(
     let step = first.number("Delta_X").filter(|step| *step > 0.0);
     let mut layout = Layout::new(at, first.line, &header, Some(&units), options, step.is_some() && !has_x)?;
     if !has_x && layout.columns.iter().all(|c| c.channel != crate::Channel::Time) {
-        // The time that the packets state becomes the last column.
+        // The time from the packet headers becomes the last column.
         layout.columns.push(crate::columns::table::Column {
             channel: crate::Channel::Time,
             index: usize::MAX,
@@ -173,7 +172,7 @@ pub(crate) fn parse(
 /// Heading of the time column.
 const TIME: &str = "Time [s]";
 
-/// Returns the names of the columns as a heading. The first column of times is the time. Further ones are left out.
+/// Returns the names of the columns as a heading. The first time column is the time. Further time columns are left out.
 fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
     let given = options.columns.contains_key(&crate::Channel::Time);
     let filled = packet.rows.first().map(|(_, text)| split(text, b'\t')).unwrap_or_default();
@@ -216,7 +215,7 @@ fn same_clock(packet: &Packet<'_>, cells: &[String], has_x: bool, separator: u8)
 fn packets(text: &str, separator: u8) -> Vec<Packet<'_>> {
     let mut packets: Vec<Packet<'_>> = Vec::new();
     let mut keys: Vec<Vec<String>> = Vec::new();
-    // The heading of the file precedes those of the packets.
+    // The header of the file comes before the headers of the packets.
     let (mut of_file, mut in_heading, mut names_next, mut special) = (true, true, false, false);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim_end_matches('\r');
@@ -254,7 +253,7 @@ mod tests {
     const FILE: &str = "LabVIEW Measurement\t\nWriter_Version\t2\nReader_Version\t2\nSeparator\tTab\nDecimal_Separator\t.\n\
         Multi_Headings\tYes\nX_Columns\tOne\nTime_Pref\tRelative\nDate\t2024/03/01\nTime\t10:45:47.5\n***End_of_Header***\t\n\t\n";
 
-    /// Writes the heading of a packet that began `seconds` after 10:45:47.5.
+    /// Writes the header of a packet that began `seconds` after 10:45:47.5.
     fn heading(seconds: f64, columns: &[&str]) -> String {
         let all = |text: &str| columns.iter().map(|_| format!("\t{text}")).collect::<String>();
         let time = format!("10:45:{:09.6}", 47.5 + seconds);

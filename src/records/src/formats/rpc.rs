@@ -1,7 +1,7 @@
-//! Reads time histories of RPC III, a format of MTS test rigs.
+//! Reads RPC III time histories, a format of MTS test rigs.
 //!
-//! The header has keys and values in records of 128 bytes. Groups of samples follow, channel after channel (MTS, RPC
-//! III file format, version 1).
+//! The header has keys and values in records of 128 bytes. Groups of samples follow. Within a group, the samples are
+//! ordered by channel (MTS, RPC III file format, version 1).
 
 use std::collections::HashMap;
 
@@ -122,7 +122,7 @@ impl<'a> Header<'a> {
         }
         let groups = if group == 0 { 0 } else { samples.div_ceil(group) };
         let needed = groups.checked_mul(group).and_then(|n| n.checked_mul(channels));
-        // Check each count separately too, because another count of zero would make any product fit.
+        // Check each count separately too. If one count is zero, the product is zero and always fits.
         if channels == 0 || group == 0 || group > room || samples == 0 || needed.is_none_or(|n| n > room) {
             return Err(format!(
                 "its header announces {samples} samples of {channels} channels in groups of {group}, and the file holds {room} \
@@ -152,7 +152,7 @@ impl<'a> Header<'a> {
         let size = if self.short { 2 } else { 4 };
         let (group, within) = (sample / self.group, sample % self.group);
         let at = self.start + size * ((group * self.channels + channel) * self.group + within);
-        // The sizes were checked against the file.
+        // The constructor has checked the sizes against the file.
         let mut raw = [0; 4];
         raw[..size].copy_from_slice(&bytes[at..at + size]);
         match (self.short, self.big_endian) {
@@ -171,7 +171,8 @@ pub(crate) mod tests {
 
     use super::*;
 
-    /// Writes a time history as a rig does: a header with the necessary number of blocks, then groups of samples.
+    /// Writes a time history in the form that rigs write: a header with the necessary number of blocks, then groups of
+    /// samples.
     pub(crate) fn rpc(channels: &[(&str, &str, &[f64])], step: f64, short: bool, big_endian: bool) -> Vec<u8> {
         const FRAME: usize = 8;
         let group = 2 * FRAME;

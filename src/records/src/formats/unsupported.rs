@@ -37,7 +37,7 @@ const KINDS: &[Kind] = &[
     Kind { at: 0, begins: b"<?xml", is: phrases::XML, instead: phrases::EXPORT_AS_CSV },
 ];
 
-/// First numbers of binary files of catman: its versions 5.0 to 5.99 as a 16-bit number (HBM, catman file format).
+/// First numbers of catman binary files: versions 5.0 to 5.99 as a 16-bit number (HBM, catman file format).
 const CATMAN: std::ops::RangeInclusive<u16> = 5000..=5999;
 const OF_CATMAN: (Template, Template) = (phrases::CATMAN, phrases::EXPORT_FROM_CATMAN);
 
@@ -48,7 +48,7 @@ pub(crate) fn known(bytes: &[u8]) -> Option<(Template, Template)> {
         return Some((kind.is, kind.instead));
     }
     let first = u16::from_le_bytes([*head.first()?, *head.get(1)?]);
-    // Two letters of a text may give the same number. The length that follows would then be large.
+    // Two letters of a text may give the same number. The next number, a length, would then be too large.
     let second = u32::from_le_bytes(head.get(2..6)?.try_into().ok()?);
     (CATMAN.contains(&first) && second < 1 << 24 && head.contains(&0)).then_some(OF_CATMAN)
 }

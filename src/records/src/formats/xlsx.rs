@@ -20,10 +20,10 @@ use crate::source::{Budget, Exhausted, Source};
 const SHEET: u64 = 50_000;
 const CELL: u64 = 100;
 const PLACE: u64 = 20;
-/// Number of columns to read. Rigs have fewer channels.
+/// Largest number of columns that are read. Rigs have fewer channels.
 const COLUMNS: u32 = 1000;
 
-/// Reads the tests of all sheets of a workbook, cell by cell. Announced sizes and remote cells therefore need no
+/// Reads the tests of all sheets of a workbook, cell by cell. Therefore, announced sizes and remote cells use no
 /// memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
@@ -72,7 +72,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     Ok(tests)
 }
 
-/// Returns the cells of the first nonempty sheet as text, by row with its number. Intended for short tables.
+/// Returns the cells of the first nonempty sheet as text, with the number of each row. Intended for short tables.
 pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     /// Largest number of rows of a short table.
     const ROWS: usize = 10_000;
@@ -121,7 +121,7 @@ fn copied(cell: &DataRef<'_>, budget: &Budget) -> Result<Data, Exhausted> {
         DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => text.len(),
         _ => return Ok(Data::from(cell.clone())),
     };
-    // The row, its heading and its messages each have a copy.
+    // The row, its heading and its messages each store a copy of the text.
     budget.hold(3 * text as u64)?;
     Ok(Data::from(cell.clone()))
 }
@@ -131,13 +131,13 @@ struct Sheet<'a> {
     at: Place,
     name: String,
     options: &'a Options,
-    /// Lines in the search for the header, and their numbers.
+    /// Lines that the search for the header inspects, and their numbers.
     lines: Vec<(usize, Vec<String>)>,
     beside: Beside,
     budget: &'a Budget,
-    /// Rows in the search for the header, as text. They may state the start of the test.
+    /// Rows that the search for the header inspects, as text. They may state the start of the test.
     above: Vec<String>,
-    /// Metadata of the test in these rows.
+    /// Metadata of the test from the rows above the header.
     about: TestMetadata,
     header: Option<(u32, Vec<String>)>,
     units: Option<Vec<String>>,
@@ -230,7 +230,7 @@ impl<'a> Sheet<'a> {
             .filter(|c| c.channel != Channel::Time && !text_in(c))
             .filter_map(|c| row.get(c.index))
             .any(|cell| !is_empty(cell));
-        // A message of the acquisition between rows may have a time, but no other figure.
+        // A message of the acquisition system between rows may have a time, but no other number.
         let column = match time {
             Some(time) if figures => Some(time).filter(text_in),
             _ => columns.iter().find(text_in),
@@ -268,7 +268,7 @@ impl<'a> Sheet<'a> {
         rows.push(line, values.into_iter(), test.as_deref())
     }
 
-    /// Returns the tests of the sheet, or none without a header.
+    /// Returns the tests of the sheet, or an empty list if the sheet has no header.
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
             (Some(mut rows), _) => {
@@ -276,7 +276,7 @@ impl<'a> Sheet<'a> {
                 rows.finish(None)
             }
             (None, Some((line, header))) => {
-                // Check the header even if no row follows.
+                // Check the header even if there are no rows below it.
                 Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
                 Err(RecordError::NoData { at: self.at })
             }
@@ -289,7 +289,7 @@ fn is_empty(cell: &Data) -> bool {
     matches!(cell, Data::Empty) || cell.to_string().trim().is_empty()
 }
 
-/// Returns whether a cell contains a number or a time, or is empty, which is a missing number.
+/// Returns whether a cell contains a number or a time. An empty cell counts as a missing number.
 fn is_figure(cell: Option<&Data>) -> bool {
     match cell {
         None | Some(Data::Empty | Data::Float(_) | Data::Int(_) | Data::Error(_)) => true,
@@ -297,9 +297,9 @@ fn is_figure(cell: Option<&Data>) -> bool {
     }
 }
 
-/// Returns the time, s, of a cell with a date or a time, or with such a text.
+/// Returns the time, s, of a cell that contains a date or a time, as a value or as text.
 ///
-/// With a date the time counts from 1970, else from midnight.
+/// With a date, the time counts from 1970. Without a date, it counts from midnight.
 fn clock_of(cell: &Data) -> Option<f64> {
     match cell {
         Data::DateTime(date) => Some(day_of(date).unwrap_or(0.0) + within_day(date)),
@@ -308,7 +308,7 @@ fn clock_of(cell: &Data) -> Option<f64> {
     }
 }
 
-/// Returns the day of a cell with a date, s since 1970, for workbooks with the epoch 1900 or 1904.
+/// Returns the day of a cell with a date, s since 1970. Workbooks have the epoch 1900 or 1904.
 fn day_of(date: &ExcelDateTime) -> Option<f64> {
     let (year, month, day, ..) = date.to_ymd_hms_milli();
     let has_day = date.is_datetime() && date.as_f64() >= 1.0;
@@ -321,7 +321,7 @@ fn within_day(date: &ExcelDateTime) -> f64 {
     clock::DAY * if day_of(date).is_some() { days - days.floor() } else { days }
 }
 
-/// Formats a cell as text. A date gives a date, a time of day gives a time.
+/// Formats a cell as text. Writes a date as a date, and a time of day as a time.
 fn with_its_date(cell: &Data) -> String {
     let Data::DateTime(date) = cell else { return cell.to_string() };
     // Spreadsheets store times as fractions of a day, which cannot represent seconds exactly.
@@ -480,7 +480,7 @@ mod tests {
             }
             read_bytes(&zip(&files))
         };
-        // The last cell that a sheet can have.
+        // The last possible cell of a sheet.
         let far = "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>";
         assert_eq!(book(far, None).unwrap()[0].force, [2.0, 3.0]);
         assert!(book("", Some("uniqueCount=\"12\"")).is_ok());

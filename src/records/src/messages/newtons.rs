@@ -1,6 +1,6 @@
 //! Formats forces in messages.
 
-/// Largest number of decimals: a tenth of a millinewton, which no load cell of a damper resolves.
+/// Largest number of decimals: a tenth of a millinewton, finer than the resolution of any load cell for dampers.
 const MOST: usize = 4;
 
 /// Returns whether a force is zero when rounded to [`MOST`] decimals.
@@ -8,16 +8,16 @@ fn is_nothing(force: f64) -> bool {
     force.abs() < 0.5 * 10f64.powi(-(MOST as i32))
 }
 
-/// Returns the number of decimals for two digits of a force, at least `decimals`.
+/// Returns the number of decimals, at least `decimals`, with which a force has two significant digits.
 ///
-/// Half a newton is negligible for a car's damper, but may be the whole force of a small one.
+/// Half a newton is negligible for a car damper, but may be the whole force of a small damper.
 pub fn places(force: f64, decimals: usize) -> usize {
-    // Two digits after rounding: 9.95 becomes 10.
+    // The criterion applies after rounding: 9.95 becomes 10.
     let needed = (decimals..=MOST).find(|&places| force.abs() * 10f64.powi(places as i32) >= 9.95);
     if is_nothing(force) { decimals } else { needed.unwrap_or(MOST) }
 }
 
-/// Formats a force, N, with at least `decimals` decimals, and with more if two digits need them.
+/// Formats a force, N, with at least `decimals` decimals, and with more if two significant digits require them.
 pub fn newtons(force: f64, decimals: usize) -> String {
     let places = places(force, decimals);
     let force = if is_nothing(force) { 0.0 } else { force };

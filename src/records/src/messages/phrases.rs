@@ -90,14 +90,14 @@ dashpot_messages::phrases! {
     NOISY_LAST: "the last cycle (from {start} s) deviates from the others by {last} N rms where they deviate by {typical} N; left out";
     DISPLACEMENT_DRIFTS: "mean displacement drifts by {drift} mm over {cycles} cycles ({percent} % of the stroke); left as it is";
     FORCE_DRIFTS: "mean force drifts by {drift} N over {cycles} cycles ({percent} % of its range); left as it is";
-    // Figures that no damper has.
+    // Values that are too small for a damper.
     NO_FORCE: "the force shows nothing but noise in {tests}; check the load cell, or leave these tests out";
     SMALL_AMPLITUDE: "the largest amplitude is {amplitude} mm: is the unit of displacement right?";
     SLOW: "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
     SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
     TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} mm/s of at most {peak} mm/s; if the file broke off, export it again, or leave it out with --exclude";
     TWINS: "{test} holds the same samples as {twin} and counts twice";
-    // A delayed force.
+    // Delay of the force.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
     LATE_NOT_MOVED: "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}";
     WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
@@ -199,7 +199,7 @@ dashpot_messages::phrases! {
     MIXED_CURRENT: "{record}: the current of the damper's valve would reach {current} A, and {others} A at most in the other tests; that speaks for mA under a heading of A. Correct the heading of this file, or leave it out with --exclude '{test}'; give --unit current=A to insist";
     TOO_MUCH_CURRENT: "the current of the damper's valve would reach {current} A";
     TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
-    // Figures that no damper has.
+    // Values that are too large for a damper.
     ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";
     AN_AMPLITUDE: "an amplitude of {amplitude} m";
     A_VELOCITY: "a peak velocity of {velocity} mm/s";
@@ -224,7 +224,7 @@ dashpot_messages::phrases! {
     FLIP_MOTION: "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
     FLIP_FORCE: "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
     FLIP_EITHER: "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
-    // A motion to be imposed.
+    // Faults of an imposed motion.
     MOTION_GAP: "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off";
     MOTION_TIME: "{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time";
     SHORT_MOTION: "{at}: has one row; a motion needs at least two";

@@ -1,5 +1,5 @@
-//! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`) or a column of clicks. Each
-//! click has one curve.
+//! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`) or a column that states the
+//! clicks. Each click has one curve.
 
 use crate::columns::table::{HEADER_WITHIN, number};
 use crate::quantities::setting_value::CLICKS;
@@ -11,13 +11,13 @@ pub(crate) type TableRows = Vec<(usize, Vec<String>)>;
 struct Layout {
     /// Index of the heading among the rows.
     header: usize,
-    /// For every column with a click: the click and the heading without it.
+    /// For every column with a click in its heading: the click, and the heading without the click.
     columns: Vec<Option<(f64, String)>>,
-    /// The column of clicks.
+    /// The column that states the clicks.
     of_rows: Option<usize>,
 }
 
-/// Returns the distinct clicks of a table in ascending order, or none for a table without clicks.
+/// Returns the distinct clicks of a table in ascending order, or an empty list for a table without clicks.
 pub(crate) fn clicks(rows: &[(usize, Vec<String>)]) -> Vec<f64> {
     let Some(layout) = layout(rows) else { return Vec::new() };
     let in_rows = rows[layout.header + 1..].iter().filter_map(|(_, cells)| number(cells.get(layout.of_rows?)?, true));
@@ -28,7 +28,7 @@ pub(crate) fn clicks(rows: &[(usize, Vec<String>)]) -> Vec<f64> {
     all
 }
 
-/// Returns the table of one click: clears the columns of the others and removes their rows.
+/// Returns the table of one click: clears the columns and removes the rows of all other clicks.
 pub(crate) fn only(mut rows: TableRows, wanted: f64) -> TableRows {
     let Some(layout) = layout(&rows) else { return rows };
     if let Some(of_rows) = layout.of_rows {
@@ -63,7 +63,7 @@ fn layout(rows: &[(usize, Vec<String>)]) -> Option<Layout> {
             let parts = parts(cell);
             parts.iter().any(|part| is_click(part)) && parts.iter().all(|part| number(part, true).is_none())
         });
-        // A heading has further columns.
+        // A heading has further cells.
         let has_others = cells.len() > 1;
         let found = has_others && (columns.iter().flatten().count() > 0 || of_rows.is_some());
         found.then_some(Layout { header, columns, of_rows })
@@ -74,7 +74,7 @@ fn layout(rows: &[(usize, Vec<String>)]) -> Option<Layout> {
 fn click_of(cell: &str) -> Option<(f64, String)> {
     let parts = parts(cell);
     let word = parts.iter().position(|part| is_click(part))?;
-    // The number precedes or follows the word.
+    // The number is before or after the word for clicks.
     let place = [word.checked_sub(1), Some(word + 1)].into_iter().flatten();
     let (at, click) = place.filter_map(|k| Some((k, number(parts.get(k)?, true).filter(|c| c.is_finite())?))).next()?;
     let rest = parts.iter().enumerate().filter(|(k, _)| *k != word && *k != at);

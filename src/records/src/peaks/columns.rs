@@ -36,7 +36,7 @@ impl Stroke {
     }
 }
 
-/// Possible meaning of a column: a velocity or a force, of one stroke or of both.
+/// Possible meaning of a column: a velocity or a force, of one stroke or of both strokes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct PeakColumn {
     force: bool,
@@ -94,7 +94,7 @@ impl PeakOptions {
     /// Sets the unit of a channel from its text.
     ///
     /// # Errors
-    /// The channel is not in tables of peaks, or the unit does not measure the channel.
+    /// The channel does not occur in tables of peaks, or the unit is not a unit of the channel.
     pub fn unit_of(&mut self, channel: Channel, text: &str) -> Result<(), String> {
         if !matches!(channel, Channel::Velocity | Channel::Force) {
             return Err(format!("a table of peaks has velocity and force, no {channel}"));
@@ -173,7 +173,7 @@ const COMPRESSION: [&str; 11] = [
     "compresion",
 ];
 /// Prefixes that Chinese and German join to the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. `Druck` also means
-/// pressure, which has no unit of force.
+/// pressure, but a pressure has no unit of force.
 const REBOUND_BEFORE: [&str; 4] = ["zug", "复原", "拉伸", "回弹"];
 const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
 /// Letters for rebound and compression. A letter indicates a stroke only if the other letter of the pair is in the same
@@ -187,7 +187,7 @@ const LETTERS: [(&str, &str); 6] = [("r", "c"), ("r", "b"), ("r", "j"), ("e", "c
 struct Candidate {
     index: usize,
     what: PeakColumn,
-    /// `None` if neither the heading, nor the row below, nor the user states one.
+    /// Unit from the heading, the row below or the user. `None` if none of them states a unit.
     unit: Option<Unit>,
     /// Whether the heading names only the quantity and its stroke.
     plain: bool,
@@ -205,7 +205,7 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        // A line is also the heading if the user names a column by its text, because RO and CO alone are not
+        // A line is also the heading if it contains a column name that the user stated, because RO and CO alone are not
         // recognized.
         let asked = |(what, text): (&PeakColumn, &String), force: bool| {
             what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
@@ -233,7 +233,7 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     }))
 }
 
-/// Returns the columns if the user gives all of them by number. The table then needs no heading.
+/// Returns the columns if the user states the numbers of all of them. The table then requires no heading.
 fn numbered(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Result<Option<Found>, Cause> {
     let given: Option<Vec<(PeakColumn, usize)>> = options
         .columns
@@ -280,12 +280,12 @@ fn candidates(cells: &[String], below: Option<&[String]>, options: &PeakOptions)
             Heading::Test | Heading::SampleTime(_) | Heading::SampleRate => true,
             Heading::Unknown => false,
         };
-        // In records `Extension` is a displacement. Tables of peaks have no displacement, so it is the stroke.
+        // In records, `Extension` is a displacement. Tables of peaks have no displacement, so it means the stroke.
         let other = other && !matches!(read, Heading::Channel(Channel::Displacement, _));
         let stroke = stroke(words, cell, letters);
         let unit = unit(cell).or_else(|| below.and_then(|row| row.get(index)).and_then(|c| c.parse().ok()));
         let named = quantity(words);
-        // A column in m/s is a velocity under any heading. A column in N may be a hysteresis.
+        // A column in m/s is a velocity under any heading. A column in N may be a hysteresis width instead of a force.
         let force = match (unit.map(Unit::dimension), named) {
             (Some(Dimension::Speed), _) => false,
             (Some(Dimension::Force), Some(false)) => continue,
@@ -324,7 +324,7 @@ fn candidate(
     Candidate { index, what, unit: given.or(own), plain }
 }
 
-/// Returns whether a heading equals the user's name for a column, except for its unit.
+/// Returns whether a heading without its unit equals the user's name for a column.
 fn is_headed(cell: &str, wanted: &str) -> bool {
     cell.trim().eq_ignore_ascii_case(wanted.trim()) || without_unit(cell) == without_unit(wanted)
 }
@@ -374,11 +374,11 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
     let velocities: Vec<&Candidate> = candidates.iter().filter(|c| !c.what.force).collect();
     let forces: Vec<&Candidate> = candidates.iter().filter(|c| c.what.force).collect();
     let of = |stroke: Option<Stroke>| forces.iter().filter(move |c| c.what.stroke == stroke).count();
-    // If each stroke has its forces, a force without a stroke is that of gas or friction.
+    // If each stroke has its own forces, a force without a stroke is a gas or friction force.
     let both = of(Some(Stroke::Rebound)) > 0 && of(Some(Stroke::Compression)) > 0;
     let forces: Vec<&Candidate> = forces.into_iter().filter(|c| !both || c.what.stroke.is_some()).collect();
-    // There is one velocity for all forces, or one before each force. In the second case the position determines the
-    // pairs.
+    // The table has one velocity for all forces, or one velocity before each force. In the second case, the positions
+    // determine the pairs.
     let before = |force: &Candidate| velocities.iter().rfind(|v| v.index < force.index).copied();
     let each = velocities.len() == forces.len() && {
         let mut used: Vec<Option<usize>> = forces.iter().map(|f| before(f).map(|v| v.index)).collect();
@@ -418,8 +418,8 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
 
 /// Formulates the request to select one of several columns.
 ///
-/// Columns without a stroke may be one for each stroke, so the request names both strokes. A column named for both
-/// strokes would replace the other one.
+/// Columns without a stroke may belong to one stroke each, so the request names both strokes. If the user names a
+/// column for both strokes, it replaces the other column.
 fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
     let given = |what: PeakColumn, column: &Candidate| format!("--column {what}={}", by_name(column.index, cells));
     match (what.stroke, of) {
@@ -456,7 +456,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
         }
         ([first, ..], _) => {
             let columns = listed(velocities.iter().map(|c| &cells[c.index]));
-            // A force of both strokes has only one velocity.
+            // A force column for both strokes has only one velocity column.
             let how = match of.what.stroke {
                 Some(_) => asked(first.what, velocities, cells),
                 None => asked(first.what, &velocities[..1], cells),
@@ -499,7 +499,7 @@ fn taken(chosen: &[Chosen<'_>], cells: &[String]) -> Result<Vec<PeakPair>, Strin
 }
 
 fn listed<'a>(headings: impl Iterator<Item = &'a String>) -> String {
-    /// Largest number of headings in a message. Damaged files have thousands.
+    /// Largest number of headings in a message. A damaged file may have thousands.
     const TOLD: usize = 20;
     headings.take(TOLD).map(|h| format!("'{}'", h.trim().escape_debug())).collect::<Vec<_>>().join(", ")
 }
@@ -509,7 +509,7 @@ fn said(what: PeakColumn) -> String {
     format!("{}{stroke}", what.channel())
 }
 
-/// Returns `true` for words about a force, `false` for words about a velocity.
+/// Returns whether the words of a heading mean a force (`true`) or a velocity (`false`).
 fn quantity(words: &[String]) -> Option<bool> {
     let says = |channel: Channel, end: &str| {
         words.iter().any(|word| headings(channel).contains(&word.as_str()) || word.ends_with(end))
@@ -521,7 +521,7 @@ fn quantity(words: &[String]) -> Option<bool> {
     }
 }
 
-/// Returns whether a letter is a separate word of a heading, and not a unit such as the `C` of `T [C]`.
+/// Returns whether a letter is a separate word of a heading and not a unit, such as `C` in `T [C]`.
 fn tells(words: &[String], cell: &str, letter: &str) -> bool {
     words.iter().any(|word| word == letter) && !(foreign_unit(cell, None) && quantity(words).is_none())
 }
@@ -539,7 +539,7 @@ fn stroke(words: &[String], cell: &str, letters: Option<(&str, &str)>) -> Option
     }
 }
 
-/// Returns the parts of a heading that may be a unit, the last first.
+/// Returns the parts of a heading that may be a unit, beginning with the last part.
 fn parts(cell: &str) -> impl Iterator<Item = &str> {
     cell.rsplit(['[', ']', '(', ')', '{', '}', ' ', ',', '_', ';', ':']).map(str::trim).filter(|part| !part.is_empty())
 }
@@ -559,8 +559,8 @@ fn unit(cell: &str) -> Option<Unit> {
     speed.filter(of_peaks).or_else(|| parts(cell).filter_map(|part| part.parse().ok()).find(of_peaks))
 }
 
-/// Returns whether the brackets of a heading contain neither a unit of speed or force nor a stroke: `c [Ns/m]`, `Oil
-/// [C]`.
+/// Returns whether the brackets of a heading contain something other than a stroke or a unit of speed or force: `c
+/// [Ns/m]`, `Oil [C]`.
 fn foreign_unit(cell: &str, letters: Option<(&str, &str)>) -> bool {
     let inside = cell.split(['[', '(', '{']).nth(1).and_then(|rest| rest.split([']', ')', '}']).next());
     let Some(inside) = inside.map(str::trim).filter(|text| !text.is_empty()) else { return false };

@@ -48,14 +48,15 @@ pub enum StrokeSource {
     Headings,
     /// The user states the positive direction of the signs.
     Stated(Positive),
-    /// No source states the direction, so the signs count as rebound positive.
+    /// The positive direction is not stated. Rebound is assumed.
     Assumed,
 }
 
 impl Peaks {
     /// Returns a velocity, m/s, and the ratio of the force in rebound to that in compression at this velocity.
     ///
-    /// The velocity is the highest that both sides reach. Forces between the points are interpolated linearly.
+    /// The velocity is the highest velocity that occurs on both sides. Forces between the points are interpolated
+    /// linearly.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -79,7 +80,8 @@ impl Peaks {
     }
 }
 
-/// Returns the clicks of the curves in a table of peaks, in ascending order. Returns none for a table without clicks.
+/// Returns the clicks of the curves in a table of peaks, in ascending order. For a table without clicks, the list is
+/// empty.
 ///
 /// # Errors
 /// [`RecordError`] if the table cannot be read.
@@ -87,9 +89,9 @@ pub fn peak_clicks(file: &Path) -> Result<Vec<f64>, RecordError> {
     Ok(clicks(&cells(file)?))
 }
 
-/// Returns whether a file that is no record is a table of peaks.
+/// Returns whether a file that is not a record is a table of peaks.
 pub(crate) fn is_one(file: &Path) -> bool {
-    /// Largest number of rows of a table of peaks. A record has more.
+    /// Largest number of rows of a table of peaks. A record has more rows.
     const MOST: usize = 200;
     let Ok(rows) = cells(file) else { return false };
     let has_motion =
@@ -104,7 +106,7 @@ pub(crate) fn is_one(file: &Path) -> bool {
     columns::find(&first.map_or(rows.clone(), |click| only(rows, click)), &options).is_ok()
 }
 
-/// Returns the cells of a table, by row with its number.
+/// Returns the row numbers and the cells of a table.
 fn cells(file: &Path) -> Result<TableRows, RecordError> {
     let source = Source::read(file)?;
     if ["xlsx", "xlsm"].contains(&extension(file).as_str()) {
@@ -146,7 +148,7 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
         },
     };
     let found = columns::find(&rows, options);
-    // A record has a time in addition to its channels. Each of its samples would count as a peak.
+    // A record has a time in addition to its channels. Each sample of a record would count as a peak.
     let above = found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1));
     let timed = rows.iter().take(above).find_map(|(line, cells)| {
         let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
@@ -181,15 +183,15 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
         }
-        // The sign of the force at the highest velocity shows the sign convention of the column. Forces of the other
-        // sign act against the stroke, as the gas force does at low speeds.
+        // The sign of the force at the highest velocity shows the sign convention of the column. Forces with the other
+        // sign oppose the convention, for example the gas force at low speeds.
         let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
         let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
         for point in &mut of_pair {
             let (velocity, force) = (point.velocity_m_s, point.force_n);
             (point.velocity_m_s, point.force_n) = match pair.stroke {
                 Some(stroke) => (stroke.sign() * velocity.abs(), stroke.sign() * counts * force),
-                // For velocities without a sign the force determines the stroke.
+                // If velocities have no sign, the sign of the force determines the stroke.
                 None if velocity > 0.0 && force < 0.0 => (-turn * velocity, turn * force),
                 None => (turn * velocity, turn * force),
             };
@@ -275,7 +277,7 @@ mod tests {
             "Speed mm/s,Force N (rebound),Force N (compression)\n250,700,400\n500,1100,600\n",
             "速度(m/s),复原力(N),压缩力(N)\n0.25,700,400\n0.5,1100,600\n",
             "Velocity [m/s],F (R) [N],F (C) [N]\n0.25,700,400\n0.5,1100,600\n",
-            // A force in addition to those of both strokes is no force of a stroke.
+            // If both strokes have forces, a further force column does not belong to a stroke.
             "Velocity [m/s],Rebound [N],Compression [N],Gas Force [N],Hysteresis [N],Oil [C]\n0.25,700,400,9,9,30\n0.5,1100,600,9,9,31\n",
             "Nominal velocity [m/s],Velocity [m/s],Rebound [N],Compression [N]\n0.2,0.25,700,400\n0.4,0.5,1100,600\n",
         ] {
@@ -297,14 +299,14 @@ mod tests {
             "{message}"
         );
         assert_eq!(points(&said(bare, &[], &pounds).unwrap()), wanted);
-        // A given unit has precedence over the heading, as for records.
+        // A unit that the user states has precedence over the heading, as in records.
         assert_eq!(points(&said("v [m/s],R [N],C [N]\n10,200,100\n", &[], &pounds).unwrap()), wanted);
         let many = "Speed,CO,RO,CC,RC\n10,100,200,90,190\n";
         let by_number = [("velocity", "1"), ("rebound_force", "3"), ("compression_force", "2")];
         assert_eq!(points(&said(many, &by_number, &pounds).unwrap()), wanted);
         let by_name = [("velocity", "speed"), ("rebound_force", "ro"), ("compression_force", "CO")];
         assert_eq!(points(&said("Speed,Force,CO,RO\n10,7,100,200\n", &by_name, &pounds).unwrap()), wanted);
-        // A line whose cells only match the user's column names is the heading, regardless of the lines above.
+        // A line is the heading if its cells match the user's column names. The lines above have no influence.
         assert_eq!(points(&said("Damper 7,front,left\nSpeed,CO,RO\n10,100,200\n", &by_name, &pounds).unwrap()), wanted);
         assert_eq!(
             points(
@@ -331,7 +333,7 @@ mod tests {
 
     #[test]
     fn what_may_be_of_either_stroke_is_asked_for_by_stroke() {
-        // Following the advice of the message makes the table readable.
+        // If the user follows the advice of the message, the table is readable.
         let follow = |text: &str, columns: &[(&str, &str)]| {
             let message = said(text, &[], &[]).unwrap_err();
             for (what, heading) in columns {
@@ -350,7 +352,7 @@ mod tests {
         let velocities = [("rebound_velocity", "\"Speed one [m/s]\""), ("compression_velocity", "\"Speed two [m/s]\"")];
         let text = "Speed one [m/s],Speed two [m/s],Rebound [N],Compression [N]\n0.5,0.5,1100,600\n";
         assert_eq!(follow(text, &velocities), wanted);
-        // One column for both strokes is a solution too.
+        // Stating one column for both strokes is also a solution.
         let both = said("v [m/s],Force A [N],Force B [N]\n0.5,1100,7\n-0.5,-600,8\n", &[("force", "Force A")], &[]);
         assert_eq!(points(&both.unwrap()), wanted);
         let message = said("Reb Vel [m/s],Reb Force [N],Comp Force [N]\n1,2,3\n", &[], &[]).unwrap_err();
@@ -359,7 +361,7 @@ mod tests {
 
     #[test]
     fn a_force_against_its_stroke_keeps_its_sign() {
-        // Gas pushes the rod out. At low speed it still pushes on the rebound side.
+        // Gas pushes the rod out. At low rebound speed, the total force therefore has the sign of compression.
         for text in [
             "v [m/s],Rebound [N],Compression [N]\n0.01,-120,200\n0.5,1100,600\n",
             "v [m/s],Rebound [N],Compression [N]\n0.01,120,-200\n0.5,-1100,-600\n",
@@ -378,7 +380,7 @@ mod tests {
             "Geschwindigkeit;Zugstufe;Druckstufe\nmm/s;kN;kN\n250;0,7;0,4\n500;1,1;0,6\n",
             "velocity_m_s,force_N\n0.25,700\n0.25,-400\n0.5,1100\n0.5,-600\n",
             "Abs Velocity (mm/s),Comp Force (N),Reb Force (N)\n250,400,700\n500,600,1100\n",
-            // Each side has its own velocity, identified by its name or by its position before the force.
+            // Each side has its own velocity, identified by its name or by its position to the left of the force.
             "compression velocity [mm/s],compression [N],rebound velocity [mm/s],rebound [N]\n250,400,500,1100\n500,600,250,700\n",
             "rebound velocity [mm/s],compression velocity [mm/s],rebound [N],compression [N]\n250,500,700,600\n500,250,1100,400\n",
             "v [m/s];Zug [N];v [m/s];Druck [N]\n0,25;700;0,5;600\n0,5;1100;0,25;400\n",

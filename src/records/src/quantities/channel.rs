@@ -26,8 +26,8 @@ pub enum Channel {
     Temperature,
     /// Current of an adjustable damper's valve.
     Current,
-    /// Other setting of an adjustable damper: voltage, pressure, clicks. Only clicks are recognized by their heading.
-    /// The user names other columns.
+    /// Setting of an adjustable damper other than the current: voltage, pressure, clicks. Only clicks are recognized by
+    /// their heading. The user must name other setting columns.
     Setting,
 }
 
@@ -76,7 +76,7 @@ impl Channel {
     pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
             Channel::Time | Channel::Force => None,
-            // The option takes the untranslated name.
+            // The value of the option is the untranslated name.
             _ => Some(Sentence::from(phrases::OR_IGNORE).with("channel", self)),
         }
     }
@@ -136,7 +136,7 @@ impl fmt::Display for Channel {
 /// Splits a command-line assignment such as `force=kN` or `force=Load Cell 1`.
 ///
 /// # Errors
-/// A sentence if there is no `=`, or the left side is no channel.
+/// A sentence if there is no `=`, or the left side is not a channel.
 pub fn assignment(text: &str) -> Result<(Channel, &str), String> {
     let (channel, value) =
         text.split_once('=').ok_or_else(|| format!("'{text}' should read channel=value, for example force=kN"))?;

@@ -1,10 +1,10 @@
-//! Expected zero offset of the load cell that measures a damper.
+//! Expected zero offset of a load cell for dampers.
 
 use crate::numbers::restrict;
 pub use crate::tuning::load_cell::OF_CARS;
 use crate::tuning::load_cell::OFFSET;
 
-/// Returns the expected zero offset, N, of the load cell for a damper with the given largest force, N.
+/// Returns the expected zero offset of the load cell, N, for the largest force of the damper, N.
 pub(crate) fn offset(largest: f64) -> f64 {
     let (low, high) = OF_CARS;
     if largest > 0.0 && largest.is_finite() { OFFSET * largest / restrict(largest, low, high) } else { OFFSET }

@@ -20,20 +20,21 @@ pub struct Setting {
     pub value: f64,
 }
 
-/// Largest variation of a channel within a test at one setting.
+/// Largest variation of a setting channel within a test that counts as one setting.
 ///
-/// The limits are a fraction of the value, and a current in A for sensor noise and supply ripple.
+/// The first limit is a fraction of the value. The second is a current in A, which covers sensor noise and supply
+/// ripple.
 const STEADY: (f64, f64) = (0.1, 0.05);
-/// Width of white noise without [`SPIKES`], in standard deviations, plus a quarter because few samples give an
-/// uncertain estimate.
+/// Range of white noise without [`SPIKES`], in standard deviations. It includes an extra quarter, because few samples
+/// give an uncertain estimate.
 const NOISE: f64 = 4.1;
-/// Fraction of samples at either extreme that may be spikes or the switching on.
+/// Fraction of samples at each extreme that may be spikes or the switch-on transition.
 const SPIKES: f64 = 0.05;
-/// Largest difference of values that count as one setting, A or clicks. Supplies are set to hundredths: one hundredth
-/// is within the limit, two are not.
+/// Largest difference of values that count as one setting, A or clicks. Supplies have a resolution of one hundredth: a
+/// difference of one hundredth is within the limit, a difference of two is not.
 pub(crate) const SAME: f64 = 0.0195;
-/// Largest relative difference of values that count as one setting, in any unit. With a larger limit 200 and 201 clicks
-/// would be equal.
+/// Largest relative difference of values that count as one setting, in any unit. With a larger limit, 200 and 201
+/// clicks would be one setting.
 const ALIKE: f64 = 0.005;
 
 /// Names of the clicks of an adjuster.
@@ -50,7 +51,7 @@ const UNITS: [(&[&str], &str, &str, f64); 9] = [
     (&["kPa"], "pressure", "kPa", 1.0),
     (&["MPa"], "pressure", "MPa", 1.0),
 ];
-/// Units of pressure, Pa, for comparing pressures. A pressure is stored in the unit in which it was given.
+/// Units of pressure, Pa, for comparisons of pressures. A pressure is stored in its stated unit.
 const PRESSURES: [(&str, f64); 4] = [("psi", 6_894.757_293_168), ("bar", 1e5), ("kPa", 1e3), ("MPa", 1e6)];
 /// Names of settings with translations in every language.
 pub(crate) const NAMES: [&str; 4] = ["current", "clicks", "voltage", "pressure"];
@@ -62,14 +63,14 @@ pub(crate) fn with_setting_name(text: Sentence, place: &'static str, name: &str)
     if NAMES.contains(&name) { text.with_word(place, name) } else { text.with(place, name) }
 }
 
-/// Returns the name of the setting for a unit, the stored unit, and the factor to it. Returns `None` for an unknown
-/// unit.
+/// Returns the name of the setting for a unit, the stored unit, and the conversion factor to the stored unit. Returns
+/// `None` for an unknown unit.
 pub(crate) fn setting_in_unit(written: &str) -> Option<(&'static str, &'static str, f64)> {
     let (_, name, unit, factor) = UNITS.iter().find(|(words, ..)| words.contains(&written))?;
     Some((name, unit, *factor))
 }
 
-/// Returns the clicks in a part of a name, such as `12clicks`, `out-2clicks` or `click4`. Negative clicks do not exist.
+/// Returns the clicks in a part of a name, such as `12clicks`, `out-2clicks` or `click4`. Clicks are never negative.
 fn clicks_in(part: &str) -> Option<f64> {
     let part = part.to_lowercase();
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
@@ -87,8 +88,8 @@ fn clicks_in(part: &str) -> Option<f64> {
     if count.chars().all(is_of_number) { count.parse().ok() } else { None }
 }
 
-/// Rounds a measured value to the value that was set. Supplies of current are set to hundredths, other quantities to
-/// four digits at most.
+/// Rounds a measured value to the likely set value. Set currents are multiples of a hundredth, and other set values
+/// have at most four digits.
 pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     let per_step =
         if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - libm::log10(value.abs()).floor() as i32) };
@@ -97,8 +98,8 @@ pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
 }
 
 impl Setting {
-    /// Returns the setting that a channel shows, or the lowest and highest value as an error if the channel is not
-    /// steady.
+    /// Returns the setting of a channel. If the channel is not steady, the error contains the lowest and the highest
+    /// value.
     pub(crate) fn of_channel(channel: &[f64], name: &str, unit: &str) -> Result<Option<Setting>, (f64, f64)> {
         let mut values: Vec<f64> = channel.iter().copied().filter(|v| v.is_finite()).collect();
         if values.is_empty() {
@@ -113,7 +114,7 @@ impl Setting {
     }
 
     /// Returns the setting in a part of a test's name, such as `1.6A`, `800mA`, `12clicks`, `c12`, `150psi`. Also
-    /// returns whether the part is certainly not a running number of the test.
+    /// returns whether the part is certainly a setting and not the number of the test.
     fn of_part(part: &str) -> Option<(Setting, bool)> {
         let part = part.trim_start_matches(['I', 'i', '=']).replace(',', ".");
         if let Some(count) = part.strip_prefix(['c', 'C']).filter(|count| count.chars().all(|c| c.is_ascii_digit())) {
@@ -127,17 +128,17 @@ impl Setting {
         let (number, unit) = part.split_at(digits);
         let value: f64 = number.parse().ok()?;
         let (name, unit, factor) = setting_in_unit(unit)?;
-        // A letter after a whole number may number the tests.
+        // A whole number with a single letter may be the number of the test.
         let is_sure = part.len() > digits + 1 || value.fract() != 0.0;
         Some((Setting { name: name.into(), unit: unit.into(), value: value * factor }, is_sure))
     }
 
-    /// Returns the setting in a name, and whether it is certainly not a running number. Returns `None` if the parts
-    /// state several settings.
+    /// Returns the setting in a name, and whether it is certainly a setting and not the number of the test. Returns
+    /// `None` if the parts state several settings.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
         let parts: Vec<&str> =
             name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
-        // A word for clicks may be separate from its count.
+        // A word for clicks may be separate from its number.
         let is_word = |part: &str| CLICKS.contains(&part.to_lowercase().as_str());
         let whole = |(k, part): (usize, &&str)| match parts.get(k + 1).filter(|next| is_word(next)) {
             Some(word) if part.chars().all(|c| c.is_ascii_digit()) => Setting::of_part(&format!("{part}{word}")),
@@ -154,8 +155,8 @@ impl Setting {
     }
 }
 
-/// Returns the factor from one unit of a setting to another, as from mA to A. Returns 1 if a unit is empty, and `None`
-/// if the units measure different quantities.
+/// Returns the factor from one unit of a setting to another, such as from mA to A. Returns 1 if a unit is empty, and
+/// `None` if the units measure different quantities.
 pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     if from.is_empty() || to.is_empty() || from == to {
         return Some(1.0);
@@ -168,8 +169,8 @@ pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
     }
 }
 
-/// Converts values of a setting to another unit. Returns whether the units measure one quantity. Otherwise the values
-/// stay unchanged.
+/// Converts values of a setting to another unit. Returns whether the units measure one quantity. If they do not, the
+/// values stay unchanged.
 pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
     let Some(factor) = setting_factor(unit, to) else { return false };
     values.into_iter().for_each(|value| *value *= factor);
@@ -179,8 +180,8 @@ pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterato
     true
 }
 
-/// Returns whether two values are the same setting. Supplies are set to hundredths of an ampere. No setting is made
-/// more finely than to a two-hundredth of its value.
+/// Returns whether two values are the same setting. The resolution of supplies is a hundredth of an ampere. Steps of
+/// other settings are larger than a two-hundredth of the value.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME.max(ALIKE * a.abs().max(b.abs()))
 }
@@ -222,7 +223,7 @@ impl SettingRules {
         }
     }
 
-    /// Returns the setting of a test by the longest pattern that matches its name.
+    /// Returns the setting of a test from the longest pattern that matches its name.
     pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
         let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
         let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;
@@ -256,7 +257,7 @@ mod tests {
         }
     }
 
-    /// A quarter of an ampere is not rounded to 0.26 A, nor 1245 psi to 1250.
+    /// A quarter of an ampere is not rounded to 0.26 A, and 1245 psi is not rounded to 1250 psi.
     #[test]
     fn a_measured_setting_is_the_value_that_was_set() {
         for (unit, measured, set) in [
@@ -286,8 +287,8 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
-        // White noise of 30 mA, uniform with the standard deviation of normal noise. That is three fifths of the
-        // largest variation of a setting.
+        // Uniform white noise with a standard deviation of 30 mA. That is three fifths of the largest variation of a
+        // setting.
         let mut seed = 1u32;
         let mut white = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

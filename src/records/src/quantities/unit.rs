@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::Serialize;
 
-/// Quantity that a unit measures.
+/// Physical quantity that a unit measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
     /// Time.
@@ -20,7 +20,7 @@ pub enum Dimension {
     Temperature,
     /// Electric current.
     Current,
-    /// Setting of a damper, in a unit of its own.
+    /// Setting of a damper, which has its own units.
     Setting,
 }
 
@@ -55,7 +55,7 @@ pub enum Unit {
     AsWritten,
 }
 
-/// Metres in an inch (exact, international yard and pound agreement of 1959).
+/// Meters in an inch (exact, international yard and pound agreement of 1959).
 const INCH: f64 = 0.0254;
 /// Newtons in a pound-force (exact: 0.45359237 kg times 9.80665 m/s²).
 const POUND_FORCE: f64 = 4.448_221_615_260_5;
@@ -97,8 +97,8 @@ impl Unit {
         self.spellings()[0]
     }
 
-    /// Returns the supported spellings. The first one is the symbol. The comparison ignores case, which distinguishes
-    /// no units within one dimension.
+    /// Returns the supported spellings. The first one is the symbol. The comparison ignores case, because no two units
+    /// of one dimension differ only in case.
     fn spellings(self) -> &'static [&'static str] {
         match self {
             Unit::Second => &["s", "sec", "second", "seconds", "sek", "sekunde", "sekunden", "秒"],
@@ -119,7 +119,7 @@ impl Unit {
             Unit::Kilonewton => &["kN", "千牛"],
             Unit::PoundForce => &["lbf", "lb", "lbs", "pound", "pounds"],
             Unit::KilopoundForce => &["kip", "kips", "klbf", "klb"],
-            // Many dynos write kg for the force of a load cell.
+            // Many dynos write kg as the unit of force.
             Unit::KilogramForce => &["kgf", "kp", "kg"],
             Unit::Celsius => &["degC", "C", "deg C", "celsius", "deg_C", "摄氏度"],
             Unit::Kelvin => &["K", "kelvin", "degK"],
@@ -161,7 +161,8 @@ impl Unit {
             | Unit::Ampere
             | Unit::AsWritten => value,
             Unit::Minute => value * 60.0,
-            // Division keeps decimal figures exact to the last digit: 12.5 mm gives the double nearest to 0.0125 m.
+            // Division instead of multiplication rounds decimal numbers correctly: 12.5 mm gives the double nearest to
+            // 0.0125 m.
             Unit::Millisecond | Unit::Millimetre | Unit::MillimetrePerSecond | Unit::Milliampere => value / 1e3,
             Unit::Microsecond | Unit::Micrometre => value / 1e6,
             Unit::Centimetre | Unit::CentimetrePerSecond => value / 1e2,
@@ -195,7 +196,7 @@ impl FromStr for Unit {
     }
 }
 
-/// Replaces letters outside ASCII in units and headings by plain ones, and removes accents.
+/// Replaces characters outside ASCII in units and headings by ASCII characters, and removes accents.
 pub(crate) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -206,7 +207,7 @@ pub(crate) fn plain(text: &str) -> String {
             '\u{feff}' => {}
             '⁻' => out.push('-'),
             '¹' => out.push('1'),
-            // The full-width characters of Chinese and Japanese keyboards.
+            // Replace the full-width characters of Chinese and Japanese keyboards.
             '\u{ff01}'..='\u{ff5e}' => out.push(char::from_u32(c as u32 - 0xfee0).unwrap_or(c)),
             '\u{3000}' => out.push(' '),
             'à'..='å' => out.push('a'),

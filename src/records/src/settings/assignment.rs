@@ -1,5 +1,5 @@
 //! Assigns the tests of a campaign to settings of an adjustable damper. One model describes one setting, so a note
-//! warns about several.
+//! warns about several settings.
 
 use std::collections::BTreeMap;
 
@@ -11,10 +11,11 @@ use crate::quantities::setting_value::{
 };
 use dashpot_messages::Sentence;
 
-/// Assigns settings from the user's rules, else from names if all tests state one and no channel does.
+/// Assigns settings from the user's rules, else from names if the names of all tests state a setting and no channel
+/// does.
 ///
-/// A letter after a number may number the tests. If each name states another value, the names count only with decimals
-/// or with a unit of more than one letter.
+/// A number with a single letter may be the number of the test. If each name states another value, the names count only
+/// with decimals or with a unit of several letters.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_currents(records);
     merge_scattered(records);
@@ -31,8 +32,8 @@ pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, note
     note_settings(records, notes);
 }
 
-/// Converts the settings of one name, constant or changing, to the unit of most tests: 75 psi and 15 bar are pressures
-/// of one damper.
+/// Converts the settings with equal names, constant or changing, to the unit of most tests. For example, one damper may
+/// have tests at 75 psi and at 15 bar.
 fn unite_units(records: &mut [Record]) {
     let mut units: BTreeMap<(String, String), usize> = BTreeMap::new();
     for setting in records.iter().filter_map(|record| record.setting.as_ref()) {
@@ -56,11 +57,11 @@ fn unite_units(records: &mut [Record]) {
     }
 }
 
-/// Largest relative difference of measured values of one setting, from a pressure regulator or a drifting supply.
+/// Largest relative difference of measured values of one setting, because of a pressure regulator or a drifting supply.
 const SCATTER: f64 = 0.02;
 
-/// Replaces measured settings that scatter about one value by their mean. Excludes currents, which are set to
-/// hundredths.
+/// Replaces measured settings that scatter about one value by their mean. Excludes currents, because their set values
+/// are multiples of a hundredth.
 fn merge_scattered(records: &mut [Record]) {
     let mut all: Vec<&mut Setting> =
         records.iter_mut().filter_map(|record| record.setting.as_mut()).filter(|of| of.name != "current").collect();
@@ -84,16 +85,17 @@ fn merge_scattered(records: &mut [Record]) {
     }
 }
 
-/// Largest difference between neighboring measured currents of one setting, A, and between its extremes.
+/// Largest difference between neighboring measured currents of one setting, A. It is also the largest difference
+/// between the extremes.
 ///
-/// Supplies are set to hundredths, and the zero of a channel drifts by as much.
+/// Set currents are multiples of a hundredth, and the zero of a channel drifts by a similar amount.
 const NEXT: f64 = 1.25 * SAME;
 const WIDEST: f64 = 2.5 * SAME;
 /// Largest deviation of a channel from the setting in the name, relative to the larger value. Supplies and measured
-/// coil currents keep a tenth.
+/// coil currents stay within a tenth.
 const NAMED: f64 = 0.1;
 
-/// Returns the setting in the name of a test and the one of its channel, if they differ.
+/// Returns the setting in the name of a test and the setting of its channel, if they differ.
 fn contradicted_name(record: &Record) -> Option<(&Record, Setting, &Setting)> {
     let shown = record.setting.as_ref()?;
     let (named, is_sure) = Setting::of_name(&record.name)?;
@@ -116,9 +118,9 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
     Some(Note { kind: "setting_name", text: with_setting_name(text, "setting", &shown.name) })
 }
 
-/// Replaces measured currents that differ by rounding by their median.
+/// Replaces measured currents by their median if they differ only by rounding.
 ///
-/// Zero and noise of a channel may round 0.41 A to either side.
+/// Because of zero error and noise, 0.41 A may be rounded up or down.
 fn merge_currents(records: &mut [Record]) {
     let is_current = |of: &&mut Setting| of.name == "current";
     let mut all: Vec<&mut Setting> =
@@ -141,16 +143,16 @@ fn merge_currents(records: &mut [Record]) {
     }
 }
 
-/// Removes the note about several settings, and makes one for each group that still has several.
+/// Removes the note about several settings, and makes one note for each group that still has several settings.
 pub(crate) fn note_settings_of_groups<'a>(groups: impl Iterator<Item = &'a [Record]>, notes: &mut Vec<Note>) {
     notes.retain(|note| note.text.template() != phrases::SEVERAL_SETTINGS);
     groups.for_each(|records| note_settings(records, notes));
 }
 
-/// Assigns settings from names if neither the user nor the channels state any, and if every such name states one.
+/// Assigns settings from names to tests without a setting, if the names of all these tests state one.
 ///
-/// If some tests have a channel, only names of its quantity count. A campaign may step the current in some tests and
-/// name it in the others.
+/// If some tests have a setting channel, names count only if they state the same quantity. For example, a campaign may
+/// step the current in some tests and name it in other tests.
 fn name_settings(records: &mut [Record]) {
     let of_channel = |record: &Record| {
         let constant = record.setting.as_ref().map(|of| of.name.clone());
@@ -170,8 +172,8 @@ fn name_settings(records: &mut [Record]) {
     }
 }
 
-/// Returns the records without any setting, if names of other records state this setting. A single such record prevents
-/// the use of all other names.
+/// Returns the records without any setting, if names of other records state the setting `name`. A single such record
+/// prevents the use of all names.
 pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + Clone, name: &str) -> Vec<&'r Record> {
     let is_named = |record: &&Record| Setting::of_name(&record.name).is_some_and(|(of, _)| of.name == name);
     if !records.clone().any(|record| is_named(&record)) {
@@ -227,11 +229,11 @@ mod tests {
         let told = notes[0].text.to_string();
         assert!(notes[0].kind == "settings" && told.contains("2 settings of current"), "{told}");
         assert!(told.contains("0 A: all of '*0A' (2)") || told.contains("0 A: all of '*_0A' (2)"), "{told}");
-        // The pattern contains the whole number, so that it matches no other number with the same ending.
+        // The pattern contains the whole number, so that it does not match a number with the same last digits.
         let (_, notes) = settled(&["a_0.4A", "b_0.4A", "a_1.6A", "b_1.6A"]);
         let told = notes[0].text.to_string();
         assert!(told.contains("'*0.4A' (2)") || told.contains("'*_0.4A' (2)"), "{told}");
-        // Groups by current have one setting each and need no note. Groups by damper still have two settings.
+        // Groups by current have one setting each and give no note. Groups by damper still have two settings.
         let (mut records, mut notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
         let mut of_dampers = notes.clone();
         note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut notes);
@@ -239,7 +241,7 @@ mod tests {
         records.swap(1, 2);
         note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut of_dampers);
         assert_eq!(of_dampers.len(), 2);
-        // With a channel, names count if they state the same quantity.
+        // If a test has a setting channel, names count only if they state the same quantity.
         for (name, expected) in [("voltage", Some(1.98)), ("current", None)] {
             let mut records = vec![record("a_1.98V"), record("b_1.98V"), record("steps")];
             records[2].setting_signal = Some(SettingSignal::new(name, "", &[0.0, 1.0]));
@@ -247,7 +249,7 @@ mod tests {
             assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
             assert!(records[2].setting.is_none());
         }
-        // Rounding splits one value into two.
+        // Rounding gives two values for one set value.
         let values = [0.4, 0.42, 0.42, 0.0, 0.02, 0.0, 0.8, 1.2];
         let of = |value: f64| Some(Setting { name: "current".into(), unit: "A".into(), value });
         let mut records: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
@@ -258,7 +260,7 @@ mod tests {
         let mut drifting: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
         assign_settings(&mut drifting, &SettingRules::default(), &mut Vec::new());
         assert!(drifting.iter().all(|record| record.setting == of(0.41)), "{drifting:?}");
-        // The name states the quantity of the channel.
+        // The name states the same quantity as the channel.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };
             let mut records = vec![Record { setting: Some(setting), ..record(name) }];

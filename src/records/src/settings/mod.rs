@@ -1,4 +1,4 @@
-//! Settings of an adjustable damper: those that the tests state, and those that their forces show.
+//! Settings of an adjustable damper: stated settings, and settings that only the forces show.
 
 pub(crate) mod assignment;
 pub(crate) mod unstated_settings;

@@ -1,9 +1,9 @@
 //! Detects tests with equal motion but different force.
 //!
 //! The cause is several dampers in one folder, or one damper at several settings (clicks of an adjuster, current of a
-//! valve). One model cannot describe them, and a fit to all of them describes none.
+//! valve). One model cannot describe several settings, and a fit to all of them describes none.
 //!
-//! The forces determine the groups. In every motion the settings have the same order of force. A test with another
+//! The forces determine the groups. The order of the settings by force is the same in every motion. A test with another
 //! motion belongs to the setting with the most similar forces at common velocities.
 
 use crate::checks::force_levels::{Levels, levels};
@@ -13,21 +13,23 @@ use crate::messages::phrases;
 use crate::numbers::median;
 use dashpot_messages::Sentence;
 
-/// Largest relative difference of stroke and peak velocity for equal motions, and of the mean position relative to the
-/// amplitude.
+/// Largest relative difference of stroke and peak velocity between equal motions. It is also the largest difference of
+/// mean position, relative to the amplitude.
 ///
-/// Drives keep these values better.
+/// Drives reproduce these values more accurately.
 const SAME: f64 = 0.1;
-/// Ratio of the forces against the motion above which two tests differ. Warm oil, a break-in and the scatter of the rig
-/// cause a quarter.
+/// Ratio of the damping forces above which two tests differ. Warm oil, a break-in and the scatter of the rig cause
+/// differences of a quarter.
 const TIMES: f64 = 1.5;
-/// Ratios of force at which settings are separated, the finest first. Clicks of an adjuster are closer than [`TIMES`].
-/// A fine ratio counts only if it gives the same number of settings in every motion. Warming and wear do not.
+/// Ratios of force at which settings are separated, beginning with the finest. Clicks of an adjuster may differ by less
+/// than [`TIMES`]. A fine ratio counts only if it gives the same number of settings in every motion. Warming and wear
+/// give different numbers in different motions.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// Smallest ratio of the force distances to the second nearest and the nearest setting at which a test of another
-/// motion belongs to the nearest.
+/// Smallest ratio of two force distances at which a test of another motion belongs to the nearest setting. The
+/// distances are to the second nearest and to the nearest setting.
 const NEARER: f64 = 2.0;
-/// Difference of side force, N, and of temperature, K, above which the forces of one damper may differ for that reason.
+/// Difference of side force, N, and of temperature, K, above which this difference may explain different forces of one
+/// damper.
 const SIDE_FORCE: f64 = 20.0;
 const WARMER: f64 = 40.0;
 /// Largest number of names of each setting in a message.
@@ -68,7 +70,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "settings", text });
 }
 
-/// Formats the names of tests. Names only the first few of many.
+/// Formats the names of tests. If there are many, only the first few are named.
 fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     let quoted = |i: &usize| Sentence::from(phrases::QUOTED).with("test", names[*i]);
     let named = Sentence::list(tests.iter().take(NAMES).map(quoted).collect(), phrases::COMMA);
@@ -78,7 +80,8 @@ fn listed(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// Describes the tests of a setting by a pattern that matches only them, as for `--exclude`, else by their names.
+/// Describes the tests of a setting by a pattern, as for `--exclude`, that matches only these tests. If there is none,
+/// uses their names.
 pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     match pattern(names, tests) {
         Some(pattern) => Sentence::from(phrases::SETTING_ALL).with("name", pattern).with("count", tests.len()),
@@ -86,7 +89,7 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// Returns the shortest pattern from a part of a name that matches only these names.
+/// Returns the shortest pattern that matches only these names. The pattern is a part of a name.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
@@ -109,7 +112,7 @@ fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
         for &to in &edges[a + 1..] {
             let (before, behind) = (if from == 0 { "" } else { "*" }, if to == first.len() { "" } else { "*" });
             let part = parts(from, to);
-            // A star in a name would match any text.
+            // A star that is part of a name would match any text.
             if !part.contains('*') && part.chars().any(char::is_alphanumeric) {
                 found.push(format!("{before}{part}{behind}"));
             }
@@ -153,8 +156,8 @@ impl Settings {
             alike.iter().map(part).collect()
         };
         let most = |parts: &[Vec<Vec<usize>>]| parts.iter().map(Vec::len).max().unwrap_or(0);
-        // Take the finest step for which all motions with enough tests show the same number of settings, as do most
-        // motions. With a single motion the finest step would only show scatter.
+        // Use the finest ratio at which all motions with enough tests show an equal number of settings. Most motions
+        // must show this number. With a single motion, the finest ratio would only show scatter.
         let several = alike.iter().filter(|group| group.len() > 1).count();
         let agrees = |parts: &Vec<Vec<Vec<usize>>>| {
             let most = most(parts);
@@ -165,7 +168,7 @@ impl Settings {
         };
         let finest = usize::from(several < 2);
         let agreed = STEPS[finest..].iter().map(|step| parted(*step)).find(agrees);
-        // If no step fits, take the coarsest that separates any tests.
+        // If no ratio meets the criterion, use the coarsest ratio that separates any tests.
         let coarsest = || STEPS.iter().rev().map(|step| parted(*step)).find(|parts| most(parts) > 1);
         let Some(parts) = agreed.or_else(coarsest) else {
             return Settings { settings: Vec::new(), open: (0..records.len()).collect() };
@@ -180,8 +183,8 @@ impl Settings {
                 open.extend(group.into_iter().flatten());
             }
         }
-        // Assign tests of other motions to the known settings. Each assignment may determine others. Use the whole
-        // stroke, because the middles of two motions may have no common velocity.
+        // Assign tests of other motions to the known settings. Each assignment may determine further assignments. Use
+        // the whole stroke, because the middles of two motions may have no common velocity.
         open.sort_unstable();
         let whole: Vec<Levels> = records.iter().map(|record| levels(record, |_| true)).collect();
         while let Some((place, setting)) =
@@ -250,7 +253,8 @@ impl Motion {
     }
 }
 
-/// Returns the median ratio of the forces against the motion at common velocities. Returns `None` if there are none.
+/// Returns the median ratio of the damping forces at common velocities. Returns `None` if there are no common
+/// velocities.
 fn times(a: &Levels, b: &Levels) -> Option<f64> {
     let both = a.iter().filter_map(|(level, a)| Some((a.against, b.get(level)?.against)));
     let mut ratios: Vec<f64> = both.filter(|(a, b)| *a > 0.0 && *b > 0.0).map(|(a, b)| a / b).collect();
@@ -263,7 +267,7 @@ mod tests {
     use crate::checks::force_levels::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// Makes sines for one damper of each strength.
+    /// Makes sine tests of dampers, one damper for each strength.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
@@ -283,18 +287,18 @@ mod tests {
     fn two_settings_in_one_folder_are_told_with_their_tests() {
         let text = said(&campaign(&[1.0, 4.0]));
         assert!(text.starts_with("[settings] ") && text.contains("times"), "{text}");
-        // The note names the hard and the soft tests.
+        // The note names the tests with the large forces and those with the small forces.
         for k in 0..8 {
             assert!(text.contains(&format!("t{k}")), "{k}: {text}");
         }
         assert!(text.contains("1) 't0', 't1', 't2', 't3'; 2) 't4', 't5', 't6', 't7'"), "{text}");
-        // One deviating test among many.
+        // One test among many deviates.
         let mut odd = campaign(&[1.0, 1.05, 0.95]);
         odd.push(campaign(&[1.0, 3.0]).pop().unwrap());
         assert!(said(&odd).contains("t7"), "{}", said(&odd));
     }
 
-    /// Makes a campaign whose names contain the click, in mixed order.
+    /// Makes a campaign with test names that contain the click. The tests are in mixed order.
     fn clicks(strengths: &[f64]) -> Vec<Record> {
         let mut records = campaign(strengths);
         for (k, record) in records.iter_mut().enumerate() {
@@ -311,7 +315,7 @@ mod tests {
             assert!(text.contains(&format!("{k}) all of '*c{click}' (4)")), "{k} {click}: {text}");
         }
         assert!(!text.contains("does not tell"), "{text}");
-        // Warm oil in a single motion makes no separate setting.
+        // Warm oil in a single motion is not a separate setting.
         let mut warm = clicks(&[1.0, 3.0]);
         let odd = warm.iter().position(|r| r.name == "s1_c9").unwrap();
         let mut again = warm[odd].clone();

@@ -10,7 +10,7 @@ use dashpot_messages::{Sentence, Template};
 /// Agreement of velocity and displacement.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Agreement {
-    /// Ratio of the velocity channel to the derivative of the displacement, 1 if they agree.
+    /// Ratio of the velocity channel to the derivative of the displacement, or 1 if they agree.
     pub gain: f64,
     /// Time by which the velocity channel lags behind the displacement, s.
     pub lag: f64,
@@ -18,10 +18,10 @@ pub(crate) struct Agreement {
     pub explained: f64,
 }
 
-/// Fits x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The straight line absorbs offset and integration
+/// Fits x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The terms c + d·t absorb offset and integration
 /// drift.
 ///
-/// Integrating the velocity is less sensitive to noise than differentiating the displacement.
+/// The integral of the velocity is less sensitive to noise than the derivative of the displacement.
 pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
     let n = time.len();
     if n < 8 {
@@ -51,22 +51,22 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
         plain += x * t;
     }
     let solution = normal.lu().solve(&right)?;
-    // Subtract the variance that a straight line alone explains.
+    // Subtract the variance that a straight line explains without the velocity.
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
     Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
 
-/// Returns whether the velocity is that of the displacement with a time shift, as a filter causes. `period` is that of
-/// the cycles, if there are any.
+/// Returns whether the velocity is the derivative of the displacement with a time shift, such as that of a filter.
+/// `period` is that of the cycles, or `None` without cycles.
 pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
     let Agreement { gain, lag, explained } = *agreement;
     let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
     explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
 }
 
-/// Returns the likely cause of a large contradiction between the two channels.
+/// Returns the likely cause if displacement and velocity contradict each other strongly.
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_lag_within_conversion_or_noise_is_none() {
         let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
-        // Lags as fractions of a sample, and as phases in rad.
+        // The lags are fractions of a sample, and phases in rad.
         assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
         let tau = std::f64::consts::TAU;
         assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));

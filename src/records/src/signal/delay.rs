@@ -1,9 +1,9 @@
-//! Estimates the delay of the force channel: the delay for which one curve over velocity best explains the force of all
+//! Estimates the delay of the force channel: it is the delay with which one FV curve best explains the force of all
 //! tests.
 //!
-//! A charge amplifier, a filter or a second converter delays the force relative to the motion. The delay appears as a
-//! loop that grows with frequency. Beyond a quarter of a cycle the damper seems to feed energy. This module only
-//! estimates the delay. The records are shifted only if the user requests it.
+//! A charge amplifier, a filter or a second converter delays the force relative to the motion. The delay causes a
+//! force-velocity loop that grows with frequency. If the delay exceeds a quarter of a cycle, the damper seems to feed
+//! energy. This module only estimates the delay. The records are shifted only at the user's request.
 
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -14,15 +14,15 @@ use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_RE
 /// The delay of the force channel that the records show.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Delay {
-    /// Delay of the force relative to the motion, s, in addition to the given delay.
+    /// Delay of the force relative to the motion, s, in addition to the delay that the user stated.
     pub seconds: f64,
-    /// Fraction of the force's variance that no curve over velocity explains, for the records without a shift.
+    /// Fraction of the force variance that an FV curve cannot explain, without a shift of the records.
     pub unexplained_as_recorded: f64,
-    /// Unexplained fraction with the delay corrected.
+    /// Unexplained fraction after correction of the delay.
     pub unexplained: f64,
 }
 
-/// One test after decimation, its force scaled to unit variance.
+/// One test after decimation, with its force scaled to unit variance.
 struct Thinned<'a> {
     /// Index of the test in the campaign.
     index: usize,
@@ -49,15 +49,15 @@ impl Look {
 /// Cause of tests that feed energy.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Cause {
-    /// A delay is a clearly better explanation than a reversed sign.
+    /// A delay explains the tests clearly better than a reversed sign.
     Delay(Delay),
-    /// A delay and a reversed sign are both possible explanations.
+    /// Both a delay and a reversed sign may explain the tests.
     Either(Delay),
-    /// Only a reversed sign is an explanation.
+    /// Only a reversed sign explains the tests.
     Sign,
 }
 
-/// Returns the delay if it is significant, for tests without another fault.
+/// Returns the delay of tests without another fault, if the delay is significant.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;
     (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
@@ -66,7 +66,7 @@ pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
 /// Determines why the tests `feeding` (indices) feed energy.
 pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     let tests = thin(motions);
-    // A delay that explains no variance is no cause. These tests then have another fault.
+    // A delay that explains no variance is not the cause. These tests then have another fault.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
     match best(&tests, feeding) {
         Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
@@ -76,8 +76,8 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     }
 }
 
-/// Returns the delay with the smallest unexplained variance among those for which no test feeds energy. Reverses the
-/// signs of the tests `turned`.
+/// Returns the delay with the smallest unexplained variance, among the delays with which all tests dissipate energy.
+/// Reverses the signs of the tests `turned`.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;
@@ -113,7 +113,7 @@ fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
         .filter(|(_, motion)| telling(motion))
         .map(|(index, motion)| {
             let span = motion.steady();
-            // Every delay is evaluated on the same samples.
+            // The same samples serve for the evaluation of every delay.
             let begin = span.start.max(motion.time.partition_point(|t| *t < motion.time[0] + LONGEST));
             let every = ((span.end.max(begin) - begin) / SAMPLES).max(1);
             let samples: Vec<(f64, f64)> =
@@ -129,7 +129,8 @@ fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
 
 fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
     let fastest = tests.iter().flat_map(|t| &t.motion.velocity).fold(0.0_f64, |m, v| m.max(v.abs()));
-    // Coefficients of the curve over velocity (an even number of nodes and the one at zero), and of a spring.
+    // Number of coefficients: those of the FV curve (an even number of nodes and the node at zero), and the stiffness
+    // of a spring.
     let size = 2 * NODES.len() + 2;
     let mut normal = DMatrix::<f64>::zeros(size, size);
     let mut right = DVector::<f64>::zeros(size);
@@ -157,8 +158,8 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
             springs[1] += x * (force - mean);
             points.push((x, v, sign * force));
         }
-        // Use the rule of the sign check: over whole cycles springs return their energy. Otherwise a linear fit removes
-        // the spring force.
+        // Use the rule of the sign check. Over whole cycles, springs return their energy. Without whole cycles, a
+        // linear fit removes the spring force.
         let stiffness = if test.motion.cycles.is_empty() && springs[0] > 0.0 { springs[1] / springs[0] } else { 0.0 };
         for &(x, v, force) in &points {
             let f = force - sign * (mean + stiffness * x);
@@ -187,7 +188,7 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
 }
 
 /// Returns the index of the node below a relative velocity, and the fractional position between that node and the next,
-/// 0..1. The velocity is relative to the highest.
+/// 0..1. The velocity is relative to the highest node.
 fn place(share: f64) -> (usize, f64) {
     let side = NODES.len();
     let size = share.abs().min(1.0);
@@ -204,7 +205,7 @@ mod tests {
     use crate::fixtures::SineTest;
     use crate::options::Options;
 
-    /// Makes tests at these frequencies whose force has the delay `late`, s, and is multiplied by `factor`.
+    /// Makes tests at these frequencies. The force has the delay `late`, s, and is multiplied by `factor`.
     fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<Motion> {
         frequencies
             .iter()
@@ -257,7 +258,8 @@ mod tests {
         let mut one = tests(&frequencies, 0.0, 1.0);
         one[2].force.iter_mut().for_each(|f| *f = -*f);
         assert_eq!(cause(&one, &[2]), Cause::Sign);
-        // At one frequency a delay of half a cycle and a reversed sign are indistinguishable without the run-up.
+        // If all tests have one frequency, a delay of half a cycle and a reversed sign are indistinguishable without
+        // the run-up.
         let test = SineTest { frequency: 10.0, amplitude: 0.002, cycles: 12, ..SineTest::default() };
         let mut samples = test.samples();
         samples.force.rotate_right(test.per_cycle / 2);

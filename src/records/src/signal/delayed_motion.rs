@@ -1,12 +1,12 @@
-//! The motion `delay` seconds before every force sample, for a delayed force channel.
+//! Computes the motion `delay` seconds before every force sample, for a delayed force channel.
 
 use std::ops::Range;
 
-/// Channel values `delay` seconds before each sample, for the samples with such a time in their record.
+/// Channel values `delay` seconds before each sample. Covers the samples for which the record contains that time.
 pub(crate) struct DelayedMotion<'a> {
     time: &'a [f64],
     delay: f64,
-    /// The samples with such a time. The others have no motion.
+    /// The samples for which the record contains the earlier time. All other samples have no motion.
     pub range: Range<usize>,
 }
 
@@ -20,7 +20,7 @@ impl<'a> DelayedMotion<'a> {
     }
 
     /// Returns the shifted values of a smooth channel by interpolation. The force is never shifted, because
-    /// interpolation would color its noise.
+    /// interpolation would correlate its noise.
     pub fn values(&self, of: &[f64]) -> Vec<f64> {
         let mut at = 0;
         let value = |t: &f64| {
@@ -33,10 +33,12 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// Returns the shifted values of a channel with jumps: those of the previous sample.
+    /// Returns the shifted values of a channel with jumps. Each is the value of the previous sample, without
+    /// interpolation.
     pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
         let value = |t: &f64| {
-            // The rounding error of a delay of whole samples must not shift the channel by a further sample.
+            // If the delay is a whole number of samples, its rounding error must not shift the channel by a further
+            // sample.
             let after = self.time.partition_point(|time| *time <= t - self.delay + 1e-9);
             of[after.max(1) - 1]
         };
@@ -49,7 +51,8 @@ impl<'a> DelayedMotion<'a> {
     }
 }
 
-/// Interpolates at a time after sample `at`, with the cubic through four samples, two on either side if possible.
+/// Interpolates at a time after sample `at`, with the cubic through four samples. If possible, two of them are on each
+/// side.
 fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
     let n = time.len();
     let from = at.saturating_sub(1).min(n.saturating_sub(4));

@@ -13,7 +13,8 @@ pub(crate) struct Filter {
     pub points: usize,
     /// Length of the largest window, s.
     pub window: f64,
-    /// Frequency at which the derivative with that window has lost 3 dB, Hz. Half the sampling rate if it loses less.
+    /// Frequency at which the derivative with that window is attenuated by 3 dB, Hz. Half the sampling rate if the
+    /// attenuation stays smaller.
     pub bandwidth: f64,
     /// Fraction of the samples with a shorter window, because the motion turns within the longest one.
     pub shorter: f64,
@@ -21,13 +22,14 @@ pub(crate) struct Filter {
 
 /// Computes the velocity with local cubics (Savitzky and Golay 1964).
 ///
-/// At every sample a cubic is fitted by least squares to the window centered there, and its slope is the velocity. A
-/// symmetric window causes no phase shift. The fit uses the true times, so uneven sampling causes no error.
+/// At every sample, a cubic is fitted by least squares to the window centered on the sample, and its slope is the
+/// velocity. A symmetric window causes no phase shift. The fit uses the true times, so uneven sampling causes no error.
 ///
-/// `window` is the longest window, s. At least five samples are used. At the ends the window is one-sided. If the
-/// motion turns within the window, as at the corners of a triangle, a cubic would round the turn and overshoot. The
-/// sample then gets the longest window whose slope agrees with those of all shorter ones within their noise. This is
-/// the intersection of confidence intervals of Goldenshluger and Nemirovski (Math. Methods Stat. 6, 1997).
+/// `window` is the longest window, s. At least five samples are used. At the ends of the record, the window is
+/// one-sided. If the motion turns within the window, as at the corners of a triangle, a cubic would round the corner
+/// and overshoot. The sample then has the longest window with a slope that agrees with the slopes of all shorter
+/// windows within their noise. This is the intersection of confidence intervals of Goldenshluger and Nemirovski (Math.
+/// Methods Stat. 6, 1997).
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
@@ -67,13 +69,13 @@ fn displacement_noise(displacement: &[f64]) -> f64 {
     channel_noise(displacement).max(quantum(displacement) / 12f64.sqrt())
 }
 
-/// Slopes of the cubics over the same number of samples on either side.
+/// Slopes of the cubics over windows of one length, with the same number of samples on both sides.
 struct Slopes {
     slopes: Vec<f64>,
-    /// Standard deviation of each slope relative to that of the noise, 1/s. It is larger at the ends, with one-sided
-    /// windows.
+    /// Standard deviation of each slope relative to that of the noise, 1/s. It is larger at the ends of the record,
+    /// where windows are one-sided.
     gains: Vec<f64>,
-    /// Weights of a window away from the ends.
+    /// Weights of a window that is not at an end of the record.
     weights: Vec<f64>,
 }
 
@@ -89,7 +91,7 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
         let centred = to - from == 2 * reach;
         let even = centred && {
             let start = time[i] - reach as f64 * step;
-            // Files round the time stamps. Deviations below 0.02 steps hardly tilt a cubic.
+            // Files round the time stamps. Deviations below 0.02 steps hardly change the slope of a cubic.
             (from..=to).all(|k| (time[k] - start - (k - from) as f64 * step).abs() < 0.02 * step)
         };
         velocity[i] = if even {
@@ -106,7 +108,7 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
 /// Computes the weights of the derivative, at the sample `at`, of the least-squares cubic through values at these
 /// times.
 ///
-/// With too few values the polynomial is a parabola or a line.
+/// If there are too few values, the polynomial is a parabola or a line.
 fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     let scale = (time[time.len() - 1] - time[0]) / 2.0;
     let order = (time.len() - 1).min(3);
@@ -133,7 +135,7 @@ fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     }
 }
 
-/// Returns the frequency at which a symmetric differentiator has lost 3 dB relative to the true derivative, Hz.
+/// Returns the frequency, Hz, at which a symmetric differentiator is 3 dB below the true derivative.
 fn bandwidth(weights: &[f64], step: f64) -> f64 {
     let reach = weights.len() / 2;
     let nyquist = 0.5 / step;
@@ -151,8 +153,8 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
 
 /// Integrates the velocity to the displacement from the initial position, m.
 ///
-/// Evenly spaced samples use the cubic through the four samples around every step, others use trapezoids. At twenty
-/// samples per cycle trapezoids lose 0.8 %, the cubic 0.02 %.
+/// If the samples are evenly spaced, the method is the cubic through the four samples around every step. Otherwise, it
+/// is the trapezoidal rule. At twenty samples per cycle, the error of trapezoids is 0.8 %, that of the cubic 0.02 %.
 pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64> {
     let n = time.len();
     let mut x = initial;
@@ -199,7 +201,7 @@ mod tests {
             for i in filter.points..time.len() - filter.points {
                 assert!((derived[i] - v[i]).abs() < 2e-4 * peak, "{frequency} Hz at {i}: {} {}", derived[i], v[i]);
             }
-            // The accuracy also holds at the ends, with one-sided windows.
+            // The accuracy is the same at the ends of the record, where windows are one-sided.
             assert!(derived.iter().zip(&v).all(|(a, b)| (a - b).abs() < 1e-2 * peak));
             assert!(filter.bandwidth > 5.0 * frequency, "{filter:?}");
         }
@@ -216,7 +218,7 @@ mod tests {
         assert!((gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02, "{gain}");
     }
 
-    /// The common friction test: constant velocity in both directions.
+    /// The test motion is that of a common friction test: constant velocity in both directions.
     #[test]
     fn a_triangle_keeps_its_velocity_up_to_its_corners() {
         let (rate, frequency, speed) = (1000.0, 0.31, 0.05);
@@ -237,14 +239,14 @@ mod tests {
         let x: Vec<f64> = time.iter().map(|t| triangle(*t) + 2e-6 * white()).collect();
         let (v, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
         let truth = |t: f64| if phase(t) < 0.5 { speed } else { -speed };
-        // Samples farther from a corner than the shortest windows reach.
+        // Compare the samples that are farther from a corner than half the shortest window.
         let off = |from: f64| {
             let near = |t: f64| (phase(t) - 0.5).abs().min(phase(t)).min(1.0 - phase(t)) / frequency < from;
             time.iter().zip(&v).filter(|(t, _)| !near(**t)).map(|(t, v)| (v - truth(*t)).abs()).fold(0.0, f64::max)
         };
         assert!(off(0.02) < 0.05 * speed && off(0.15) < 0.01 * speed, "{} {}", off(0.02), off(0.15));
         assert!(filter.shorter > 0.02 && filter.shorter < 0.5, "{filter:?}");
-        // A sine with the same noise takes the longest window nearly everywhere.
+        // For a sine with the same noise, nearly all samples have the longest window.
         let x: Vec<f64> = time.iter().map(|t| 0.05 * libm::sin(TAU * frequency * t) + 2e-6 * white()).collect();
         assert!(differentiate(&time, &x, 1.0 / (12.0 * frequency)).1.shorter < 2e-3);
     }

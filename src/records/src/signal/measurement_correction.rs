@@ -1,4 +1,4 @@
-//! Corrects a record by the measurement error that a fit found, so that the model is compared with the damper alone.
+//! Corrects a record by the measurement error that a fit found, so that the comparison is between model and damper.
 
 use super::delayed_motion::DelayedMotion;
 use super::smoothing::smooth;
@@ -7,13 +7,14 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 
 impl MeasurementError {
-    /// Returns the error that the user stated. It is equal for all records that are read together.
+    /// Returns the error that the user stated. All records of one campaign have the same stated error.
     pub fn stated(records: &[&Record]) -> MeasurementError {
         records.first().map_or(MeasurementError::NONE, |record| record.stated_error)
     }
 }
 
-/// Removes the measurement error `off` from a record. Leaves out samples at an end whose motion was not recorded.
+/// Removes the measurement error `off` from a record. Leaves out samples at an end of the record if their motion was
+/// not recorded.
 pub fn correct_record(record: &Record, off: &MeasurementError) -> Record {
     if *off == MeasurementError::NONE {
         return record.clone();
@@ -51,7 +52,7 @@ fn earlier(record: &Record, delay: f64) -> Record {
         side_force: record.side_force.as_deref().map(kept),
         temperature: record.temperature.as_deref().map(kept),
         setting_signal: record.setting_signal.as_ref().map(|of| of.with_values(earlier.previous_values(&of.values))),
-        // The force samples are not shifted, so neither are the cycles.
+        // The force samples stay in place, so the cycles stay in place too.
         cycles: record
             .cycles
             .iter()

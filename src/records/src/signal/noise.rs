@@ -7,14 +7,14 @@ use crate::tuning::noise::FEWEST;
 
 /// Estimates the force noise of one sample.
 ///
-/// With two or more cycles every sample is compared with the previous and the next cycle at equal phase. Comparing
-/// neighboring cycles cancels a slow trend (heating).
+/// With two or more cycles, every sample is compared with the previous and the next cycle at equal phase. The
+/// comparison of neighboring cycles cancels a slow trend such as heating.
 ///
-/// The neighbors are interpolated between samples, which reduces their noise. This effect and the neighbors' own noise
-/// are corrected exactly, for noise with a geometrically decreasing autocorrelation.
+/// The values of neighboring cycles are interpolated between samples, which reduces their noise. For noise with a
+/// geometrically decreasing autocorrelation, the estimate corrects this effect and the noise of the neighbors exactly.
 ///
-/// Deviations beyond 3.5 times the robust spread are left out. They are not noise but come from steep flanks (a
-/// reversal of friction), where a small difference of phase is a large difference of force.
+/// Deviations beyond 3.5 times the robust spread are left out. Such deviations occur on steep flanks, such as a
+/// reversal of friction. A small phase difference is a large force difference there.
 pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
     if let Some(noise) = cycle_repeat(time, force, cycles) {
         return noise;
@@ -27,7 +27,7 @@ pub(crate) fn floor(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Noise {
 
 /// Estimates the standard deviation of white noise on a smooth signal, from third differences of neighboring samples.
 ///
-/// A parabola has no third difference. The median makes edges harmless.
+/// The third difference of a parabola is zero. The median suppresses the effect of edges.
 pub(crate) fn difference_noise(values: &[f64]) -> f64 {
     let mut third: Vec<f64> = values.windows(4).map(|w| (w[0] - 3.0 * w[1] + 3.0 * w[2] - w[3]).abs()).collect();
     // The third difference has the variance 1 + 9 + 9 + 1. The median of |normal| is 0.6745 standard deviations.
@@ -49,7 +49,8 @@ struct Deviation {
 
 /// Removes the effect of a small time shift of the whole cycle.
 ///
-/// Drives without speed control do not repeat a cycle to the sample. On a steep flank the shift would look like noise.
+/// Without speed control, the period of a drive varies by a fraction of a sample. On a steep flank, the shift would
+/// count as noise.
 fn remove_shift(run: &mut [Deviation]) {
     let reach = (run.len() / 200).max(2);
     if run.len() < 8 * reach {
@@ -72,7 +73,7 @@ fn remove_shift(run: &mut [Deviation]) {
 fn partner(time: &[f64], force: &[f64], from: &Cycle, to: &Cycle, t: f64) -> Option<Partner> {
     let phase = (t - from.start_time) / from.period();
     let at = to.start_time + phase * to.period();
-    // Include one sample beyond each end of the cycle, if the record continues.
+    // Include one sample beyond each end of the cycle, if the record contains such samples.
     let span = to.start.saturating_sub(1)..(to.end + 1).min(time.len());
     let after = span.start + time[span.clone()].partition_point(|&t| t <= at);
     if after <= span.start || after >= span.end {

@@ -1,4 +1,4 @@
-//! Removes measurement noise from the measured motion before the motion drives a model.
+//! Removes measurement noise from the recorded motion before the motion drives a model.
 //!
 //! A stiff series spring converts micrometers of displacement noise into newtons, so raw channels must not drive a
 //! model. Displacement and velocity are two noisy measurements of one smooth motion. The estimator is the
@@ -9,7 +9,7 @@ use crate::Record;
 use nalgebra::{Matrix2, Matrix2x3, Matrix3, Vector2, Vector3};
 use std::f64::consts::TAU;
 
-/// Displacement and velocity of a record's motion at its samples, consistent with each other.
+/// Consistent displacement, velocity and acceleration of a record's motion at its samples.
 #[derive(Debug, Clone)]
 pub struct Motion {
     /// Displacement, m.
@@ -25,7 +25,7 @@ pub struct Motion {
 }
 
 /// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. For a
-/// motion sampled forty times per cycle these nearly vanish.
+/// motion with forty samples per cycle, these differences nearly vanish.
 pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
@@ -45,14 +45,14 @@ pub fn smooth(record: &Record) -> Motion {
     let w = if record.frequency > 0.0 {
         TAU * record.frequency
     } else {
-        // Without cycles, use the frequency at which the amplitude gives the peak velocity.
+        // If there are no cycles, use the frequency of a sine with this amplitude and peak velocity.
         (record.peak_velocity / record.amplitude.max(1e-9)).max(1.0)
     };
     let peak = record.peak_velocity.max(1e-9);
-    // Smallest noise that keeps the covariances regular. It is far below that of any sensor.
+    // Smallest noise, so that the covariances stay regular. It is far below that of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
-    // Jerk of a sine of this speed, correlated over about 1/ω.
+    // Jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
     let q = peak * peak * w.powi(3);
     let h = Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     let r = Matrix2::new(rx, 0.0, 0.0, rv);
@@ -160,7 +160,8 @@ mod tests {
         let m = smooth(&record);
         let before = rms(&record.displacement, &x);
         assert!((m.displacement_noise / before - 1.0).abs() < 0.2);
-        // The velocity channel improves the displacement more than the displacement improves the velocity.
+        // The velocity channel reduces the displacement noise more than the displacement channel reduces the velocity
+        // noise.
         assert!(rms(&m.displacement, &x) < 0.3 * before);
         assert!(rms(&m.velocity, &v) < 0.95 * rms(&record.velocity, &v));
     }

@@ -13,14 +13,14 @@ use crate::RigError;
 use crate::files::write_file;
 use crate::hidden_case::SEALED_FOLDER;
 
-/// Name of the description; it marks a folder as a campaign.
+/// File name of the description, which identifies a folder as a campaign.
 pub const CAMPAIGN_FILE: &str = "campaign.toml";
 /// First entry of the description.
 const FORMAT: &str = "dashpot rig campaign 1";
-/// Folder in which records are completed before they move to their final folder.
+/// Folder in which records are written before they move to their final folder.
 const UNFINISHED: &str = ".unfinished-campaign";
 
-/// Contents of [`CAMPAIGN_FILE`]. It describes how the campaign was run, and excludes all data of the damper.
+/// Contents of [`CAMPAIGN_FILE`]. It describes the execution of the campaign and contains no data of the damper.
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
@@ -49,18 +49,19 @@ impl Campaign {
     /// Writes the campaign into a folder, which is created if it is missing.
     ///
     /// It writes `<test>.csv` for every test (header `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N`
-    /// if any test has side force). `campaign.toml` describes how the campaign was run. An earlier campaign in the
-    /// folder is replaced. Records are completed in a separate folder first, so a failure leaves no incomplete record.
+    /// if any test has side force). `campaign.toml` describes the execution of the campaign. The new campaign replaces
+    /// an earlier campaign in the folder. Records are first written to a separate folder, so a failure leaves no
+    /// incomplete record.
     ///
     /// # Errors
-    /// [`RigError::Folder`] if the folder contains anything but an earlier campaign (nothing changes then);
-    /// [`RigError::Io`] if a file is not writable.
+    /// [`RigError::Folder`] if the folder contains other files than an earlier campaign; the folder then stays
+    /// unchanged. [`RigError::Io`] if a file is not writable.
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         let earlier = earlier_records(folder)?;
         fs::create_dir_all(folder).map_err(RigError::io("make the folder", folder))?;
         let aside = folder.join(UNFINISHED);
         remove_folder(&aside)?;
-        // The truth of an earlier campaign does not apply to this one.
+        // The truth of an earlier campaign does not apply to the new campaign.
         remove_folder(&folder.join(SEALED_FOLDER))?;
         fs::create_dir(&aside).map_err(RigError::io("make the folder", &aside))?;
         let outcome = self.write_by_way_of(folder, &aside, &earlier);
@@ -78,7 +79,7 @@ impl Campaign {
             .collect();
         written.into_iter().collect::<Result<(), _>>()?;
 
-        // From here on, the folder contains only records listed in its description, even after a failure.
+        // From this point, the description lists all records in the folder, even after a failure.
         for file in earlier.iter().filter(|file| !files.contains(file)) {
             let path = folder.join(file);
             match fs::remove_file(&path) {
@@ -109,7 +110,7 @@ impl Campaign {
         if self.records.iter().any(|record| record.temperature_c.is_some()) {
             channels.push("temperature_C");
         }
-        // Six decimals are a nanometer; more would only show the binary representation.
+        // Six decimals are a nanometer. Further decimals would only show the binary representation.
         let tidy = |value: f64| (value * 1e6).round() / 1e6;
         Description {
             format: FORMAT.into(),
@@ -141,7 +142,7 @@ impl Record {
         format!("{}.csv", self.point.name)
     }
 
-    /// Writes the record. The decimals resolve a tenth or less of the sensors' noise.
+    /// Writes the record. The resolution of the decimals is at most a tenth of the sensor noise.
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
         let temperature = self.temperature_c.as_deref();
@@ -162,7 +163,7 @@ impl Record {
     }
 }
 
-/// Lists the records of the earlier campaign in the folder; empty if the folder is empty or absent.
+/// Lists the records of the earlier campaign in the folder. The list is empty if the folder is empty or missing.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
@@ -284,7 +285,7 @@ mod tests {
     fn earlier_campaign_is_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         campaign(&matrix(vec![0.01, 0.02]), 2).write(folder.path()).unwrap();
-        // Make the remains of an interrupted run, and a user's notes.
+        // Make the files of an interrupted run and a user's notes.
         fs::create_dir(folder.path().join(UNFINISHED)).unwrap();
         fs::write(folder.path().join(UNFINISHED).join("x.csv"), "half").unwrap();
         fs::write(folder.path().join("notes.txt"), "kept").unwrap();

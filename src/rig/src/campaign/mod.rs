@@ -15,32 +15,33 @@ use crate::TestPoint;
 pub struct Options {
     /// Seed of the damper ([`crate::Damper::seeded`]; 0 is the default damper) and of the noise. Up to 2^63 - 1.
     pub seed: u64,
-    /// Noise of the load cell: standard deviation in percent of the test's rms force, plus 0.5 N of amplifier noise.
+    /// Noise of the load cell: standard deviation in percent of the test's rms force. Amplifier noise of 0.5 N is
+    /// added.
     ///
     /// The other channels have the noise of their sensors: displacement 2 µm, velocity 0.1 % of the test's peak
-    /// velocity, side force 0.5 N. At 0 all sensors are ideal.
+    /// velocity, side force 0.5 N. If this value is 0, all sensors are ideal.
     pub noise_percent: f64,
-    /// Samples per second of every test, Hz; `None` chooses by frequency ([`default_sample_rate_hz`]).
+    /// Samples per second of every test, Hz; `None` selects the rate from the frequency ([`default_sample_rate_hz`]).
     pub sample_rate_hz: Option<f64>,
-    /// Color of the load cell's noise: correlation between successive samples (first-order autoregressive), 0 is white.
-    /// The standard deviation does not depend on it.
+    /// Color of the load cell's noise: correlation between successive samples (first-order autoregressive), 0 for white
+    /// noise. The standard deviation does not depend on the correlation.
     pub noise_colour: f64,
     /// Amplitude of mains hum (50 Hz) on the force, N.
     pub hum_n: f64,
-    /// Bits of the force channel's converter, over the smallest common range that includes the campaign's largest
-    /// force; `None` does not round.
+    /// Bits of the force channel's converter, over the smallest common range above the campaign's largest force. `None`
+    /// means no rounding.
     pub bits: Option<u32>,
     /// Whether the side force is recorded in tests with side force.
     pub side_force_channel: bool,
     /// Whether the temperature of the damper's body is recorded. Only campaigns with injected effects support this
     /// channel.
     pub temperature_channel: bool,
-    /// Initial temperature of the damper, °C; `None` is that of the laboratory. Only campaigns with injected effects
-    /// use this value.
+    /// Initial temperature of the damper, °C; `None` means the laboratory temperature. Only campaigns with injected
+    /// effects use this value.
     pub start_temperature_c: Option<f64>,
     /// Seed for shuffling a plan; `None` uses `seed`.
     pub order: Option<u64>,
-    /// Number of worker threads; `None` uses all of the machine. The result does not depend on it.
+    /// Number of worker threads; `None` uses all processors. The result does not depend on this number.
     pub threads: Option<usize>,
 }
 
@@ -88,11 +89,11 @@ pub struct Record {
     pub velocity_m_s: Vec<f64>,
     /// Force, tension positive, N.
     pub force_n: Vec<f64>,
-    /// Side force on the rod, N; absent when no test of the campaign has one.
+    /// Side force on the rod, N; `None` if no test of the campaign has a side force.
     pub side_force_n: Option<Vec<f64>>,
     /// Temperature of the damper's body, °C, if recorded.
     pub temperature_c: Option<Vec<f64>>,
-    /// Force without noise, hum and rounding, N; never in a record's file.
+    /// Force without noise, hum and rounding, N; not written to the record's file.
     pub clean_force_n: Vec<f64>,
 }
 

@@ -20,9 +20,9 @@ pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
 
 /// Default sample rates, Hz. Their sample times are whole microseconds, and thus exact in a file with six decimals.
 const RATES_HZ: [f64; 13] = [20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0];
-/// Sample rates the data logger allows, Hz.
+/// Range of sample rates of the data logger, Hz.
 const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
-/// Largest number of samples of a record; a longer record indicates a mistake in the options.
+/// Largest number of samples of a record; a longer record indicates an error in the options.
 const LONGEST_RECORD: f64 = 5e6;
 /// Smallest number of samples per cycle that represents a sine.
 const LEAST_PER_CYCLE: f64 = 8.0;
@@ -40,7 +40,7 @@ const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate for a test.
 ///
-/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. A slow test thus resolves its
+/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. A slow test thus resolves the
 /// break-away, and a fast test has the rate of a common logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
@@ -59,7 +59,7 @@ impl Campaign {
         Self::run_on(&Damper::seeded(options.seed), matrix, options, progress)
     }
 
-    /// Runs all tests like [`Campaign::run`], on a given damper; the seed then selects only the noise.
+    /// Runs all tests like [`Campaign::run`], on a given damper. The seed then determines only the noise.
     ///
     /// # Errors
     /// The errors of [`Campaign::run`].
@@ -84,7 +84,7 @@ impl Campaign {
             matrix
                 .points()
                 .par_iter()
-                // Scheduling is per test, because their lengths differ by a factor of a hundred.
+                // Schedule each test separately, because test durations differ by a factor of a hundred.
                 .with_max_len(1)
                 .map(|point| {
                     let record = measure(damper, point, options, with_side_force);
@@ -114,7 +114,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
         return fail("noise", format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"));
     }
     if i64::try_from(options.seed).is_err() {
-        // The description is TOML, whose integers end at this value.
+        // The description is in TOML, in which this is the largest integer.
         return fail("seed", format!("{}; give 0 to {}", options.seed, i64::MAX));
     }
     if options.threads == Some(0) {

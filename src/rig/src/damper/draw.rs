@@ -8,12 +8,12 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{ATMOSPHERE_PA, Damper};
 
-/// Highest velocity of the thesis's matrix (50 mm at 5 Hz), m/s, for which a drawn damper must be plausible.
+/// Highest velocity of the thesis's matrix (50 mm at 5 Hz), m/s, at which a drawn damper must be plausible.
 const TOP_VELOCITY_M_S: f64 = TAU * 0.05 * 5.0;
 /// Smallest plausible absolute pressure in the rebound chamber in compression, Pa: a healthy damper does not cavitate.
 const LEAST_PRESSURE_PA: f64 = 4.0e5;
 
-/// Draws the damper of a seed; seed 0 is the default.
+/// Draws the damper of a seed. Seed 0 gives the default damper.
 pub(super) fn damper(seed: u64) -> Damper {
     if seed == 0 {
         return Damper::default();
@@ -34,7 +34,7 @@ fn candidate(stream: &mut ChaCha8Rng) -> Damper {
         libm::exp(spread * unit.clamp(-2.5, 2.5))
     };
     let mut damper = Damper::default();
-    // The order of the draws defines the damper of a seed: append new draws, never insert them.
+    // The order of the draws defines the damper of a seed: append new draws instead of inserting them.
     let tube = &mut damper.tube;
     tube.bore_m *= vary(0.04);
     tube.rod_m *= vary(0.08);

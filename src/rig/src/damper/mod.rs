@@ -11,7 +11,7 @@
 //!        actuator == tube
 //! ```
 //!
-//! Extension (rebound) positive; the force on the load cell is positive in tension.
+//! Extension (rebound) and tension at the load cell are positive.
 
 mod draw;
 mod gas;
@@ -49,7 +49,7 @@ pub struct Damper {
     pub valves: PistonValves,
     /// Friction of the rod seal and guide.
     pub seal: Seal,
-    /// Elastic mount between rod and load cell; `None` is rigid.
+    /// Elastic mount between rod and load cell; `None` means rigid.
     pub mount: Option<Mount>,
 }
 
@@ -69,15 +69,14 @@ impl Default for Damper {
 impl Damper {
     /// Draws a variant of the default damper, similar to the variation between products.
     ///
-    /// The result depends only on the seed; seed 0 is the default itself.
+    /// The result depends only on the seed. Seed 0 gives the default damper.
     pub fn seeded(seed: u64) -> Self {
         draw::damper(seed)
     }
 
     /// Returns the force on the rod in steady oil flow at mid-stroke, without compressibility: gas, valves and sliding
     /// seal, N.
-    ///
-    /// The force-velocity points of long, slow strokes approach this force.
+    /// In long, slow strokes, the force approaches this value.
     pub fn steady_force_n(&self, velocity_m_s: f64) -> f64 {
         let area = self.tube.annulus_m2();
         let drop = self.valves.pressure_drop_pa(area * velocity_m_s, self.oil.density_kg_m3);

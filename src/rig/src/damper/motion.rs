@@ -41,7 +41,7 @@ impl Damper {
     pub(crate) fn rates(&self, state: &State, input: &Excitation) -> State {
         let Chambers { rebound, compression, velocity } = self.chambers(state, input);
         let flow = self.valves.flow_m3_s(state[REBOUND] - state[COMPRESSION], self.oil.density_kg_m3);
-        // The valve passes a volume at the density of its source chamber; the mass, not the volume, is conserved.
+        // The flow has the density of its source chamber. The mass, not the volume, is conserved.
         let (out_of_rebound, into_compression) = if flow > 0.0 {
             (flow, flow * compression.specific_volume / rebound.specific_volume)
         } else {
@@ -72,7 +72,7 @@ impl Damper {
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
-        // Bisect: the oil mass at one displacement increases with pressure, because both oil and gas yield.
+        // Bisect: the oil mass at one displacement increases with pressure, because oil and gas are compressible.
         for _ in 0..200 {
             let middle = 0.5 * (low + high);
             if self.oil_volume(&self.level_state(middle), displacement_m) < filled {
@@ -84,7 +84,7 @@ impl Damper {
         self.level_state(0.5 * (low + high))
     }
 
-    /// Makes a state with equal pressures, the mount in equilibrium, and all else zero.
+    /// Makes a state with equal pressures, the mount in equilibrium, and zero for all other states.
     fn level_state(&self, pressure_pa: f64) -> State {
         let mut state = [pressure_pa, pressure_pa, 0.0, 0.0, 0.0];
         if let Some(mount) = &self.mount {
@@ -230,8 +230,8 @@ mod tests {
             let (up, down) = (damper.force_n(&up.2), damper.force_n(&down.2));
             (0.5 * (up + down), 0.5 * (up - down))
         };
-        // At mid-stroke the mean is the static gas force. Half the difference is sliding friction plus the bleed's
-        // force at 0.4 mm/s.
+        // At mid-stroke the mean is the static gas force. Half the difference is the sliding friction plus the force of
+        // the bleed at 0.4 mm/s.
         let (gas, friction) = mean_and_half(0.0);
         assert!((gas - damper.force_n(&damper.at_rest(0.0))).abs() < 1.0, "{gas}");
         let expected = damper.seal.sliding_force_n(4e-4, 0.0);

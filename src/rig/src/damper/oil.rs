@@ -34,10 +34,10 @@ pub struct Compression {
 }
 
 impl Oil {
-    /// Computes the state of the mixture at an absolute pressure. The stiffness vanishes toward zero pressure, so that
-    /// no chamber reaches a vacuum.
+    /// Computes the state of the mixture at an absolute pressure. The stiffness approaches zero at zero pressure, so
+    /// that no chamber reaches a vacuum.
     pub fn compress(&self, pressure_pa: f64) -> Compression {
-        // Solver iterations may evaluate negative pressures; the rates there only need to lead back.
+        // Solver iterations may evaluate negative pressures. The rates must then only increase the pressure.
         let pressure = pressure_pa.max(1.0);
         let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
         let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);

@@ -71,7 +71,8 @@ mod tests {
     #[test]
     fn never_gives_energy() {
         let seal = Seal::default();
-        // The dissipated power (input power minus stored power) must not be negative anywhere within the friction cone.
+        // The dissipated power (input power minus stored power) must be at least zero everywhere within the friction
+        // cone.
         for i in -50..=50 {
             let deflection = 1e-6 * f64::from(i);
             for velocity in [-1.0, -1e-3, 1e-3, 1.0] {

@@ -25,7 +25,7 @@ impl Default for PistonValves {
 }
 
 impl PistonValves {
-    /// Computes the flow from the rebound into the compression chamber at a pressure drop in this direction, m³/s.
+    /// Computes the flow from the rebound into the compression chamber for a pressure drop in this direction, m³/s.
     pub fn flow_m3_s(&self, drop_pa: f64, density_kg_m3: f64) -> f64 {
         let blow_off = if drop_pa > 0.0 { &self.rebound } else { &self.compression };
         let size = drop_pa.abs();
@@ -41,7 +41,7 @@ impl PistonValves {
             high *= 2.0;
         }
         let mut low = 0.0;
-        // Flow rises with pressure, so bisection reaches the last digit.
+        // The flow increases with pressure, so bisection is accurate to the last digit.
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
             if flow(middle) < target {
@@ -72,7 +72,7 @@ impl Bleed {
     }
 }
 
-/// Preloaded shim over a port: closed up to the preload, then opening with pressure until the port limits the flow.
+/// Preloaded shim over a port. It is closed up to the preload, then opens with pressure until the port limits the flow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlowOff {
     /// Pressure drop at which the shim lifts (blow-off pressure), Pa.
@@ -81,7 +81,7 @@ pub struct BlowOff {
     pub opening_m2_pa: f64,
     /// Area of the port behind the shim, m².
     pub port_m2: f64,
-    /// Pressure width of the knee, Pa: the shim does not lift along its whole edge at one pressure.
+    /// Pressure width of the knee, Pa: parts of the shim's edge lift at different pressures.
     pub knee_pa: f64,
 }
 

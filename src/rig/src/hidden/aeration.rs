@@ -13,8 +13,8 @@ struct Aeration {
     rest_n: f64,
     /// Polytropic exponent of the bubbles.
     exponent: f64,
-    /// Length of both chambers at mid-stroke, m, and ratio of the air in the compression chamber to that in the rebound
-    /// chamber.
+    /// Length of both chambers at mid-stroke, m. `compression_share` is the ratio of air in the compression chamber to
+    /// air in the rebound chamber.
     chamber_m: f64,
     compression_share: f64,
     /// Force at which all air is dissolved, N.
@@ -29,7 +29,7 @@ impl Hidden for Aeration {
         if self.form == 1 { &[1e-5] } else { &[] }
     }
 
-    /// Keeps the foam of the preceding test, which decays during the pause.
+    /// Leaves the foam state of the preceding test unchanged. The foam decays during the pause.
     fn begin(&self, _rest: &crate::neutral::Rest, _states: &mut [f64]) {}
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {
@@ -47,7 +47,7 @@ impl Hidden for Aeration {
 
     fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
         if self.form == 0 {
-            // Use Merritt's mixture law in both chambers: the chamber under pressure takes up the flow.
+            // Use Merritt's mixture law in both chambers: the chamber under pressure stores the flow.
             let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 0.2 * self.rest_n));
             let rebound = (1.0 - here.position_m / self.chamber_m).max(0.1);
             let compression = self.compression_share * (1.0 + here.position_m / self.chamber_m).max(0.1);

@@ -1,4 +1,4 @@
-//! A stop at the end of compression: polyurethane that stiffens exponentially, or a closing hydraulic gap.
+//! A stop at the end of compression: exponentially stiffening polyurethane, or a closing hydraulic gap.
 
 use super::{Hidden, Recipe, stop};
 

@@ -1,4 +1,4 @@
-//! A rubber mount instead of the linear series spring: soft, stiffening with deflection, with its own losses.
+//! A rubber mount instead of the linear series spring: it is soft, stiffens with deflection, and has losses.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Mount};
@@ -14,9 +14,10 @@ struct Bushing {
     working_m: f64,
     /// Relative additional compliance at strength 1: the spring's stiffness is divided by `1 + strength * softer`.
     softer: f64,
-    /// Deflection at which the quintic doubles the force, or at which the stop makes contact, in working deflections.
+    /// Deflection at which the quintic term doubles the force, or the stop makes contact, relative to the working
+    /// deflection.
     hardens: f64,
-    /// Friction in the filler (N) and deflection over which the friction builds up (m).
+    /// Friction in the filler, N. `friction_m` is the deflection over which the friction builds up, m.
     friction_n: f64,
     friction_m: f64,
     /// Relaxing stiffnesses relative to the static stiffness, and their time constants, s.
@@ -38,7 +39,7 @@ impl Hidden for Bushing {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let rate = here.deflection_m_s;
         if self.form == 0 {
-            // Bouc & Wen model of the filler: its load ranges from -1 to 1.
+            // The filler is a Bouc-Wen model with a load from -1 to 1.
             rates[0] = (rate - rate.abs() * states[0] * states[0].abs().sqrt()) / self.friction_m;
         } else {
             for (index, (_, time)) in self.relaxing.iter().enumerate() {
@@ -51,7 +52,7 @@ impl Hidden for Bushing {
         let stiffness = self.static_n_m(mount.stiffness_n_m);
         let limit = self.hardens * self.working_m;
         Some(if self.form == 0 {
-            // The quintic saturates at large deflections, where rubber would be squeezed out.
+            // The quintic saturates at large deflections, because the rubber would move out of the mount.
             let quartic = (deflection_m / limit).powi(4);
             let hardening = 1.0 + 2.0 * self.strength * quartic / (1.0 + quartic);
             stiffness * deflection_m * hardening + self.strength * self.friction_n * states[0]
@@ -68,8 +69,8 @@ impl Hidden for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // With a stiff series spring, a proportional change would be invisible; a common scale of stiffness ensures a soft
-    // mount.
+    // If the series spring is stiff, a proportional change would be invisible. A common scale of stiffness ensures a
+    // soft mount.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

@@ -1,5 +1,5 @@
-//! The pressure cannot fall below vapor pressure: a void opens, the force is limited, and the force returns only after
-//! the void closes.
+//! The pressure cannot fall below vapor pressure: a void opens and limits the force, which returns only after the void
+//! closes.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -11,10 +11,11 @@ const VAPOUR_M_N: f64 = 1e-4;
 const VOID_M: f64 = 0.2e-3;
 
 enum Cavitation {
-    /// In compression the rebound chamber falls to vapor pressure. The force is limited, and stays at the limit until
+    /// In compression, the pressure in the rebound chamber falls to vapor pressure. The force stays at a limit until
     /// the void has closed.
     Monotube { cap_n: f64, knee_n: f64 },
-    /// In rebound the foot valve does not refill the compression chamber, so compression begins with a dead stroke.
+    /// In rebound, the foot valve does not refill the compression chamber, so compression begins with a stroke without
+    /// force.
     FootValve { share: f64, free_m_s: f64, knee_m_s: f64, edge_m: f64 },
 }
 
@@ -37,7 +38,7 @@ impl Hidden for Cavitation {
             let v = here.velocity_m_s;
             let offset = softplus(-free_m_s / knee_m_s);
             let opens = if v > 0.0 { share * knee_m_s * (softplus((v - free_m_s) / knee_m_s) - offset) } else { 0.0 };
-            // While the void is open, the piston closes it by its displacement; the end of closing is gradual.
+            // While the void is open, the displacement of the piston closes it. The end of closing is gradual.
             let closes = v.min(0.0) * states[0] / (states[0] + edge_m);
             rates[0] = opens + closes;
         }
@@ -66,7 +67,7 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        // Use the root, because a limit above all forces has no effect: the onset must be near strength 1.
+        // The root places the onset near strength 1. A limit above all forces would have no effect.
         let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
         Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {

@@ -44,7 +44,7 @@ impl Hidden for ChannelDelay {
     }
 
     fn cell_n(&self, force_n: f64, here: &Here, states: &[f64]) -> f64 {
-        // Contributions of other artifacts of the cell remain.
+        // The contributions of other errors of the cell stay unchanged.
         if self.form == 1 { force_n - here.rod_n + states[0] } else { force_n }
     }
 }

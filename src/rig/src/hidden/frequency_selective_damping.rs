@@ -1,4 +1,4 @@
-//! A bypass that closes during the stroke: soft in fast reversals, firm in slow ones.
+//! A bypass that closes during the stroke: soft in fast reversals, firm in slow reversals.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -10,7 +10,7 @@ struct FrequencySelective {
     /// Flow of the open bypass at the reference force, m/s.
     flow_m_s: f64,
     scale_n: f64,
-    /// Time constants of filling or closing, and of reopening, s.
+    /// Time constant of filling or closing, s. `opening_s` is the time constant of reopening.
     closing_s: f64,
     opening_s: f64,
     /// Velocity below which the second form detects a reversal, m/s.
@@ -34,7 +34,7 @@ impl Hidden for FrequencySelective {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 0 {
             for (index, force) in [here.oil_n, -here.oil_n].into_iter().enumerate() {
-                // The pressure fills the chamber through a throttle; a check valve empties it.
+                // The pressure fills the chamber through a throttle. A check valve empties the chamber.
                 let pressure = (force / self.scale_n).max(0.0);
                 let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
                 let idle = 1.0 / (1.0 + libm::exp(force / (0.02 * self.scale_n)));

@@ -1,4 +1,4 @@
-//! The gas chamber pushes harder the further the rod is in: its force depends on position in addition to the preload.
+//! The gas force increases as the rod moves in, so it depends on position in addition to the preload.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -36,7 +36,7 @@ impl Hidden for GasSpring {
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 1 {
-            // First law for an ideal gas, with a heat exchange of one time constant.
+            // First law for an ideal gas, with heat exchange at one time constant.
             let rate = here.line.velocity_m_s / self.column_m / self.volume(here.line.displacement_m);
             rates[0] = -(ADIABATIC - 1.0) * (1.0 + states[0]) * rate - states[0] / self.settling_s;
         }

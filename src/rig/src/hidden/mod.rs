@@ -1,8 +1,8 @@
 //! Physical effects that can be injected into the neutral damper, one file each.
 //!
-//! Every effect has a strength: 0 is absent, 1 a typical strong case. Its effect on the force grows smoothly and
-//! monotonically with the strength, so that bisection finds the strength of a wanted effect. Shape parameters, and the
-//! physical form if there are two, are drawn from the seed and do not depend on the strength.
+//! Every effect has a strength: 0 means absent, 1 a typical strong case. The force of the effect grows smoothly and
+//! monotonically with the strength, so that bisection finds the strength for a required force. Shape parameters, and
+//! the physical form if there are two, are drawn from the seed and do not depend on the strength.
 
 mod aeration;
 mod bump_stop;
@@ -95,15 +95,15 @@ pub(crate) struct Recipe<'a> {
     pub draw: Draw,
     wanted: Option<&'a str>,
     name: &'static str,
-    /// The selected form; the first form if the requested one is unknown, and `refused` then lists the forms.
+    /// The selected form; it is the first form if the requested form is unknown, and `refused` then lists the forms.
     form: &'static str,
     refused: Option<&'static [&'static str]>,
 }
 
 impl Recipe<'_> {
-    /// Selects the physical form: the requested one, else by seed.
+    /// Selects the physical form: the requested form, else a form drawn from the seed.
     fn form(&mut self, forms: &'static [&'static str]) -> usize {
-        // Always draw, so that requesting a form does not change the shape parameters.
+        // Always draw, so that the request of a form does not change the shape parameters.
         let drawn = self.draw.choice(forms.len());
         let index = match self.wanted {
             None => drawn,

@@ -1,4 +1,4 @@
-//! Oil and tube yield under pressure, so a part of the piston's displacement does not pass the valves.
+//! Oil and tube deform under pressure, so a part of the displaced oil does not flow through the valves.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -9,12 +9,12 @@ struct Compressibility {
     form: usize,
     /// Compliance at mid-stroke without pressure, m/N.
     compliance_m_n: f64,
-    /// Lengths of the chambers at mid-stroke, m.
+    /// Length of the rebound chamber at mid-stroke, m. `compression_m` is that of the compression chamber.
     rebound_m: f64,
     compression_m: f64,
     /// Relative increase of the bulk modulus per newton of pressure force on the piston.
     stiffening_n: f64,
-    /// Fraction of the wall, whose compliance is constant.
+    /// Fraction of the compliance that is due to the wall and constant.
     wall: f64,
 }
 

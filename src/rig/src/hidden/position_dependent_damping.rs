@@ -1,4 +1,4 @@
-//! Grooves in the tube let oil past the piston over part of the stroke.
+//! Over a part of the stroke, oil flows past the piston through grooves in the tube.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

@@ -6,12 +6,12 @@ use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Reduction of creep at standstill with soft bristles. The smoothing velocity of the neutral friction is divided by
-/// `1 + CREEP_FADES * strength`.
+/// Reduction of the creep at standstill if bristles are soft. The smoothing velocity of the neutral friction is divided
+/// by `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
-    /// Length over which each element builds up its load (m), and its fraction of the load. The first form has one
+    /// Length over which the load of each element builds up (m), and its fraction of the load. The first form has one
     /// element.
     elements: Vec<(f64, f64)>,
     /// Fraction of the load below which a bristle is purely elastic (Dupont's break-away ratio).
@@ -28,8 +28,8 @@ impl Hidden for Presliding {
 
     /// Computes the rates of the elements' loads, each from -1 to 1.
     ///
-    /// In long motion, even a soft element approaches the smooth sign of the neutral friction. At standstill its load
-    /// relaxes with the same smoothing velocity.
+    /// In long motion, the load of even a soft element approaches the smooth sign function of the neutral friction. At
+    /// standstill, the load relaxes with an equal smoothing velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let v = here.line.velocity_m_s;
         let speed = libm::hypot(v, self.smooth_m_s);
@@ -44,7 +44,7 @@ impl Hidden for Presliding {
                 let share = ((reached.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             };
-            // Against the load there is no sliding; near standstill only creep remains.
+            // There is no sliding in the direction opposite to the load. Near standstill, only creep remains.
             let creep = (self.smooth_m_s / speed).powi(2);
             rates[index] = speed * (end - load * sliding.max(creep)) / length;
         }

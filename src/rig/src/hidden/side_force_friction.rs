@@ -1,4 +1,4 @@
-//! Side force increases the guide friction beyond the proportional term of the neutral damper.
+//! Side force increases the guide friction in addition to the proportional term of the neutral damper.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -6,9 +6,9 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["saturating", "two_bushes"];
 
 enum SideFriction {
-    /// `mu (sqrt(Fs² + F0²) - F0)`, which saturates as the lubricant film collapses.
+    /// `mu (sqrt(Fs² + F0²) - F0)`, which saturates when the lubricant film collapses.
     Saturating { share: f64, onset_n: f64, level_n: f64 },
-    /// Reactions in rod guide and piston band; their distance decreases with extension.
+    /// Friction of the reaction forces in rod guide and piston band, whose distance decreases with extension.
     TwoBushes { share: f64, overhang_m: f64, overlap_m: f64 },
 }
 

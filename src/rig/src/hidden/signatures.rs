@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::{InjectedCase, Matrix, Options, Record, TestPoint};
 
-/// Smallest significant force difference, N: additional states change the solver's steps and thus the force slightly.
+/// Smallest significant force difference, N: additional states change the steps of the solver and thus the force
+/// slightly.
 const SOLVER_N: f64 = 0.02;
 
 fn sine(name: &str, amplitude_m: f64, frequency_hz: f64) -> TestPoint {
@@ -71,7 +72,7 @@ fn presliding_turns_over_a_distance_at_any_frequency() {
     let distances: Vec<f64> = traces(&points, "presliding_friction:maxwell_slip")
         .iter()
         .map(|(record, trace)| {
-            // Start at the outer reversal and continue until half of the missing friction has built up.
+            // Start at the outer reversal and continue until half of the friction difference has built up.
             let from = record.time_s.len() / 3;
             let x = &record.displacement_m;
             let turn = (from..x.len() - 1).find(|i| x[*i] >= x[i - 1] && x[*i] > x[i + 1]).unwrap();

@@ -9,15 +9,15 @@ pub(super) struct Stop {
     form: usize,
     /// +1 at full extension, -1 at full compression.
     side: f64,
-    /// Displacement toward the stop at contact, m.
+    /// Displacement at which the stop makes contact, m.
     touched_m: f64,
-    /// Rubber: `F1 (exp(d / d1) - 1)`.
+    /// F1 of the rubber force `F1 (exp(d / d1) - 1)`, N.
     force_n: f64,
     growth_m: f64,
     /// Fraction and time constant (s) of a relaxing branch (Zener).
     relaxing: f64,
     relaxation_s: f64,
-    /// Hydraulic: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
+    /// Hydraulic stop: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
     resistance_n: f64,
     closing_m: f64,
 }
@@ -56,12 +56,12 @@ impl Hidden for Stop {
             return 0.0;
         }
         let force = if self.form == 0 {
-            // The relaxing branch has the same curve. Rubber pushes but does not pull.
+            // The relaxing branch has the same curve. Rubber can push but not pull.
             (self.rubber_n(depth) + self.relaxing * (self.rubber_n(depth) - self.rubber_n(states[0]))).max(0.0)
         } else {
             let speed = (self.side * here.line.velocity_m_s).max(0.0);
             let left = (1.0 - depth / self.closing_m).max(0.12);
-            // The laminar part depends on the cube of the gap, the orifice part on its square; both depend on the
+            // The laminar part depends on the cube of the gap, the orifice part on its square. Both depend on the
             // covered length.
             let covered = depth / (depth + 2e-3);
             self.resistance_n * covered * (0.3 * speed / left.powi(3) + 0.7 * speed * speed / left.powi(2))

@@ -1,4 +1,5 @@
-//! Oil becomes thinner with temperature: the laminar part of the force follows viscosity, the other part density.
+//! Oil becomes thinner with temperature. The laminar part of the force is proportional to the viscosity, the other part
+//! to the density.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -37,7 +38,8 @@ impl Fade {
 
 impl Hidden for Fade {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
-        // The strength is an exponent: twice the strength doubles the logarithmic effect of the temperature.
+        // The strength is an exponent: twice the strength doubles the effect of temperature on the logarithm of the
+        // viscosity.
         let viscosity = libm::pow(self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C), self.strength);
         // Below a fiftieth of the viscosity, the laminar part would become turbulent.
         let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);

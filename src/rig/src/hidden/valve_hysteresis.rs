@@ -1,19 +1,19 @@
-//! The blow-off valve opens and closes with delay.
+//! The blow-off valve opens and closes with a delay.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest, ValveLaw};
 
 const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
-/// Velocity up to which the open passage follows the law, m/s; beyond it the passage is an orifice.
+/// Velocity up to which the open passage has the valve law, m/s. Beyond it, the passage is an orifice.
 const BLEED_M_S: f64 = 0.05;
 
 struct ValveHysteresis {
     form: usize,
-    /// Spool: natural frequency (rad/s), damping ratio, and flow force at full flow relative to the pressure force.
+    /// Spool: natural frequency (rad/s), damping ratio, and ratio of flow force to pressure force at full flow.
     omega: f64,
     damping: f64,
     flow_force: f64,
-    /// Play between pressure and valve as a force, N, and time constant of the valve beyond the play, s.
+    /// Play between pressure and valve, expressed as a force, N, and time constant of the valve beyond the play, s.
     play_n: f64,
     follows_s: f64,
     /// Force at the end of the open passage's law, rebound and compression, N.
@@ -30,12 +30,13 @@ impl Hidden for ValveHysteresis {
         states.fill(0.0);
     }
 
-    /// Computes the rate of the valve's position, expressed as a force, N, and in the first form of its velocity.
+    /// Computes the rate of the valve position, expressed as a force, N. In the first form, also computes the rate of
+    /// its velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let lag = here.oil_n - states[0];
         if self.form == 0 {
             rates[0] = states[1];
-            // The flow force pulls the spool toward closing while oil flows.
+            // While oil flows, the flow force acts on the spool in the closing direction.
             let flow_force = 1.0 - self.flow_force * (here.oil_n / libm::hypot(here.oil_n, 500.0)).powi(2);
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);

@@ -14,9 +14,9 @@ use crate::{Campaign, Options, Plan};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct InjectedCase {
     /// Names from [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`] and their strengths. `name:form` selects a physical
-    /// form; otherwise the seed does.
+    /// form. Without a form, the seed selects it.
     ///
-    /// Strength 0 gives exactly the neutral damper, 1 is a typical strong case. The effect on the force grows
+    /// Strength 0 gives exactly the neutral damper, and 1 is a typical strong case. The effect on the force grows
     /// monotonically with the strength.
     pub effects: Vec<(String, f64)>,
     /// The tests.
@@ -40,10 +40,10 @@ pub struct InjectedCampaign {
 pub struct Truth {
     /// The seed of the case.
     pub seed: u64,
-    /// The injected effects; empty for the neutral damper.
+    /// The injected effects. Empty for the neutral damper.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<InjectedEffect>,
-    /// Parameters of the neutral damper; names end with their unit.
+    /// Parameters of the neutral damper; the names end with the unit.
     pub damper: BTreeMap<String, f64>,
 }
 
@@ -56,6 +56,6 @@ pub struct InjectedEffect {
     pub form: String,
     /// Strength.
     pub strength: f64,
-    /// Shape parameters drawn from the seed, at strength 1; names end with their unit, fractions have none.
+    /// Shape parameters drawn from the seed, at strength 1; the names end with the unit. Names of fractions have none.
     pub shapes: BTreeMap<String, f64>,
 }

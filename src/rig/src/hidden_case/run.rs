@@ -14,9 +14,9 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Target of samples per cycle, fewer than on a common rig: sufficient for 25 Hz, with short files.
+/// Target of samples per cycle. It is lower than on a common rig, but sufficient for 25 Hz, and files are short.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
-/// Sample rates whose sample times are whole microseconds, Hz.
+/// Sample rates with sample times in whole microseconds, Hz.
 const RATES_HZ: [f64; 22] = [
     1.0, 2.0, 4.0, 5.0, 8.0, 10.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0,
     1000.0, 1250.0, 2500.0,
@@ -25,7 +25,7 @@ const RATES_HZ: [f64; 22] = [
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals, in samples; at a reversal the velocity would be exactly zero.
+/// Offset of the samples from the reversals, in samples. At a reversal, the velocity would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
@@ -51,8 +51,8 @@ impl InjectedCase {
         self.run_matrix(&self.plan.matrix(order), |_, _| {})
     }
 
-    /// Runs the case on a matrix instead of its plan, in the matrix's order. `progress` is called with the numbers of
-    /// completed tests and of all tests.
+    /// Runs the case on a matrix instead of its plan, in the order of the matrix. `progress` is called with the numbers
+    /// of completed tests and of all tests.
     ///
     /// # Errors
     /// The errors of [`InjectedCase::run`].
@@ -102,7 +102,7 @@ fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
 }
 
 fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
-    // A name drawn several times, such as the fraction of each element, gets a number.
+    // If a name is drawn several times, such as the fraction of each element, a number is added.
     let named = |drawn: &[(String, f64)]| {
         let mut named = BTreeMap::new();
         for (name, value) in drawn {
@@ -350,7 +350,7 @@ mod tests {
 
     #[test]
     fn a_passive_damper_takes_energy_in_every_cycle() {
-        // Exclude artifacts of the rig. A mass returns the energy that it takes up.
+        // Exclude errors of the rig. A mass returns the energy that it stores.
         let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
         for name in physical {
             for record in measured(4, &[(name, 1.0)]) {
@@ -456,7 +456,7 @@ mod tests {
         let clean = folder.path().join(super::super::SEALED_FOLDER).join(super::super::CLEAN_FORCE_FILE);
         let samples: usize = outcome.campaign.records.iter().map(|record| record.time_s.len()).sum();
         assert_eq!(std::fs::read_to_string(clean).unwrap().lines().count(), samples + 1);
-        // A campaign without injected effects removes an old truth.
+        // A campaign without injected effects removes the truth of an earlier campaign.
         let plain = Campaign::run(&matrix(), &Options { sample_rate_hz: Some(200.0), ..Options::default() }, |_, _| {});
         plain.unwrap().write(folder.path()).unwrap();
         assert!(!folder.path().join(super::super::SEALED_FOLDER).exists());

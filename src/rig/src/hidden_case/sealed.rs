@@ -1,4 +1,4 @@
-//! The truth of a case on disk, in a subfolder of the records that no reader of records opens.
+//! The truth of a case on disk, in a subfolder that readers of records do not open.
 
 use std::fs;
 use std::io;

@@ -21,8 +21,8 @@ impl Matrix {
     /// Makes a matrix of the given tests.
     ///
     /// # Errors
-    /// [`RigError::TestPoint`] if a test is outside the rig's limits or two tests have equal names (ignoring case, as in
-    /// file names). [`RigError::Option`] if the list is empty.
+    /// [`RigError::TestPoint`] if a test is outside the rig's limits, or if two names are equal except for case.
+    /// [`RigError::Option`] if the list is empty.
     pub fn new(points: Vec<TestPoint>) -> Result<Self, RigError> {
         if points.is_empty() {
             return Err(RigError::Option {
@@ -51,7 +51,7 @@ impl Matrix {
         &self.points
     }
 
-    /// Returns whether any test has side force, so that the records need a column for it.
+    /// Returns whether any test has side force, so that the records have a side-force column.
     pub fn has_side_force(&self) -> bool {
         self.points.iter().any(|point| point.side_force_n != 0.0)
     }

@@ -25,7 +25,7 @@ const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 /// One test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TestPoint {
-    /// Name, unique in the matrix; also the record's file name without `.csv`.
+    /// Name, unique in the matrix. It is also the file name of the record without `.csv`.
     pub name: String,
     /// Amplitude of the sine (half the stroke), m.
     pub amplitude_m: f64,
@@ -41,12 +41,12 @@ pub struct TestPoint {
     pub cycles: u32,
     /// Seed of a road-like random motion instead of the sine.
     ///
-    /// `amplitude_m` and `peak_velocity_m_s` are then upper limits, of which the motion reaches one. The duration
+    /// `amplitude_m` and `peak_velocity_m_s` are then upper limits, and the motion reaches one of them. The duration
     /// equals that of the sine.
     pub road_seed: Option<u64>,
 }
 
-/// Reason for rejecting a test point: the field and the problem.
+/// Reason for the rejection of a test point: the field and the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
     /// The field, by its column name in a matrix file.
@@ -71,7 +71,7 @@ impl TestPoint {
         }
     }
 
-    /// Verifies that the rig can run this test; returns the first fault otherwise.
+    /// Verifies that the rig can run this test. Otherwise, returns the first fault.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         let fault = |column, problem: String| Err(Fault { column, problem });
         if let Some(problem) = name_problem(&self.name) {
@@ -177,7 +177,7 @@ pub(crate) fn sine_name(amplitude_m: f64, peak_velocity_m_s: f64, decimals: usiz
     let width = |digits: usize| {
         if decimals == 0 { digits } else { digits + 1 + decimals }
     };
-    // Amplitudes such as 2.5 mm keep their decimals, independent of the velocities.
+    // Amplitudes such as 2.5 mm have decimals, even if the velocities have none.
     let amplitude = format!("{:.3}", amplitude_m * 1e3);
     let amplitude = amplitude.trim_end_matches('0').trim_end_matches('.');
     let whole = amplitude.split('.').next().map_or(0, str::len);

@@ -26,9 +26,9 @@ impl Matrix {
     /// Columns (any order, upper or lower case): `name`, `amplitude_mm`, `frequency_hz`, `peak_velocity_mm_s`,
     /// `mean_displacement_mm`, `side_force_n`, `cycles`.
     ///
-    /// Two of amplitude, frequency and peak velocity are required; the third follows from `Vp = 2 pi A f`. The other
-    /// columns may be absent or empty. Comma, semicolon or tab separates the columns (a decimal comma requires one of
-    /// the latter two). Empty lines and lines that begin with `#` are skipped.
+    /// Two of amplitude, frequency and peak velocity are required. The third follows from `Vp = 2 pi A f`. The other
+    /// columns may be missing or empty. Comma, semicolon or tab separates the columns (only semicolon or tab in files
+    /// with decimal commas). Empty lines and lines that begin with `#` are skipped.
     ///
     /// # Errors
     /// [`RigError::Io`] if the file is not readable; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], with line
@@ -74,7 +74,7 @@ impl Matrix {
     }
 }
 
-/// Formats a value with nine decimals, far below a rig's resolution, and without trailing zeros.
+/// Formats a value with nine decimals, finer than a rig's resolution, and without trailing zeros.
 fn rounded(value: f64) -> String {
     let text = format!("{value:.9}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -200,7 +200,7 @@ impl Row<'_> {
         }
     }
 
-    /// Reads a number like [`Row::number`]; it must be positive.
+    /// Reads a number like [`Row::number`], and rejects values that are not positive.
     fn positive(&self, column: usize) -> Result<Option<f64>, RigError> {
         match self.number(column)? {
             Some(value) if value <= 0.0 => {
@@ -258,7 +258,7 @@ impl Row<'_> {
             road_seed: None,
         };
         point.check().map_err(|fault| self.fault(fault.column, fault.problem))?;
-        // Amplitude and frequency have priority; the stated peak velocity may be rounded.
+        // Amplitude and frequency have precedence, because the stated peak velocity may be rounded.
         Ok(TestPoint { peak_velocity_m_s: TAU * point.amplitude_m * point.frequency_hz, ..point })
     }
 }

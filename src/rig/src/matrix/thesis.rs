@@ -1,7 +1,7 @@
 //! The test matrix of the thesis (Jonnalagadda & Vyas 2020, chapter 4).
 //!
-//! The matrix contains sines at eight amplitudes with the same peak velocities in each, and slow cycles for friction
-//! and gas force.
+//! The matrix contains sines at eight amplitudes with equal peak velocities at each amplitude, and slow cycles for
+//! friction and gas force.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
@@ -20,7 +20,7 @@ const AMPLITUDES_M: [f64; 8] = [0.050, 0.040, 0.030, 0.025, 0.015, 0.005, 0.002,
 const STANDARD_FREQUENCIES_HZ: [f64; 7] = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0];
 const STANDARD_AMPLITUDE_M: f64 = 0.050;
 
-/// Amplitude of test 9, m. Its frequencies have equal ratios between the first and the last.
+/// Amplitude of test 9, m. Its frequencies are a geometric sequence from the first to the last.
 const SLOW_AMPLITUDE_M: f64 = 0.010;
 const SLOW_FREQUENCIES_HZ: (f64, f64) = (0.041, 0.006369);
 const SLOW_POINTS: usize = 10;
@@ -28,9 +28,9 @@ const SLOW_POINTS: usize = 10;
 /// Parameters of the matrix. The default is the thesis's own matrix.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatrixOptions {
-    /// Amplitudes, m; one row of the matrix each.
+    /// Amplitudes, m; one for each row of the matrix.
     pub amplitudes_m: Vec<f64>,
-    /// Peak velocities, m/s; one column each.
+    /// Peak velocities, m/s; one for each column of the matrix.
     pub peak_velocities_m_s: Vec<f64>,
     /// Frequency limit, Hz; points above it are omitted.
     pub frequency_limit_hz: f64,
@@ -106,7 +106,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     let (first, last) = SLOW_FREQUENCIES_HZ;
     let ratio = last / first;
     (0..SLOW_POINTS).map(move |index| {
-        // The first and last frequency are exact; only the others are computed.
+        // The first and the last frequency are stated values. Only the others are computed.
         let frequency = match index {
             0 => first,
             i if i == SLOW_POINTS - 1 => last,
@@ -122,7 +122,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
 
 /// Range of accepted amplitudes, m, and peak velocities, m/s.
 ///
-/// Below a micrometer sensors measure only noise; above 20 m/s no rig operates.
+/// Below a micrometer, sensors measure only noise. No rig operates above 20 m/s.
 const VALUES: (f64, f64) = (1e-6, 20.0);
 
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {
@@ -145,8 +145,8 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
     Ok(())
 }
 
-/// Returns the smallest number of decimals (in mm/s) that gives distinct names; six distinguish any values that differ
-/// on a rig.
+/// Returns the smallest number of decimals (in mm/s) that gives distinct names. Six decimals distinguish all values
+/// that differ on a rig.
 fn decimals_needed(velocities: &[f64]) -> usize {
     (0..6)
         .find(|&decimals| {

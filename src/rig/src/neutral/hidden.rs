@@ -3,17 +3,18 @@
 use super::instant::{Here, Rest};
 use super::{Mount, ValveLaw};
 
-/// An injected effect. The default methods have no influence; an effect overrides the methods that it needs.
+/// An injected effect. The default methods have no influence. An effect overrides the methods for its quantities.
 pub(crate) trait Hidden: Send + Sync {
     /// Returns the error tolerance of each state per step, in the unit of the state.
     fn tolerances(&self) -> &[f64] {
         &[]
     }
-    /// Initializes the states before a test. They arrive with their values after the last test, zero before the first.
+    /// Initializes the states before a test. Before the call, they have their values from the end of the last test, or
+    /// zero before the first test.
     fn begin(&self, _rest: &Rest, states: &mut [f64]) {
         states.fill(0.0);
     }
-    /// Advances the states that last longer than a test over a pause between tests.
+    /// Advances the lasting states over a pause between tests.
     fn pause(&self, _seconds: f64, _states: &mut [f64]) {}
     /// Computes the rates of the states.
     fn rates(&self, _here: &Here, _states: &[f64], _rates: &mut [f64]) {}
@@ -30,7 +31,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn beside_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns the remaining deflection of the series element, m, and the engaged fraction of its damper.
+    /// Returns the remaining deflection of the series element, m, and the engaged fraction of the parallel damper.
     fn gap(&self, _deflection_m: f64) -> Option<(f64, f64)> {
         None
     }
@@ -42,7 +43,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn compliance_m_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns the force at a given flow, relative to the neutral damper.
+    /// Returns the ratio of the force at a given flow to that of the neutral damper.
     fn resistance(&self, _here: &Here, _states: &[f64]) -> f64 {
         1.0
     }

@@ -28,7 +28,7 @@ pub(crate) struct Here {
     pub deflection_m_s: f64,
     /// Force of the oil, N.
     pub oil_n: f64,
-    /// Force on the rod at the moving end, N; valid for rates and sensors, zero before.
+    /// Force on the rod at the moving end, N; valid for rates and sensors, zero in earlier calls.
     pub rod_n: f64,
 }
 

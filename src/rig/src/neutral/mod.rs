@@ -1,8 +1,8 @@
 //! The neutral damper: the thesis's topology with its own force laws, for the injection of effects.
 //!
-//! From the moving end inward it has a series spring and damper, a small mass, and the valves in parallel with a weak
-//! linear spring. Friction and a constant gas preload act in parallel with all of these. Without an injected effect, a
-//! model of the thesis's kind reproduces the damper up to the form of its curves.
+//! From the moving end inward, it has a series spring and damper, a small mass, and the valves in parallel with a weak
+//! linear spring. Friction and a constant gas preload act in parallel with all of these. Without an injected effect,
+//! the thesis's model represents the damper except for the shape of its force laws.
 
 mod hidden;
 mod instant;

@@ -1,8 +1,8 @@
 //! Equations of the neutral damper with its injected effects.
 //!
 //! The states are deflection of the series spring, velocity of the mass, and force of the oil on the mass. The oil
-//! column is 400 to 4000 times as stiff as the series spring, so that the valve flow follows from the force. Its
-//! influence on a model of the thesis's kind is a fraction of a percent of the series stiffness.
+//! column is 400 to 4000 times as stiff as the series spring, so that the valve flow follows from the force. For the
+//! thesis's model, the influence of the oil column is a fraction of a percent of the series stiffness.
 
 use std::cell::RefCell;
 
@@ -26,7 +26,7 @@ pub(crate) struct System<'a, const N: usize> {
     pub effects: &'a [Box<dyn Hidden>],
     /// Index of the first state of each injected effect.
     pub first: Vec<usize>,
-    /// Oil temperature, °C. It is constant within a sample; the caller updates it.
+    /// Oil temperature, °C. It is constant within a sample. The caller updates it.
     pub oil_c: &'a RefCell<f64>,
 }
 
@@ -53,7 +53,8 @@ impl<const N: usize> System<'_, N> {
         Tolerance { absolute, relative: 3e-6 }
     }
 
-    /// Returns the equilibrium state before a test; `carried` contains the effects' states from the preceding test.
+    /// Returns the equilibrium state before a test; `carried` contains the states of the effects from the preceding
+    /// test.
     pub fn at_rest(&self, rest: &Rest, carried: &[Vec<f64>]) -> [f64; N] {
         let mut state = [0.0; N];
         // The series spring balances the weak spring.

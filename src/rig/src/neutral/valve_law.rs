@@ -1,6 +1,6 @@
 //! The force-velocity law of the neutral damper, as flow (expressed as a velocity) over force.
 //!
-//! In this form the flows of parallel passages add, so that an injected bypass is one more term.
+//! In this form the flows of parallel passages add, so that an injected bypass is an additional term.
 
 use crate::draw::Draw;
 
@@ -34,7 +34,7 @@ pub(crate) struct Knots {
     slope: Vec<f64>,
 }
 
-/// Curvature of a law.
+/// Shape of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Style {
     Digressive,
@@ -43,7 +43,7 @@ pub(crate) enum Style {
 }
 
 impl ValveLaw {
-    /// Computes the flow at a force, m/s; both signed, rebound positive.
+    /// Computes the flow at a force, m/s; both are signed, rebound positive.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         let way = if force_n > 0.0 { &self.rebound } else { &self.compression };
         way.flow_m_s(force_n.abs()).copysign(force_n)
@@ -101,7 +101,7 @@ impl ValveLaw {
 
 impl OneWay {
     fn passages(draw: &mut Draw, at_1_m_s_n: f64, style: Style) -> Self {
-        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s: 0.1 for a straight line.
+        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s: it is 0.1 for a straight line.
         let (share, laminar_share, knee) = match style {
             Style::Digressive => (draw.between("share", 0.32, 0.55), draw.between("laminar", 0.25, 0.7), 0.12),
             Style::Linear => (draw.between("share", 0.13, 0.20), draw.between("laminar", 0.6, 0.9), 0.5),
@@ -110,7 +110,7 @@ impl OneWay {
         let low_n = share * at_1_m_s_n;
         let laminar_n_s_m = laminar_share * low_n / 0.1;
         let orifice = (1.0 - laminar_share) * low_n / 0.01;
-        // A progressive valve consists of its bleed alone: both resistances add up to the force at 1 m/s.
+        // A progressive valve consists of its bleed alone. Its two resistances add up to the force at 1 m/s.
         let orifice_n_s2_m2 =
             if style == Style::Progressive { (at_1_m_s_n - laminar_n_s_m).max(0.1 * at_1_m_s_n) } else { orifice };
         let lift_n = low_n * draw.between("lift", 0.8, 1.1);
@@ -135,8 +135,8 @@ impl OneWay {
     }
 }
 
-/// Computes the lift of the blow-off valve times the square root of the relative pressure, in newtons: zero at zero
-/// force.
+/// Computes the lift of the blow-off valve times the square root of the relative pressure, in newtons. It is zero at
+/// zero force.
 fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
     let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
     let lift = knee_n * (softplus((force_n - lift_n) / knee_n) - softplus(-lift_n / knee_n));

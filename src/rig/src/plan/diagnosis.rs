@@ -71,7 +71,7 @@ const ROADS: [Row; 3] = [(18.0, 0.5, 0.0, 0.0), (30.0, 1.1, 8.0, 0.0), (14.0, 0.
 /// Duration of a road, s.
 const ROAD_S: f64 = 4.0;
 
-/// Returns references, training and check tests, before they are put in the order of execution.
+/// Returns references, training and check tests, before the order of execution is determined.
 pub(super) fn tests() -> Vec<TestPoint> {
     let mut tests: Vec<TestPoint> = (1..=REFERENCES)
         .map(|number| TestPoint { name: format!("{REFERENCE}_{number}"), ..sine((25.0, 1.25, 0.0, 0.0)) })
@@ -113,7 +113,7 @@ pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> 
     }
 }
 
-/// Shuffles the tests, with the references at start, middle and end.
+/// Shuffles the tests, and places the references at start, middle and end.
 pub(super) fn shuffled(tests: Vec<TestPoint>, order: u64) -> Vec<TestPoint> {
     let (references, mut rest): (Vec<_>, Vec<_>) = tests.into_iter().partition(|test| test.name.starts_with(REFERENCE));
     let mut draw = Draw::new(order, "order of the tests");

@@ -19,10 +19,10 @@ pub enum Plan {
     /// 34 tests over strokes, frequencies, mean positions and side force, and 14 more for verification, in shuffled
     /// order.
     ///
-    /// Three of the 34 tests are the same reference at start, middle and end.
+    /// Three of the 34 tests are one reference test, at start, middle and end.
     #[default]
     Diagnosis,
-    /// The thesis's matrix, in its own order.
+    /// The thesis's matrix, in the order of the thesis.
     Thesis,
     /// Poor: sines at 25 mm only.
     OneAmplitude,
@@ -37,7 +37,7 @@ pub enum Plan {
 }
 
 impl Plan {
-    /// Returns the plan of a name in [`PLANS`].
+    /// Returns the plan with a name in [`PLANS`].
     ///
     /// # Errors
     /// [`RigError::Option`] with the list of plans, if the name is unknown.
@@ -59,8 +59,8 @@ impl Plan {
         })
     }
 
-    /// Returns the tests, in the order of execution. `order` is the seed for shuffling all plans but the thesis's;
-    /// another order causes another thermal history.
+    /// Returns the tests, in the order of execution. `order` is the seed for the shuffle, except for the thesis's plan.
+    /// The order influences the temperatures.
     pub fn matrix(self, order: u64) -> Matrix {
         let tests = match self {
             Self::Thesis => return Matrix::default(),

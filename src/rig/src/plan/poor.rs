@@ -1,4 +1,4 @@
-//! Incomplete plans, as they occur on real rigs.
+//! Incomplete plans that occur on real rigs.
 
 use super::diagnosis::{sine, tests};
 use crate::TestPoint;

@@ -1,5 +1,5 @@
-//! An amplifier that changes to a coarse range at a large force, and back only at a small force. The two ranges
-//! disagree.
+//! An amplifier that changes to a coarse range at a large force, and back at a small force. The readings of the ranges
+//! differ.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 

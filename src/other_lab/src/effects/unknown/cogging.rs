@@ -1,5 +1,5 @@
-//! Cogging of an electric actuator: its magnets add a force with the pitch of the poles, part of which reaches the load
-//! cell.
+//! Cogging of an electric actuator: its magnets add a force with the period of the poles, a part of which reaches the
+//! load cell.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 

@@ -4,7 +4,7 @@ use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "frame_ring", laws: &[("two_modes", two_modes as Make)] };
 
-/// Two modes excited by the force, whose accelerations reach the load cell (Ewins, Modal Testing, 2000).
+/// Two modes that the force excites. Their accelerations act on the load cell (Ewins, Modal Testing, 2000).
 struct TwoModes {
     share: f64,
     /// Frequency (rad/s) and damping ratio.

@@ -1,13 +1,13 @@
 //! Oil with additives that gels at standstill.
 //!
-//! After a standstill the damper is firmer until it has moved enough; smaller strokes show more of the effect.
+//! After a standstill, the damper is firmer over some travel, so the effect is larger in small strokes.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "resting_gel", laws: &[("moore", moore as Make)] };
 
-/// A structure that shear breaks and standstill restores (Moore, Trans. Brit. Ceram. Soc. 58, 1959; Barnes, J.
-/// Non-Newton. Fluid Mech. 70, 1997).
+/// A structure that breaks down under shear and recovers at standstill (Moore, Trans. Brit. Ceram. Soc. 58, 1959;
+/// Barnes, J. Non-Newton. Fluid Mech. 70, 1997).
 struct Moore {
     stiffer: f64,
     breaks: f64,

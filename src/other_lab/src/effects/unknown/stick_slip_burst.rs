@@ -1,4 +1,4 @@
-//! The rod sticks and releases with bursts of vibration, unrelated to the motion.
+//! The rod sticks and releases with bursts of vibration that are unrelated to the motion.
 
 use super::{Draw, Effect, EffectModel, Make, Reading, Scale};
 

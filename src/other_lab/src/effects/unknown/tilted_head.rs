@@ -4,7 +4,7 @@ use super::{Draw, Effect, EffectModel, Here, Make, Scale, soft_sign};
 
 pub(super) const EFFECT: Effect = Effect { name: "tilted_head", laws: &[("wedge", wedge as Make)] };
 
-/// Wedge friction, proportional to the force; extension lengthens the lever arm (Deubel & Prokop 2023).
+/// Wedge friction, proportional to the force. Extension lengthens the lever arm (Deubel & Prokop 2023).
 struct Wedge {
     share: f64,
     lever: f64,

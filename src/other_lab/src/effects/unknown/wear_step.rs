@@ -1,10 +1,10 @@
-//! A valve disc cracks during the campaign: from then on one stroke is softer.
+//! A valve disc cracks during the campaign. After that, one stroke is softer.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "wear_step", laws: &[("cracked_disc", cracked_disc as Make)] };
 
-/// Increased flow through the valves of one stroke from some time on.
+/// Increased flow through the valves of one stroke after some time.
 struct CrackedDisc {
     more: f64,
     from: f64,

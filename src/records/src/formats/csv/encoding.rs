@@ -2,19 +2,19 @@
 
 use std::borrow::Cow;
 
-/// Returns the text of a short table as spreadsheets save it, without the byte order mark.
+/// Returns the text of a short table that a spreadsheet saved, without the byte order mark.
 pub fn text(bytes: &[u8]) -> String {
     decode(bytes).0.trim_start_matches('\u{feff}').to_owned()
 }
 
-/// Decodes a file in UTF-8, or in UTF-16 with a byte order mark. Otherwise assumes the code page of western Windows and
-/// returns `true`.
+/// Decodes a file in UTF-8, or in UTF-16 with a byte order mark. For all other files, assumes the code page of western
+/// Windows and returns `true` as the second value.
 ///
-/// Old exports use this code page for µ and °, and so do spreadsheets that do not save UTF-8. Bytes without a character
-/// in the code page are read as Latin-1.
+/// Old exports, and spreadsheets that do not save UTF-8, use this code page for µ and °. Bytes that are undefined in
+/// the code page are read as Latin-1.
 pub(super) fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let (text, guessed) = characters(bytes);
-    // Old Macintosh programs end lines with a carriage return alone.
+    // Old Macintosh programs end lines with only a carriage return.
     let returns_alone = text.contains('\r') && !text.contains('\n');
     (if returns_alone { text.replace('\r', "\n").into() } else { text }, guessed)
 }

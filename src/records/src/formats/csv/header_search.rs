@@ -1,4 +1,4 @@
-//! Finds the line with the column headings of a text and the delimiter.
+//! Finds the line with the column headings of a text, and its delimiter.
 
 use super::lines::{is_comment, is_figure, uncommented};
 use crate::columns::delimiter::{self, split};
@@ -9,7 +9,7 @@ use crate::options::Options;
 
 /// Start of the table in a text.
 pub(super) struct Start {
-    /// Line of the header, or of the first row without a header; from 0.
+    /// Line of the header, or of the first row if there is no header. Counts from 0.
     pub index: usize,
     /// Byte offset of that line in the text.
     pub offset: usize,
@@ -17,7 +17,7 @@ pub(super) struct Start {
     pub header: Vec<String>,
     /// Whether that line is the header.
     pub headed: bool,
-    /// Whether the header is a comment line, as numerical programs write it.
+    /// Whether the header is a comment line, a form that numerical programs write.
     pub commented: bool,
 }
 
@@ -42,7 +42,8 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
             let trimmed = line.trim_end();
             for delimiter in delimiter::ALL {
                 let header = split(trimmed, delimiter);
-                // A row of numbers is no header, even if the cell of a column named by number contains that number.
+                // A row of numbers is not a header, even if a cell contains the number by which the user selected its
+                // column.
                 let row = header.len() > 1
                     && header.iter().any(|c| !c.trim().is_empty())
                     && header.iter().all(|c| number(c, delimiter != b',').is_some() || clock::seconds(c).is_some());
@@ -70,8 +71,8 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
     (numbers.or(commented), first_line)
 }
 
-/// Replaces blanks between columns by tabs: two or more blanks, or any number. Figures are separated by fewer blanks
-/// than names.
+/// Replaces blanks between columns by tabs. A separator is two or more blanks or, with `any`, one or more. Numbers have
+/// fewer blanks between them than names.
 pub(super) fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
@@ -95,7 +96,7 @@ pub(super) fn with_tabs(text: &str, any: bool) -> String {
     out
 }
 
-/// Splits names that a single blank separates, as in the plain files of MTS stations.
+/// Splits names that a single blank separates. Plain files of MTS stations have such headings.
 ///
 /// The number of names equals the number of units below. The split maximizes the number of known names.
 pub(super) fn part_names(found: &mut Start, text: &str) {

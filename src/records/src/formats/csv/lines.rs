@@ -3,7 +3,7 @@
 use crate::columns::table::number;
 use crate::dates::clock;
 
-/// Returns whether a line contains no data: empty or a comment.
+/// Returns whether a line is empty or a comment.
 pub(super) fn is_comment(line: &str) -> bool {
     matches!(line.trim_start().bytes().next(), None | Some(b'#' | b'%')) || line.trim_start().starts_with("//")
 }

@@ -27,7 +27,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let (text, guessed) = decode(&bytes);
     let read = parse(&at, name, &text, options, &budget);
     if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
-        // Chinese systems write GB 18030 instead of Latin-1. Only the headings can reveal the difference.
+        // Chinese systems write GB 18030 instead of Latin-1. Only the headings show the difference.
         let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
         if !wrong && let Ok(tests) = parse(&at, name, &text, options, &budget) {
             return Ok(tests);
@@ -36,12 +36,12 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     read
 }
 
-/// Longest line in the search for the heading, bytes, because each line is split with every delimiter.
+/// Longest line in the search for the heading, bytes. The search splits each line with every delimiter.
 const LONGEST_LINE: usize = 1 << 20;
 /// Memory of a cell in addition to its text, bytes.
 const CELL: u64 = 24;
 
-/// Returns the cells of a short text table, by line with its number. The delimiter is the one that gives the first line
+/// Returns the line numbers and the cells of a short text table. The delimiter is that with which the first line has
 /// the most columns.
 pub(crate) fn cells_of_text(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     let (text, _) = decode(&source.bytes);
@@ -89,10 +89,10 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget)
     let delimiter = delimiter::detect(trimmed);
     let header = split(trimmed, delimiter);
     if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
-        // A heading resembles one that the user wrote. The error of the layout names it.
+        // A heading of the file resembles a heading that the user stated. The error of the layout names that heading.
         return table(at, name, text, Start::headed(0, 0, delimiter, header), options, budget);
     }
-    // Split the lines with the delimiter that gives the most cells, or at blanks.
+    // Split the lines with the delimiter that gives the most cells, or else at blanks.
     let parted: Vec<(usize, Vec<String>)> = text
         .lines()
         .enumerate()
@@ -226,12 +226,12 @@ mod tests {
             assert!((x[1] - 0.0508).abs() < 1e-9 && (force[1] - 8896.443).abs() < 1e-3, "{header}: {test:?}");
             assert_eq!(told(&test).matches("by its unit alone").count(), guessed, "{header}");
         }
-        // A name that is only recognized if necessary has lower precedence than a common one.
+        // A heading that counts only if no other names the quantity has lower precedence than a common name.
         let test = read(
             "time_s,tout [s],Millis,dist [mm],x_mm,forc [N],Lead Force [N],force_N\n1,9,9,9,1,9,9,1\n2,9,9,9,2,9,9,2\n",
         );
         assert_eq!((test.time.as_slice(), test.force.as_slice()), ([1.0, 2.0].as_slice(), [1.0, 2.0].as_slice()));
-        // A length in addition to a velocity may be any length.
+        // If there is a velocity, another column with a unit of length may be any length.
         let test = read("time (s),velocity (m/s),wear (mm),force (N)\n0,1,1,1\n1,2,2,2\n");
         assert!(test.displacement.is_none(), "{test:?}");
         let options = Options { sample_rate_hz: Some(100.0), ..Options::default() };
@@ -282,7 +282,7 @@ mod tests {
         let row = |i: i32| format!("{i},{}.5,{},,\n", i % 7, 10 * i);
         let table = |from: i32, to: i32| (from..to).map(row).collect::<String>();
         let header = "time_s,x_mm,force_N,a,b\n";
-        // A time followed by a text instead of a reading, or a line of text.
+        // Lines with a time and a text instead of a reading, and lines of text.
         let text = format!(
             "{header}{}20,Switched from 6 to 9,,,\n{}Pause,,,,\n{}",
             table(0, 20),
@@ -293,16 +293,16 @@ mod tests {
         assert_eq!((test.len(), test.lines[20]), (59, 23));
         let expected = "2 lines between the rows hold no figures and were passed over (line 22, 42), the first: '20 Switched from 6 to 9'";
         assert!(told(&test).contains(expected), "{}", told(&test));
-        // If text follows the columns, the row is read without the text.
+        // Text after the last column does not make the row unusable.
         let text = format!("{header}{}20,1.5,3,,,\"DAQ Pause\",DAQ Stop\n", table(0, 20));
         let test = read(&text);
         assert!(test.len() == 21 && test.force[20] == 3.0, "{test:?}");
         assert!(told(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", told(&test));
-        // The position of a surplus figure is unknown, so the row is left out.
+        // The position of a surplus number is unknown, so the row is omitted.
         let test = read(&format!("{header}{}20,1,5,3,0,0,0\n", table(0, 20)));
         assert!(test.len() == 20 && told(&test).contains("these rows are left out (line 22)"), "{}", told(&test));
-        // If most rows have too many fields, the table does not match its heading. A row with some figures is an error
-        // itself.
+        // If most rows have too many fields, the table does not match its heading. A row with only some numbers is an
+        // error.
         let message = |text: String| try_read(&text).unwrap_err().to_string();
         let every = message(header.to_owned() + &"0,1.5,2,3,4,5,6\n".repeat(20));
         assert!(every.contains("line 2: has 7 fields where the header has 5") && !every.contains("decimal"), "{every}");
@@ -333,7 +333,7 @@ mod tests {
         assert!((going_on.force[0] - 1500.0).abs() < 1e-9);
         let anew = try_read(&file(&[0.0, 0.0])).unwrap();
         assert_eq!(anew.iter().map(|t| (t.name.as_str(), t.len())).collect::<Vec<_>>(), [("a", 200), ("a 2", 200)]);
-        // A note reports a text line that is no repeated header.
+        // A note reports a text line that is not a repeated header.
         let stray = file(&[0.0])
             + "operator stopped here\toperator stopped here\toperator stopped here\n"
             + &rows(2.0, 3.0, "\t");
@@ -343,7 +343,7 @@ mod tests {
 
     #[test]
     fn text_exports_of_dyno_software_are_read() {
-        // Blocks of remarks precede names with units in brackets. Blanks separate the columns.
+        // Blocks of remarks precede the line of names, which has units in brackets. Blanks separate the columns.
         let shock = "SHOCK 6.3 Export\nTest: front left 12 clicks\nGas Force   180 N\n\n\
                      Time (sec)   Stroke (mm)   Velocity (mm/sec)   Force (N)   Temperature (C)\n\
                      0.000        1.0           10.0                200         25.1\n\
@@ -354,7 +354,7 @@ mod tests {
             ([200.0, 210.0].as_slice(), [0.0, 0.001].as_slice())
         );
         assert_eq!(samples.velocity.unwrap(), [0.01, 0.011]);
-        // Raw volts accompany every quantity.
+        // Each quantity has an additional column of raw volts.
         let pairs = "Time (s),Displacement (V),Displacement (mm),Force (V),Force (lbf)\n0,1,2,3,100\n";
         assert!((read(pairs).force[0] - 444.822).abs() < 1e-3);
     }

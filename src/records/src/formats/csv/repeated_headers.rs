@@ -1,17 +1,17 @@
-//! Headers that an acquisition repeats between its rows.
+//! Headers that an acquisition system repeats between its rows.
 
 use super::lines::is_comment;
 use crate::columns::table::number;
 use crate::dates::clock;
 
-/// Headers that an acquisition repeats before every block of rows, as MTS stations do.
+/// Headers that an acquisition system, such as an MTS station, repeats before every block of rows.
 pub(super) struct Blocks {
     /// Ranges of lines between one block of rows and the next, ascending, counted from 0.
     ///
-    /// A range extends from the first line that is no row to the last line before the next row.
+    /// A range extends from the first line that is not a row to the last line before the next row.
     headers: Vec<std::ops::Range<usize>>,
     next: usize,
-    /// Whether the next row is the first below a header.
+    /// Whether the next row is the first row below a header.
     fresh: bool,
     last_time: Option<f64>,
 }
@@ -38,7 +38,7 @@ impl Blocks {
             let mut seen = false;
             let mut between: Option<usize> = None;
             let mut repeated = false;
-            // The reader attributes empty lines to the record that follows them.
+            // The reader counts empty lines as part of the next record.
             let mut empty: Option<usize> = None;
             for (index, line) in text.lines().enumerate() {
                 let is_header = line.trim_end() == header;
@@ -88,7 +88,7 @@ impl Blocks {
     }
 }
 
-/// Splits a line without regard to quotes, which suffices to distinguish rows from text.
+/// Splits a line without regard to quotes, which is sufficient to distinguish rows from text.
 fn split_plain(line: &str, delimiter: u8) -> std::str::Split<'_, char> {
     line.split(delimiter as char)
 }

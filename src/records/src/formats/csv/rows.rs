@@ -39,7 +39,7 @@ pub(super) fn table(
     let mut lines = lines.peekable();
     let mut units = None;
     if commented {
-        // The units of a commented heading are in a comment too.
+        // If the heading is a comment, its units are in a comment too.
         let below = lines.peek().filter(|line| is_comment(line)).map(|line| split(uncommented(line), delimiter));
         units = below.filter(|cells| is_units_row(cells));
     }
@@ -53,7 +53,7 @@ pub(super) fn table(
     if let Some(units) = &mut units {
         units.resize(header.len(), String::new());
     }
-    // Names of sensors and rates may lie between the heading and the first figures.
+    // Sensor names and rates may be between the heading and the first row.
     for _ in 0..LABELS {
         if first_row.iter().any(|cell| !cell.trim().is_empty() && is_figure(cell, decimal_comma)) {
             break;
@@ -72,8 +72,8 @@ pub(super) fn table(
     if let Some(crank) = &crank {
         rows.note("crank", Sentence::from(phrases::CRANK).with("rpm", crank.rpm));
     }
-    // Start of each test, from the lines above its figures, and the position up to which these lines are read.
-    // Programs that write a decimal comma, or a semicolon as delimiter, write the day first.
+    // Start of each test, from the lines above its rows, and the position up to which these lines are read. Programs
+    // that write a decimal comma, or a semicolon as delimiter, write dates with the day first.
     let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
     let usual = (delimiter == b';' || first_row.iter().any(is_comma)).then_some(DateOrder::DayFirst);
     let began_by = |lines: &str| {
@@ -97,7 +97,7 @@ pub(super) fn table(
     let mut tests = Vec::new();
     let mut beside = Beside::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
-        // The reader attributes empty lines to the record that follows them.
+        // The reader counts empty lines as part of the next record.
         let (begins, empty) = record.position().map_or((0, 0), |p| {
             let before = text.as_bytes().get(offset + p.byte() as usize..).unwrap_or_default();
             let ends = before.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
@@ -122,10 +122,10 @@ pub(super) fn table(
         }
         // The text is valid UTF-8 and is split at ASCII bytes, so the fields are valid too.
         let cell = |index: usize| std::str::from_utf8(record.get(index).unwrap_or_default()).unwrap_or("?");
-        // A row has a figure as its time. Without a time column every channel must be a figure.
+        // The time of a row is a number. Without a time column, every channel must be a number.
         let columns = &rows.layout().columns;
         let text_of = |c: &Column| !is_figure(cell(c.index), decimal_comma);
-        // A message of the acquisition between rows may have a time, but no other figure.
+        // A message of the acquisition system between rows may have a time, but no other number.
         let figures =
             columns.iter().any(|c| c.channel != Channel::Time && !cell(c.index).trim().is_empty() && !text_of(c));
         let is_row = match columns.iter().find(|c| c.channel == Channel::Time) {
@@ -146,7 +146,7 @@ pub(super) fn table(
         let surplus = || record.iter().skip(header.len()).map(String::from_utf8_lossy).filter(|f| !f.trim().is_empty());
         if surplus().next().is_some() {
             let (found, expected) = (record.len(), header.len());
-            // Decimal commas split every number in two, and no part contains a point.
+            // If the delimiter is a comma, decimal commas split every number in two. The parts then contain no point.
             let commas = delimiter == b',' && found <= 2 * expected && record.iter().all(is_whole);
             let hint = commas.then_some(phrases::QUOTE_DECIMAL_COMMAS);
             let fault = RecordError::Fields { at: at.clone(), line, found, expected, hint };
@@ -171,7 +171,7 @@ pub(super) fn table(
                 *value = crank.time(*value);
             }
         }
-        // Below a repeated header, a time that restarts begins another test.
+        // If the time restarts below a repeated header, another test begins.
         let time = rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| values[i]);
         if blocks.begins_anew(time) {
             let layout = rows.layout().clone();

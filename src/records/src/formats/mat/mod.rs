@@ -19,7 +19,7 @@ use crate::source::{Budget, Source};
 /// Signature of an HDF5 file. Version 7.3 writes HDF5 after a header block of 512 bytes.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
-/// Work of interpreting the name of a variable, in steps of the budget.
+/// Work for the interpretation of a variable name, in steps of the budget.
 const NAMING: u64 = 10_000;
 
 /// A vector or a single number of a file.
@@ -55,7 +55,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         return Err(no_header(&at, &all));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
-    // Vectors of one length belong together. Another length would be another recording.
+    // Vectors of equal length belong together. A vector of another length belongs to another recording.
     let length = layout.columns.iter().map(|c| vectors[c.index].1.len()).max().unwrap_or(0);
     for column in &layout.columns {
         let found = vectors[column.index].1.len();
@@ -69,7 +69,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let sample_time = match sample_time {
         None => None,
         Some((name, unit, value)) => {
-            // A `Ts` without a unit is in seconds by the convention of the program that writes these files.
+            // `Ts` without a unit is in seconds, by convention of the program that writes these files.
             let given = options.units.get(&Channel::Time).copied().filter(|u| u.dimension() == Dimension::Time);
             let unit = match unit {
                 HeadingUnit::Known(unit) => unit,
@@ -95,7 +95,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
 /// Reads the vectors and single numbers of a file up to version 7.
 fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let bytes = unpack(bytes)?;
-    // Small numbers become numbers of eight bytes.
+    // Small number types are converted to numbers of eight bytes.
     budget.hold(4 * bytes.len() as u64)?;
     if let Some(cause) = damage(&bytes) {
         return Err(cause.into());
@@ -103,7 +103,7 @@ fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let mat = MatFile::parse(bytes.as_slice()).map_err(|cause| cause.to_string())?;
     let is_number = |a: &Array| a.size().iter().all(|&n| n == 1);
     let of = |a: &Array| Variable { name: a.name().to_owned(), is_vector: is_vector(a), values: values(a.data()) };
-    // Each name is compared with the headings of all channels.
+    // The comparison of each name with the headings of all channels costs time.
     budget.work(NAMING * mat.arrays().len() as u64)?;
     let numbers: usize = mat.arrays().iter().map(|a| a.size().iter().product::<usize>()).sum();
     budget.numbers(2 * numbers as u64)?;
@@ -112,9 +112,9 @@ fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     Ok(found)
 }
 
-/// Splits a matrix such as [time, signals] into its columns or rows, under names to which the user can refer.
+/// Splits a matrix such as [time, signals] into its columns or rows, and gives them names that the user can state.
 fn columns(array: &Array) -> Vec<Variable> {
-    /// A matrix with more channels is no record.
+    /// Largest number of channels of a matrix. A matrix with more channels is not a record.
     const MOST: usize = 32;
     let &[rows, columns] = &array.size()[..] else { return Vec::new() };
     let channels = rows.min(columns);
@@ -136,10 +136,10 @@ fn columns(array: &Array) -> Vec<Variable> {
 const COMPRESSED: u32 = 15;
 /// Unpacked size that is always allowed, bytes. Each byte may become a value of eight bytes in several copies.
 const UNPACKED: usize = 32 << 20;
-/// A file may unpack to this multiple of its size where that exceeds [`UNPACKED`].
+/// Allowed ratio of unpacked size to file size, if the result exceeds [`UNPACKED`].
 const RATIO: usize = 3;
 
-/// Returns the file with its compressed variables unpacked, within the size limit.
+/// Unpacks the compressed variables of a file, within the size limit.
 fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     let little = bytes.get(126..128) == Some(b"IM");
     let word = |at: usize| {
@@ -147,7 +147,7 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
         Some(if little { u32::from_le_bytes(word) } else { u32::from_be_bytes(word) })
     };
     if bytes.len() < 128 || word(128) != Some(COMPRESSED) {
-        // Files are compressed as a whole or not at all, except for small variables.
+        // A file compresses all its variables or none, except that small variables may be uncompressed.
         let mut at = 128;
         let mut compressed = false;
         while let (Some(kind), Some(size)) = (word(at), word(at + 4)) {
@@ -185,9 +185,9 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
-/// Detects damage that the parser would ignore or that would make it fail.
+/// Detects damage that the parser ignores, or at which it fails.
 ///
-/// Such damage is a last variable beyond the end of the file, or dimensions that no file could fill.
+/// Such damage is a last variable beyond the end of the file, or dimensions that exceed the content of the file.
 fn damage(bytes: &[u8]) -> Option<&'static str> {
     const MATRIX: u32 = 14;
     let little = bytes.get(126..128) == Some(b"IM");
@@ -217,7 +217,7 @@ fn is_vector(array: &Array) -> bool {
     array.size().iter().filter(|&&n| n != 1).count() == 1
 }
 
-/// Converts the real values of an array to doubles. Infinite values become missing ones.
+/// Converts the real values of an array to doubles. Infinite values become missing values.
 fn values(data: &NumericData) -> Vec<f64> {
     fn convert<T: Copy>(real: &[T], f: impl Fn(T) -> f64) -> Vec<f64> {
         real.iter().map(|&v| f(v)).collect()
@@ -305,7 +305,7 @@ mod tests {
             ([3, 4], [0.0, 5.0, 10.0, 1.0, 6.0, 20.0, 2.0, 7.0, 30.0, 3.0, 8.0, 40.0], "row"),
         ] {
             let mut bytes = mat(&[("log", &values)]);
-            // The size follows the tags of the matrix, of its flags and of the size itself.
+            // In the file, the size follows the tag of the matrix, its flags, and the tag of the size.
             bytes[128 + 32..128 + 40].copy_from_slice(&size.map(u32::to_le_bytes).concat());
             let mut options = Options::default();
             for (k, channel, unit) in [
@@ -364,7 +364,7 @@ mod tests {
             at += size;
         }
         assert_eq!(read_bytes(&packed, &Options::default()).unwrap()[0].force, [5.0, 6.0]);
-        // Two decompression bombs: one of zeros, and one with a size that the archive cannot contain.
+        // Two decompression bombs: one contains zeros, the other states a size that the compressed data cannot have.
         let zeros = mat(&[("time_s", &vec![0.0; 6 << 20])]);
         let bomb = [&plain[..128], &compress(&zeros[128..])].concat();
         assert!(bomb.len() < 100_000);

@@ -5,8 +5,8 @@
 //! | [`hdf5`] | blocks, objects and data sets of an HDF5 file, in the forms that MATLAB and h5py write |
 //! | this file | the selection of the data sets that are variables |
 //!
-//! A general HDF5 reader follows links and unpacks chunks without a limit, so a small file could cost gigabytes. This
-//! reader limits both.
+//! A general HDF5 reader follows links and unpacks chunks without a limit, so a small file could require gigabytes.
+//! This reader limits both.
 
 mod hdf5;
 

@@ -1,16 +1,16 @@
-//! Blocks of an MDF file: an identification, a length, links to other blocks, data. Sizes and links that exceed the
+//! Blocks of an MDF file: an identification, a length, links to other blocks, and data. Sizes and links that exceed the
 //! file are rejected.
 
 use crate::source::Budget;
 
-/// Largest number of blocks in one chain. A longer chain is a circle or no measurement.
+/// Largest number of blocks in one chain. A longer chain is circular or does not belong to a measurement.
 const CHAIN: usize = 1 << 16;
 
 /// Work of visiting a block, in steps of the budget.
 const VISIT: u64 = 100;
 /// Largest number of characters of a text.
 const LETTERS: usize = 200;
-/// Largest number of bytes of an XML comment in the search for its text.
+/// Largest number of bytes of an XML comment that are searched for its text.
 const COMMENT: usize = 1 << 16;
 
 /// An MDF file.
@@ -83,10 +83,10 @@ impl<'a> Mdf<'a> {
         Ok(Block { id: &head[2..4], links, data })
     }
 
-    /// Returns a text, plain or as the first text of an XML comment. Returns an empty text if there is none.
+    /// Returns a text, plain or as the first text of an XML comment. Returns an empty string if there is no text.
     pub fn text(&self, at: u64) -> String {
         let Ok(block) = self.any(at) else { return String::new() };
-        // Many channels may link to one long text.
+        // Limit the length, because many channels may link to one long text.
         let data = &block.data[..block.data.len().min(COMMENT)];
         let end = data.iter().position(|b| *b == 0).unwrap_or(data.len());
         if self.budget.work(end as u64).is_err() {

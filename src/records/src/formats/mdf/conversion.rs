@@ -1,4 +1,4 @@
-//! Conversion of stored numbers to physical values by the numeric rules. Rules for texts are not supported.
+//! Conversion of stored numbers to physical values by the numeric rules. Rules that give texts are not supported.
 
 use super::blocks::Mdf;
 
@@ -18,8 +18,8 @@ enum Rule {
     Linear([f64; 2]),
     /// (a x² + b x + c) / (d x² + e x + f).
     Rational([f64; 6]),
-    /// Pairs of stored and physical value. Between them the value is interpolated (`straight`) or that of the nearest
-    /// pair.
+    /// Pairs of stored and physical value. Between two pairs, the value is interpolated if `straight` is true, else it
+    /// is the value of the nearest pair.
     Table { pairs: Vec<[f64; 2]>, straight: bool },
 }
 
@@ -56,7 +56,7 @@ impl Conversion {
                     (0..count / 2).map(|k| Ok([value(2 * k)?, value(2 * k + 1)?])).collect::<Result<_, String>>()?;
                 Rule::Table { pairs, straight: kind == 4 }
             }
-            // Formulas and texts: such a channel is a state or a name, not a measurement of a rig.
+            // A channel with a formula or texts contains a state or a name, not a measurement of a rig.
             _ => Rule::Table { pairs: Vec::new(), straight: false },
         };
         Ok(Self { rule, unit: mdf.text(block.link(1)) })
@@ -72,7 +72,8 @@ impl Conversion {
         Self { rule: Rule::Linear([numbers[0], numbers[1]]), unit }
     }
 
-    /// Makes a rational conversion from three numbers of the numerator and three of the denominator, the squares first.
+    /// Makes a rational conversion from three coefficients of the numerator and three of the denominator, beginning
+    /// with the squares.
     pub fn rational(numbers: &[f64], unit: String) -> Self {
         let mut six = [0.0; 6];
         six.copy_from_slice(&numbers[..6]);
@@ -89,7 +90,7 @@ impl Conversion {
         Self::table(Vec::new(), false, unit)
     }
 
-    /// Returns the physical value, NaN if the rule gives none.
+    /// Returns the physical value, or NaN if the rule gives no value.
     pub fn physical(&self, raw: f64) -> f64 {
         let value = match &self.rule {
             Rule::Same => raw,

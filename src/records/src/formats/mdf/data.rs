@@ -9,14 +9,15 @@ use crate::source::Budget;
 
 /// Unpacked size of the data that is always allowed, bytes.
 const UNPACKED: usize = 48 << 20;
-/// A file may unpack to this multiple of its size where that exceeds [`UNPACKED`]. Slowly varying channels compress
+/// Allowed ratio of unpacked size to file size, if the result exceeds [`UNPACKED`]. Slowly varying channels compress
 /// well when transposed.
 const RATIO: usize = 4;
 
 /// Work per byte that is unpacked or copied, in steps of the budget.
 const UNPACKING: u64 = 6;
 
-/// Largest number of records of a file: two hours at 2 kHz. More positions would not fit into memory with their values.
+/// Largest number of records of a file: two hours at 2 kHz. For more records, positions and values would exceed the
+/// memory.
 const RECORDS: usize = 16 << 20;
 
 /// Layout of the records of a channel group.
@@ -109,7 +110,7 @@ fn append(block: &Block<'_>, limit: usize, out: &mut Vec<u8>) -> Result<(), Stri
     Ok(())
 }
 
-/// Reverses the transposition of whole rows of `columns` bytes. Trailing bytes were not transposed.
+/// Reverses the transposition of whole rows of `columns` bytes. Trailing bytes that do not fill a row stay unchanged.
 fn turn_back(bytes: &mut [u8], columns: usize) {
     if columns == 0 {
         return;
@@ -155,7 +156,7 @@ pub(super) fn places(
         raw[..id_size].copy_from_slice(&bytes[at..at + id_size]);
         let id = u64::from_le_bytes(raw);
         at += id_size;
-        // Charge the position and the search for its group.
+        // Charge the memory of the position and the search for its group.
         budget.numbers(1)?;
         budget.work(50)?;
         let Some(&k) = by_id.get(&id) else {

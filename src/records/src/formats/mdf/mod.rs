@@ -1,8 +1,8 @@
-//! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed; and of MDF 2 and 3.
+//! Reads measurement files of MDF 4 (ASAM MDF 4.x): sorted and unsorted, plain and compressed. Also reads MDF 2 and 3.
 //!
 //! | file | content |
 //! |---|---|
-//! | [`blocks`] | blocks and links, each checked against the file |
+//! | [`blocks`] | blocks and links, each checked against the file size |
 //! | [`data`] | the records of a data group, from plain, listed and compressed blocks |
 //! | [`conversion`] | conversion of stored numbers to physical values |
 //! | [`version3`] | reader of MDF 2 and 3, whose blocks have another form |
@@ -34,12 +34,12 @@ use dashpot_messages::Sentence;
 
 /// Name of these files in messages.
 const KIND: &str = "an MDF file";
-/// Largest number of groups in a file, and of channels in a group. A rig has tens.
+/// Largest number of groups in a file, and of channels in a group. A rig has tens of them.
 const MOST: usize = 4096;
 /// Memory of a channel without its values, bytes.
 const CHANNEL: u64 = 1024;
 const NAMING: u64 = 20_000;
-/// Work of converting a stored value to a physical value.
+/// Work of converting a stored value to a physical value, in steps of the budget.
 const CONVERTING: u64 = 10;
 
 /// Returns whether a file begins like an MDF file, regardless of its name.
@@ -137,10 +137,11 @@ struct Format {
 }
 
 /// Returns the date and time of the time zero, s since 1970 by the rig's own clock. Returns `None` if the file states
-/// none.
+/// no date.
 fn begins(mdf: &Mdf<'_>) -> Result<Option<f64>, String> {
     let header = mdf.block(64, "HD")?;
-    // The header contains nanoseconds and, if a flag marks them as valid, the minutes from universal to local time.
+    // The header states the time in nanoseconds, and the offset of local time in minutes. A flag marks the offset as
+    // valid.
     let seconds = header.u64(0)? as f64 * 1e-9;
     let to_local = if header.u8(12)? & 2 == 0 { 0.0 } else { f64::from(header.i16(8)?) + f64::from(header.i16(10)?) };
     Ok((seconds > 0.0).then_some(seconds + 60.0 * to_local))
@@ -306,7 +307,7 @@ impl Format {
     }
 }
 
-/// Channels that may be slower than the motion, because they vary slowly or only serve for comparison.
+/// Channels that may be slower than the motion, because they vary slowly or serve only for comparison.
 const SLOW: [Kind; 2] = [Kind::Temperature, Kind::SideForce];
 
 /// Removes and returns the groups with a slow channel but without force and motion.
@@ -327,7 +328,7 @@ fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
     slow
 }
 
-/// Interpolates the slow channels that a test lacks at the times of the test. Returns their names.
+/// Adds missing slow channels to a test, interpolated at the times of the test. Returns their names.
 fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budget) -> Result<Vec<String>, Exhausted> {
     let Some(time) = test.channels.iter().find(|c| c.is_time).map(|c| c.values.clone()) else { return Ok(Vec::new()) };
     let mut names = Vec::new();
@@ -362,7 +363,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budge
     Ok(names)
 }
 
-/// Interpolates between two samples. Before the first and after the last sample the value is that of this sample.
+/// Interpolates between two samples. Outside the samples, the result is the value of the nearest sample.
 fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
     let next = times.partition_point(|t| *t < time);
     match (next.checked_sub(1), values.get(next)) {
@@ -378,10 +379,10 @@ fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
 /// Times of two joined groups, and the names of the channels that were interpolated at these times.
 type JoinedAt = (Vec<f64>, Vec<String>);
 
-/// Joins groups that contain only the force with groups that contain only the motion over the same time.
+/// Joins groups that contain only the force with groups that contain only the motion and cover the same time.
 ///
-/// Loggers write channels of different rates into separate groups. The times of the slower group are kept, because its
-/// values between the samples are unknown.
+/// Loggers write channels of different rates into separate groups. The result has the times of the slower group,
+/// because its values between the samples are unknown.
 fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Result<Vec<JoinedAt>, Exhausted> {
     let holds = |group: &Group, kinds: &[Kind]| {
         group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
@@ -415,7 +416,7 @@ fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Re
         let (Some(from), Some(time)) = (clock(fast), clock(slow)) else { continue };
         let other = std::mem::replace(&mut groups[fast], Group { rows: 0, channels: Vec::new() });
         (taken[fast], taken[slow]) = (true, true);
-        // Keep the times within the range of the faster group.
+        // Use only times within the range of the faster group.
         let inside =
             |t: f64| from.first().is_some_and(|first| t >= *first) && from.last().is_some_and(|last| t <= *last);
         let kept: Vec<usize> = (0..time.len()).filter(|i| inside(time[*i])).collect();
@@ -440,7 +441,7 @@ fn join_rates(groups: &mut Vec<Group>, options: &Options, budget: &Budget) -> Re
 /// Joins groups with equal time axes. Groups without a time axis stay separate.
 fn joined(groups: Vec<Group>) -> Vec<Group> {
     let mut joined: Vec<Group> = Vec::new();
-    // The key consists of bits, so that NaN equals NaN. A map compares thousands of groups quickly.
+    // The key consists of bits, so that NaN equals NaN. A map is fast even for thousands of groups.
     let mut by_time: HashMap<Vec<u64>, usize> = HashMap::new();
     for group in groups {
         let time = group.channels.iter().find(|c| c.is_time);
@@ -503,7 +504,7 @@ mod tests {
         assert_eq!((taken.len(), groups.len()), (1, 1));
         assert_eq!(with_slow(&mut groups[0], &taken, &options, &budget).unwrap(), ["Rohr"]);
         assert_eq!(groups[0].channels[3].values, [20.0, 20.0, 22.0, 24.0, 24.0]);
-        // A slow group without a requested channel stays in the list. A group of another time is not joined.
+        // A slow group without a requested channel stays in the list. A group that covers another time is not joined.
         assert!(take_slow(&mut vec![slow(), test()], &Options::default()).is_empty());
         let later = group(&[("time", "s", &[8.0, 9.0]), ("Rohr", "degC", &[20.0, 24.0])]);
         assert!(with_slow(&mut test(), &[later], &options, &budget).unwrap().is_empty());

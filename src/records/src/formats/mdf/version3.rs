@@ -1,7 +1,7 @@
 //! Reads MDF 2 and 3.
 //!
 //! Blocks begin with two letters and a length of 16 bits. Links have 32 bits at fixed positions. The file states the
-//! byte order of its numbers. The results have the same form as those of MDF 4.
+//! byte order of its numbers. The results have the form of the MDF 4 results.
 
 use super::conversion::Conversion;
 use super::data::{self, Record};
@@ -16,13 +16,13 @@ struct File<'a> {
     budget: &'a Budget,
 }
 
-/// A block whose numbers are addressed from its first byte, as in the standard.
+/// A block. Positions of its numbers count from its first byte, as in the standard.
 struct Block<'a> {
     file: &'a File<'a>,
     bytes: &'a [u8],
 }
 
-/// Largest number of blocks in one chain. A longer chain is a circle or no measurement.
+/// Largest number of blocks in one chain. A longer chain is circular or does not belong to a measurement.
 const CHAIN: usize = 1 << 16;
 /// Position of the header block, bytes.
 const HEADER: u32 = 64;
@@ -41,7 +41,7 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut found)?;
     }
-    // `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980.
+    // The texts have the form `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
     let (date, time) = text.split_at_checked(10).unwrap_or_default();
     let begins = clock::seconds(&format!("{} {time}", date.replace(':', ".")));
@@ -49,7 +49,7 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
 }
 
 fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Result<(), String> {
-    // With two record numbers the second one follows the record.
+    // If a record has two identification numbers, the second one follows the record.
     let ids = usize::from(group.u16(22)?);
     if ids > 2 {
         return Err(format!("it has {ids} record numbers a record; none, one or two are possible"));
@@ -59,7 +59,7 @@ fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Res
         let record = Record {
             id: u64::from(block.u16(16)?),
             variable: false,
-            // The number after the record is part of the record here.
+            // This length includes the identification number after the record.
             bytes: usize::from(block.u16(20)?) + usize::from(ids == 2),
             count: u64::from(block.u32(22)?),
         };
@@ -72,7 +72,7 @@ fn data_group(file: &File<'_>, group: &Block<'_>, found: &mut Vec<Group>) -> Res
     if from == 0 || channel_groups.iter().all(|(_, channels)| channels.is_empty()) {
         return Ok(());
     }
-    // The data have no stated length. They end after the announced number of records.
+    // The file does not state the length of the data. They end after the announced number of records.
     let announced = channel_groups.iter().try_fold(0_usize, |sum, (record, _)| {
         let bytes = record.bytes + usize::from(ids > 0);
         usize::try_from(record.count).ok()?.checked_mul(bytes)?.checked_add(sum)
@@ -108,8 +108,8 @@ fn channels(file: &File<'_>, first: u32) -> Result<Vec<Stored>, String> {
         file.budget.hold(CHANNEL)?;
         file.budget.work(NAMING)?;
         let is_time = block.u16(24)? == 1;
-        // Types: unsigned, signed, two widths of floating point; then the same types with an explicit byte order. The
-        // rest are texts.
+        // The types are unsigned, signed and two widths of floating point, then the same types with explicit byte
+        // order. All other types are texts.
         let (kind, big_endian) = match block.u16(190)? {
             kind @ 0..=3 => (kind, file.big_endian),
             kind @ 9..=12 => (kind - 9, true),
@@ -165,12 +165,12 @@ fn conversion(file: &File<'_>, at: u32) -> Result<Conversion, String> {
         }
         9 => Conversion::rational(&numbers(6)?, unit),
         65535 => Conversion::same(unit),
-        // Polynomials of two numbers, formulas and texts: such a channel is no measurement of a rig.
+        // A channel with a polynomial of two numbers, a formula or texts is not a measurement of a rig.
         _ => Conversion::none(unit),
     })
 }
 
-/// Decodes text of one byte per letter, up to its first zero. Some tools write UTF-8 there.
+/// Decodes a text with one byte per character, up to its first zero. Some tools write UTF-8 instead.
 fn latin(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
     let text = match std::str::from_utf8(&bytes[..end]) {

@@ -1,6 +1,7 @@
 //! Reads TDMS files (National Instruments, TDMS file format internal structure): segments of properties and raw data.
 //!
-//! A group of channels is a test. The step of a waveform replaces a time channel. Linear scalings are applied.
+//! A group of channels is a test. If there is no time channel, the step of the waveform gives the time. Linear scalings
+//! are applied.
 
 mod segments;
 mod value;
@@ -49,9 +50,9 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let header = names(members);
         let units: Vec<String> = members.iter().map(|c| c.unit.clone()).collect();
         let layout = Layout::new(&at, 1, &header, Some(&units), options, step.is_some())?;
-        // Channels of one length belong together.
+        // Channels of equal length belong together.
         let lengths = || layout.columns.iter().map(|c| members[c.index].values.len());
-        // In a truncated file one channel may have more values than another.
+        // In a truncated file, one channel may have more values than another channel.
         let length = if cut { lengths().min() } else { lengths().max() }.unwrap_or(0);
         if let Some(column) = layout.columns.iter().find(|c| members[c.index].values.len() != length && !cut) {
             let found = members[column.index].values.len();

@@ -1,13 +1,14 @@
-//! Segments of a TDMS file. Each adds properties to objects, and raw data to some objects.
+//! Segments of a TDMS file. Each segment adds properties to objects, and raw data to some objects.
 
 use std::collections::HashMap;
 
 use super::value::{Cursor, Number, Property};
 use crate::source::Budget;
 
-/// Largest number of objects of a file. A rig has tens of channels, and some files have a group for each test.
+/// Largest number of objects of a file. A rig has tens of channels, but some files have one group for each test.
 const MOST: usize = 1 << 14;
-/// Memory of an object or a property in addition to its name, bytes, and the work of finding it.
+/// Memory of an object or a property in addition to its name, bytes. It is also the work of finding the object or
+/// property.
 const OBJECT: u64 = 256;
 /// Flags of a segment.
 const META: u32 = 1 << 1;
@@ -24,11 +25,11 @@ const LEAD_IN: usize = 28;
 pub(super) struct Channel {
     pub group: String,
     pub name: String,
-    /// May be empty.
+    /// Unit; may be empty.
     pub unit: String,
-    /// Step of its waveform, s.
+    /// Time step of the channel's waveform, s.
     pub step: Option<f64>,
-    /// Time of its first value, s since 1970, if known.
+    /// Time of the channel's first value, s since 1970, if known.
     pub begins: Option<f64>,
     pub values: Vec<f64>,
 }
@@ -38,7 +39,7 @@ pub(super) struct Channel {
 struct Object {
     path: String,
     properties: HashMap<String, Property>,
-    /// Layout of its data in a segment: type of number, and number of values in a chunk.
+    /// Layout of the object's data in a segment: type of number, and number of values in a chunk.
     index: Option<(Number, usize)>,
     /// Whether the object has data in the segment.
     is_active: bool,
@@ -52,7 +53,7 @@ pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, b
     }
     let mut objects: Vec<Object> = Vec::new();
     let mut by_path: HashMap<String, usize> = HashMap::new();
-    // Objects with data in the segment, in the order of their data. The next segment may reuse the list.
+    // Objects with data in the segment, in the order of their data. The next segment may refer to the same list.
     let mut active: Vec<usize> = Vec::new();
     let (mut at, mut cut) = (0, false);
     while at + LEAD_IN <= bytes.len() {
@@ -65,13 +66,13 @@ pub(super) fn channels(bytes: &[u8], budget: &Budget) -> Result<(Vec<Channel>, b
         let _version = rest.u32()?;
         let (next, raw) = (rest.u64()?, rest.u64()?);
         let from = at + LEAD_IN;
-        // The last segment of an interrupted recording states no end.
+        // The last segment of an interrupted recording does not state its end.
         let end = if next == u64::MAX {
             Some(bytes.len())
         } else {
             usize::try_from(next).ok().and_then(|n| from.checked_add(n))
         };
-        // Missing data of a truncated file are left out, but missing properties are an error.
+        // In a truncated file, missing data are left out, but missing properties are an error.
         let stated = end.ok_or("a segment ends outside the file")?;
         cut |= next == u64::MAX || stated > bytes.len();
         let end = stated.min(bytes.len());
@@ -159,7 +160,7 @@ fn meta(
 /// Reads the data of a segment. Returns whether its last chunk is incomplete. A chunk contains the values of every
 /// object in sequence, or interleaved value by value.
 fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budget: &Budget) -> Result<bool, String> {
-    // A segment may reuse the list, and then costs as much as a longer segment.
+    // A segment that refers to an earlier list is short but costs as much as a segment with its own list.
     budget.work(10 * active.len() as u64)?;
     let shapes: Vec<(usize, Number, usize)> = active
         .iter()
@@ -231,7 +232,7 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = f64::NAN);
     let unit = text("unit_string").or_else(|| text("NI_UnitDescription")).unwrap_or_default();
     let step = number("wf_increment").filter(|s| s.is_finite() && *s > 0.0);
-    // Waveforms without a time have a start of 0.
+    // A waveform without a start time has the start time 0.
     let begins = match object.properties.get("wf_start_time") {
         Some(Property::Time(seconds)) => Some(*seconds).filter(|seconds| *seconds > 0.0),
         _ => None,

@@ -111,7 +111,8 @@ impl<'a> Cursor<'a> {
             0x20 => Ok(Property::Text(self.text()?)),
             0x21 => self.take(1).map(|_| Property::Other),
             0x44 => {
-                // Fractions of 2^-64 s, and whole seconds since 1904. In a big-endian file the seconds come first.
+                // A time consists of fractions of 2^-64 s and whole seconds since 1904. In a big-endian file, the
+                // seconds come first.
                 let (first, second) = (self.u64()?, self.u64()?);
                 let (fraction, seconds) = if self.big_endian { (second, first) } else { (first, second) };
                 Ok(Property::Time(seconds as i64 as f64 - FROM_1904_TO_1970 + fraction as f64 / 2f64.powi(64)))
@@ -123,7 +124,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Seconds from the first instant of 1904, the epoch of these files, to that of 1970.
+/// Seconds from the first instant of 1904, the epoch of these files, to the first instant of 1970.
 const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
 impl Property {

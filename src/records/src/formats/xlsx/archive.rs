@@ -1,10 +1,10 @@
-//! Limits the unpacked size of a workbook's zip archive, and charges each reading of its parts.
+//! Limits the unpacked size of a workbook's zip archive, and charges the budget for each reading of its parts.
 
 use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
 use crate::source::{Budget, Exhausted};
 
-/// Unpacked size of all parts of a workbook together that is always allowed, bytes.
+/// Total unpacked size of a workbook's parts that is always allowed, bytes.
 ///
 /// The strings need several times their size in memory, so their limit is lower.
 const LARGEST_UNPACKED: u64 = 256 << 20;
@@ -14,15 +14,15 @@ const LARGEST_STRINGS: u64 = 48 << 20;
 const UNPACKED: u64 = 20;
 /// Longest tag with the text after it, bytes. A cell contains at most 32,767 letters.
 const LONGEST: u64 = 1 << 20;
-/// Memory of a style in addition to its texts, bytes. Each style names a font, a fill and borders.
+/// Memory of a style in addition to its texts, bytes. Each style refers to a font, a fill and borders.
 const STYLE: u64 = 512;
 /// Work per unpacked byte of XML and per tag, in steps of the budget. Empty rows consist of tags only. Without the
-/// charge per tag they took three times the charged work (tests/costly.rs).
+/// charge per tag, they took three times as long as charged (tests/costly.rs).
 const PARSED: u64 = 6;
 const TAG: u64 = 40;
 
-/// Unpacks every part once without storing it, and rejects a workbook that would not fit into memory. Sizes that the
-/// archive states are not trusted. The returned reader charges every later reading.
+/// Unpacks every part once without storing it, and rejects a workbook that would not fit into memory. The check does
+/// not rely on sizes that the archive states. The returned reader charges the budget for every later reading.
 pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result<Metered<'a>, String> {
     let size = bytes.len() as u64;
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| e.to_string())?;
@@ -35,7 +35,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
         let strings = name.ends_with("sharedstrings.xml");
         let mut scan = Scan::default();
         if strings {
-            // The parser would reserve memory for any announced count, so reject a count that the text cannot contain.
+            // The parser reserves memory for any announced count, so reject a count that the text cannot contain.
             let mut start = Vec::new();
             (&mut part).take(4096).read_to_end(&mut start).map_err(|e| e.to_string())?;
             scan.take(&start);
@@ -77,7 +77,7 @@ pub(super) fn check<'a>(bytes: &'a [u8], budget: &Budget) -> std::result::Result
             budget.hold(scan.tags * 12 + scan.bytes)?;
         }
         if name.ends_with("styles.xml") {
-            // Every style copies the items that it names.
+            // Every style copies the items to which it refers.
             budget.hold(scan.tags.saturating_mul(scan.longest + STYLE))?;
         }
     }
@@ -99,7 +99,7 @@ struct Scan {
 }
 
 impl Scan {
-    /// Returns the work of parsing the part once.
+    /// Returns the work for parsing the part once.
     fn work(&self) -> u64 {
         PARSED * self.bytes + TAG * self.tags
     }
@@ -125,7 +125,7 @@ struct Part {
     work: u64,
 }
 
-/// Reader of an archive that charges each reading by the unpacked work, because many sheets may share one part.
+/// Reader of an archive that charges the budget for each reading of a part, because many sheets may share one part.
 pub(crate) struct Metered<'a> {
     bytes: Cursor<&'a [u8]>,
     /// Sorted by position.

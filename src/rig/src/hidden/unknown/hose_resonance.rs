@@ -1,4 +1,4 @@
-//! A hose to an accumulator takes up a part of the flow, with a resonance.
+//! A part of the flow goes through a hose to an accumulator, with a resonance.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -6,7 +6,7 @@ use crate::neutral::{Here, Rest};
 const FORMS: &[&str] = &["helmholtz"];
 
 struct Hose {
-    /// Compliance of the accumulator, as stroke per force, m/N.
+    /// Compliance of the accumulator, stroke per force, m/N.
     compliance_m_n: f64,
     omega: f64,
     damping: f64,

@@ -1,4 +1,4 @@
-//! The load cell reads more at rising load than at falling load.
+//! The reading of the load cell is larger at rising load than at falling load.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};

@@ -15,7 +15,7 @@ mod wear_step;
 
 use super::{Hidden, Recipe};
 
-/// Draws the effect with a given name, which was verified before.
+/// Draws the effect with a given name, which the caller has verified.
 pub(super) fn draw(name: &str, recipe: &mut Recipe) -> Box<dyn Hidden> {
     match name {
         "unknown_shear_softening" => shear_softening::draw(recipe),

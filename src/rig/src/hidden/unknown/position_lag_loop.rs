@@ -1,4 +1,4 @@
-//! A force that lags position and saturates, like eddy currents in a nearby part.
+//! A force that lags position and saturates, such as that of eddy currents in a nearby part.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -26,7 +26,7 @@ impl Hidden for LagLoop {
     }
 
     fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
-        // Beyond the width the coupling of the field weakens: the force decreases again.
+        // Beyond the width, the coupling of the field weakens, and the force decreases again.
         let trail = (here.line.displacement_m - states[0]) / self.width_m;
         self.force_n * 2.0 * trail / (1.0 + trail * trail)
     }

@@ -1,4 +1,4 @@
-//! The damper pumps itself up in motion, like a leveling damper, and sinks back at standstill.
+//! Like a leveling damper, the damper builds up pressure in motion and loses it at standstill.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};

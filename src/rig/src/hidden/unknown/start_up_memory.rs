@@ -1,4 +1,4 @@
-//! After a standstill the damper has a reduced force over an initial travel.
+//! After a standstill, the force of the damper is reduced over an initial travel.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};

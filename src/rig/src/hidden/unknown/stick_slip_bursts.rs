@@ -15,7 +15,7 @@ struct Bursts {
 }
 
 impl Bursts {
-    /// Returns start (s) and size of the burst in a slot of the clock; most slots are empty.
+    /// Returns start (s) and size of the burst in a slot of the clock; `None` for the many slots without a burst.
     fn burst(&self, slot: i64) -> Option<(f64, f64)> {
         // Hash the slot with SplitMix64.
         let mut z = self.seed.wrapping_add((slot as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15));

@@ -1,4 +1,4 @@
-//! A shim cracks during the campaign: from then on one direction has less force.
+//! A shim cracks during the campaign. After that, one direction has less force.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,7 +7,7 @@ const FORMS: &[&str] = &["cracked_shim"];
 
 struct Wear {
     missing: f64,
-    /// +1: rebound, -1: compression.
+    /// Direction: +1 rebound, -1 compression.
     side: f64,
     at_s: f64,
 }

@@ -1,9 +1,10 @@
 //! HDF5 files as MATLAB and h5py write them (The HDF Group, HDF5 File Format Specification, version 3.0).
 //!
-//! The reader supports both forms of groups, and numeric data sets that are compact, contiguous or chunked, deflated
-//! and shuffled.
+//! The reader supports both forms of groups, and compact, contiguous or chunked numeric data sets, which may be
+//! deflated and shuffled.
 //!
-//! Every visited block, every chunk and every number is charged to the budget. No node of a tree is visited twice.
+//! Every visited block, every chunk and every number is charged to the budget. Each node of a tree is visited at most
+//! once.
 
 use std::collections::HashSet;
 use std::io::Read as _;
@@ -21,7 +22,7 @@ const MOST_DIMENSIONS: usize = 8;
 
 /// An HDF5 file.
 pub(super) struct File<'a> {
-    /// The bytes from the superblock on, to which addresses are relative.
+    /// The bytes from the superblock on. Addresses are relative to their start.
     bytes: &'a [u8],
     budget: &'a Budget,
     /// Number of bytes of an address and of a length.
@@ -55,9 +56,9 @@ enum Kind {
 }
 
 enum Layout {
-    /// Data in the header itself: position and length.
+    /// Position and length of data in the header itself.
     Compact { at: usize, size: usize },
-    /// One block, or `None` if it was never written.
+    /// Position of the single block of data, or `None` if it was never written.
     Contiguous { at: Option<u64>, size: u64 },
     /// Chunks of equal shape, indexed by a tree.
     Chunked { tree: Option<u64>, chunk: Vec<u64> },
@@ -84,7 +85,7 @@ fn too_short() -> String {
 }
 
 impl<'a> File<'a> {
-    /// Finds the superblock at the beginning, or after a user block of 512 bytes times a power of two.
+    /// Finds the superblock at the beginning, or after a user block, whose length is 512 bytes times a power of two.
     pub fn open(bytes: &'a [u8], budget: &'a Budget) -> Result<File<'a>, String> {
         let starts = std::iter::once(0).chain((0..24).map(|k| 512_usize << k)).take_while(|at| *at < bytes.len());
         let at = starts.into_iter().find(|at| bytes[*at..].starts_with(SIGNATURE));
@@ -102,8 +103,8 @@ impl<'a> File<'a> {
         if ![2, 4, 8].contains(&file.offset) || ![2, 4, 8].contains(&file.length) {
             return Err("its addresses have a size that no file has".into());
         }
-        // Base, extension or free space, and end precede the root. The old form also has the address of the driver
-        // block and a name offset.
+        // The base address, the extension or free-space address, and the end address precede the root address. The old
+        // form also has the address of the driver block and a name offset.
         let before = if version < 2 { 5 } else { 3 };
         file.root = file.uint(addresses + before * file.offset, file.offset)?;
         Ok(file)
@@ -150,7 +151,7 @@ impl<'a> File<'a> {
         Ok(Some(DataSet { shape, number, layout, filters }))
     }
 
-    /// Returns all numbers of a data set, in file order. Numbers that were never written are missing values.
+    /// Returns all numbers of a data set, in file order. Numbers that the file does not store become missing values.
     pub fn values(&self, data: &DataSet) -> Result<Vec<f64>, String> {
         let count = product(&data.shape);
         self.budget.numbers(count)?;
@@ -184,7 +185,8 @@ impl<'a> File<'a> {
         Ok(values)
     }
 
-    /// Copies the chunks below a node into `values`. `above` is the level of the parent node, which is one higher.
+    /// Copies the chunks below a node into `values`. `above` is the level of the parent node, which exceeds that of the
+    /// node by one.
     fn chunks(
         &self,
         at: u64,
@@ -195,7 +197,7 @@ impl<'a> File<'a> {
         values: &mut [f64],
     ) -> Result<(), String> {
         let (level, used, from) = self.node(at, 1, above, seen)?;
-        // Size, filter mask, and an offset along every dimension and within the element.
+        // A key contains size, filter mask, an offset along every dimension, and an offset within the element.
         let key = 8 + 8 * (chunk.len() + 1);
         for k in 0..used {
             let entry = from + k * (key + self.offset);
@@ -214,7 +216,8 @@ impl<'a> File<'a> {
         Ok(())
     }
 
-    /// Reverses the filters of a chunk, the last one first. A bit of the mask marks a filter that was not applied.
+    /// Reverses the filters of a chunk, beginning with the last filter. A bit of the mask marks a filter that was not
+    /// applied.
     fn unpacked(&self, data: &DataSet, stored: &[u8], whole: u64, mask: u64) -> Result<Vec<u8>, String> {
         // Charge the stored, the unpacked and the unshuffled bytes.
         self.budget.hold(whole.saturating_mul(2).saturating_add(stored.len() as u64))?;
@@ -245,7 +248,7 @@ impl<'a> File<'a> {
         Ok(bytes)
     }
 
-    /// Copies a chunk to its position. Elements outside the data set are padding.
+    /// Copies a chunk to its position. Ignores elements outside the data set, which are padding.
     fn place(&self, data: &DataSet, chunk: &[u64], begins: &[u64], bytes: &[u8], values: &mut [f64]) {
         let size = data.number.size;
         for (k, stored) in bytes.chunks_exact(size).take(product(chunk) as usize).enumerate() {
@@ -264,7 +267,7 @@ impl<'a> File<'a> {
         }
     }
 
-    /// Reads a node of a version-1 tree: its level, the number of its entries and the position of the first.
+    /// Reads a node of a version-1 tree: its level, the number of its entries and the position of the first entry.
     fn node(
         &self,
         at: u64,
@@ -354,7 +357,7 @@ impl<'a> File<'a> {
         let new = self.bytes[from..].starts_with(b"OHDR");
         let mut found = Vec::new();
         let mut seen = HashSet::new();
-        // Blocks of messages: position and length.
+        // Position and length of each block of messages.
         let mut blocks = Vec::new();
         let mut head = 8;
         if new {
@@ -387,7 +390,7 @@ impl<'a> File<'a> {
                 };
                 let data = at + head;
                 if data + size > end {
-                    // The remaining bytes after the last message of a new-style header are a gap.
+                    // Bytes after the last message of a new-style header are unused.
                     break;
                 }
                 if kind == 0x10 {
@@ -441,7 +444,7 @@ impl<'a> File<'a> {
                 size: self.uint(at + 2 + self.offset, self.length)?,
             }),
             (3, 2) => {
-                // The last number is the size of an element.
+                // The last number is the size of an element, not a dimension.
                 let rank = (self.uint(at + 2, 1)? as usize).saturating_sub(1);
                 let from = at + 3 + self.offset;
                 let chunk = self.sizes(from, 4, rank)?;
@@ -492,7 +495,7 @@ impl<'a> File<'a> {
         Ok(found)
     }
 
-    /// Returns the position of an address, and checks the signature there.
+    /// Checks the signature at an address, and returns its position.
     fn place_of(&self, at: u64, signature: &[u8]) -> Result<usize, String> {
         let from = usize::try_from(at).ok().filter(|from| *from < self.bytes.len());
         let from = from.ok_or_else(|| format!("a block at byte {at} lies outside the file"))?;
@@ -548,7 +551,7 @@ fn product(shape: &[u64]) -> u64 {
 }
 
 /// Reverses the shuffle filter, which stores the first bytes of all elements, then the second bytes, and so on.
-/// Trailing bytes were not shuffled.
+/// Trailing bytes that do not fill an element stay unchanged.
 fn unshuffled(bytes: &[u8], size: usize) -> Vec<u8> {
     let count = bytes.len() / size;
     let mut out = Vec::with_capacity(bytes.len());
