@@ -72,7 +72,7 @@ fn row(one: &Checked) -> String {
             None => "NOT TESTED: no test at this speed",
         },
         Verdict::NotTested if one.limit.quantity.is_time() => "NOT TESTED: no such step of the setting",
-        Verdict::NotTested => "NOT TESTED: no slow test (below 6 mm/s)",
+        Verdict::NotTested => "NOT TESTED: no slow test with whole cycles (below 6 mm/s)",
     };
     let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {
         format!(", but not sure: half a sample of the logger is {} ms", digits(1e3 * uncertainty, 2))

@@ -62,13 +62,23 @@ pub enum OfPeaksError {
         /// Number of clicks in the table.
         count: usize,
     },
-    /// No speed has a force in both strokes at every click.
+    /// A click whose speeds end far below those of another.
     #[error(
-        "{file}: there is no speed of both strokes at which all clicks have a force; --clicks all makes a model of each"
+        "{file}: click {click} has forces up to {:.0} mm/s, another one up to {:.0} mm/s: a model over all {clicks} clicks would end there. Complete the table, or make a model of each click with --clicks all",
+        1e3 * top,
+        1e3 * fastest
     )]
-    NoCommonSpeed {
+    SlowClick {
         /// Name of the table.
         file: String,
+        /// The click.
+        click: f64,
+        /// Its largest speed, m/s.
+        top: f64,
+        /// Largest speed of all clicks, m/s.
+        fastest: f64,
+        /// Number of clicks.
+        clicks: usize,
     },
     /// The numbers together do not form a valid model.
     #[error("{file}")]
@@ -93,8 +103,31 @@ pub struct Begun {
     pub direction: String,
     /// Whether the forces contradict that interpretation.
     pub is_doubtful: bool,
-    /// Speeds that were left out, m/s, because a click has no force at them.
+    /// Velocities that were left out because a click does not reach them, m/s.
     pub left_out: Vec<f64>,
+    /// Largest distance over which a force was interpolated, relative to the velocity.
+    pub interpolated: f64,
+}
+
+/// Smallest ratio of the largest speed of a click to that of all clicks. Below it, the model would end far within the table.
+const REACHED: f64 = 0.8;
+/// Ratio of two speeds above which they count as one: a dyno repeats its commanded speeds to about a percent.
+const SAME_SPEED: f64 = 0.98;
+
+/// Returns the force of a curve at a velocity, linear between its points, constant beyond.
+fn force_at(curve: &[(f64, f64)], velocity: f64) -> f64 {
+    let after = curve.partition_point(|(own, _)| *own < velocity);
+    match (after.checked_sub(1).and_then(|before| curve.get(before)), curve.get(after)) {
+        (Some((v0, f0)), Some((v1, f1))) => f0 + (f1 - f0) * (velocity - v0) / (v1 - v0),
+        (Some((_, force)), None) | (None, Some((_, force))) => *force,
+        (None, None) => 0.0,
+    }
+}
+
+/// Returns the distance from a velocity to the nearest point of a curve, relative to the velocity.
+fn distance_to_point(curve: &[(f64, f64)], velocity: f64) -> f64 {
+    let nearest = curve.iter().map(|(own, _)| (own - velocity).abs()).fold(f64::INFINITY, f64::min);
+    if velocity == 0.0 { 0.0 } else { nearest / velocity.abs() }
 }
 
 /// The damper's own force over velocity, and the table from which it was read.
@@ -111,7 +144,7 @@ struct Read {
 pub fn of_peaks(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Begun, OfPeaksError> {
     let read = read_curve(path, options, gas_force, friction)?;
     let params = params_of(path, &read.curve, gas_force, friction)?;
-    Ok(begun(path, &read, &Definition { params, axis: Axis::NONE }, Vec::new()))
+    Ok(begun(path, &read, &Definition { params, axis: Axis::NONE }, (Vec::new(), 0.0)))
 }
 
 /// Makes a model file over the clicks of a table of an adjustable damper.
@@ -133,23 +166,45 @@ pub fn family_of_peaks(
     let at =
         |click: &f64| read_curve(path, &PeakOptions { clicks: Some(*click), ..options.clone() }, gas_force, friction);
     let mut all: Vec<Read> = clicks.iter().map(at).collect::<Result<_, _>>()?;
-    // The FV points of a damper over a setting have the same velocities at every setting.
-    let mut speeds: Vec<f64> = all.iter().flat_map(|read| read.curve.iter().map(|(velocity, _)| *velocity)).collect();
-    speeds.sort_by(f64::total_cmp);
-    speeds.dedup();
-    let has = |read: &Read, speed: f64| read.curve.iter().any(|(velocity, _)| *velocity == speed);
-    let (common, left_out): (Vec<f64>, Vec<f64>) =
-        speeds.into_iter().partition(|speed| all.iter().all(|read| has(read, *speed)));
-    if !(common.iter().any(|speed| *speed > 0.0) && common.iter().any(|speed| *speed < 0.0)) {
-        return Err(OfPeaksError::NoCommonSpeed { file: file() });
+    // A damper over a setting has its FV points at the same velocities at every setting.
+    let (mut common, mut left_out) = (vec![0.0], Vec::new());
+    for sign in [-1.0, 1.0] {
+        let speeds = |read: &Read| -> Vec<f64> {
+            read.curve.iter().map(|(velocity, _)| sign * velocity).filter(|speed| *speed > 0.0).collect()
+        };
+        let tops: Vec<f64> = all.iter().map(|read| speeds(read).into_iter().fold(0.0, f64::max)).collect();
+        let (slowest, top) = tops.iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
+        let fastest = tops.iter().copied().fold(0.0, f64::max);
+        if top < REACHED * fastest {
+            return Err(OfPeaksError::SlowClick {
+                file: file(),
+                click: clicks[slowest],
+                top,
+                fastest,
+                clicks: clicks.len(),
+            });
+        }
+        // The click with the most points has the densest grid.
+        let densest = all.iter().map(speeds).max_by_key(Vec::len).unwrap_or_default();
+        common.extend(
+            densest.into_iter().filter(|speed| *speed < SAME_SPEED * top).chain([top]).map(|speed| sign * speed),
+        );
+        left_out
+            .extend(all.iter().flat_map(speeds).filter(|speed| *speed > top / SAME_SPEED).map(|speed| sign * speed));
     }
-    all.iter_mut().for_each(|read| read.curve.retain(|(velocity, _)| common.contains(velocity)));
+    common.sort_by(f64::total_cmp);
+    let mut off = 0.0f64;
+    for read in &mut all {
+        let own = std::mem::take(&mut read.curve);
+        off = common.iter().map(|velocity| distance_to_point(&own, *velocity)).fold(off, f64::max);
+        read.curve = common.iter().map(|velocity| (*velocity, force_at(&own, *velocity))).collect();
+    }
     let sets: Vec<Params> =
         all.iter().map(|read| params_of(path, &read.curve, gas_force, friction)).collect::<Result<_, _>>()?;
     let refused = |fault: Fault| OfPeaksError::Rejected { file: file(), name: "clicks", reason: fault.reason.text() };
     let (params, mut axis) = Axis::through(&clicks, &sets).map_err(refused)?;
     axis.set_name("clicks").map_err(refused)?;
-    Ok(begun(path, &all[0], &Definition { params, axis }, left_out))
+    Ok(begun(path, &all[0], &Definition { params, axis }, (left_out, off)))
 }
 
 /// Reads the damper's own forces from a table.
@@ -203,7 +258,7 @@ fn params_of(path: &Path, curve: &[(f64, f64)], gas_force: f64, friction: f64) -
 }
 
 /// Makes the model file of a damper from a table.
-fn begun(path: &Path, read: &Read, damper: &Definition, left_out: Vec<f64>) -> Begun {
+fn begun(path: &Path, read: &Read, damper: &Definition, (left_out, interpolated): (Vec<f64>, f64)) -> Begun {
     let flat = model_file::flat_family(damper, |row| format!("{}; {}", row.parameter.unit, row.parameter.meaning));
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let (direction, is_doubtful) = direction(&read.peaks);
@@ -214,6 +269,7 @@ fn begun(path: &Path, read: &Read, damper: &Definition, left_out: Vec<f64>) -> B
         direction,
         is_doubtful,
         left_out,
+        interpolated,
     }
 }
 

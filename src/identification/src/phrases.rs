@@ -27,7 +27,7 @@ dashpot_messages::phrases! {
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
-    NO_SLOW_TEST: "there is no slow test (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
+    NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // Measurement errors.
@@ -70,6 +70,7 @@ dashpot_messages::phrases! {
     FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, at most {most} of each setting and {changing} whose setting changes, of every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_INTERVAL_BETWEEN: "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off";
     LABEL_SUSPECT: "{test} states {name} {stated}, but its forces are those of {fitting}: at the stated one the model misses it by {ratio} times as much. Check its label; a corrected value goes into campaign.toml under settings";
+    LABEL_STRAY: "{test} states {name} {stated}, but its forces are those of {fitting}, and not those of the settings next to it. Check its label; a corrected value goes into campaign.toml under settings";
     LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
     FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them";

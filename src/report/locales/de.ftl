@@ -155,8 +155,8 @@ test-sentence = Größte Kraft { $force } N. Mittlerer Fehler des Modells { $err
 ## The literature.
 
 family-section = Über der Einstellung
-family-between = Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent }) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein.
-family-between-worse = Zwischen seinen Einstellungen ist das Modell schlechter als bei ihnen: Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent }) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein. Messungen zwischen { $at } und den Nachbarn helfen am meisten.
+family-between = Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein.
+family-between-worse = Zwischen seinen Einstellungen ist das Modell schlechter als bei ihnen: Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein. Messungen zwischen { $at } und den Nachbarn helfen am meisten.
 family-about = Der Dämpfer hängt von einer Einstellung ab. In jedem Versuch ist es die des Versuchs; zwischen den Einstellungen der Modelldatei wird interpoliert.
 family-interpolated = { $setting } (interpoliert)
 plot-family = Kraft bei konstanter Geschwindigkeit, nach Einstellung
@@ -1036,6 +1036,7 @@ records-at-rests = { $count } Versuche hintereinander, an den Ruhezeiten dazwisc
 
 records-rows-dropped = { $count } von { $rows } Zeilen wegen leerer Zellen oder solcher ohne Zahl weggelassen (Zeile { $lines })
 records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ fehlen; jeder gilt als der vor ihm
+records-setting-start = die Einstellung „{ $setting }“ ist { $seconds } s lang auf dem Weg zu ihrem Wert; dieser Anfang wurde abgeschnitten
 records-setting-empty = die Spalte der Einstellung ‚{ $setting }‘ ist leer: der Versuch gilt als einer ohne sie, oder wie sein Name sagt
 records-small-current = der Strom beträgt höchstens { $current } mA und gilt als 0 A, denn darauf antwortet kein Ventil; stehen in der Spalte A, so geben Sie --unit current=A an
 records-filled = { $count } fehlende Werte im Kanal { $channel } durch Geraden ergänzt
@@ -1370,7 +1371,7 @@ identification-contradicts = { $name } widerspricht den Maßen des Dämpfers: { 
 identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei dreifacher Frequenz würde sie unterscheiden
 identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretches } Abschnitten von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
-identification-no-slow-test = es gibt keinen langsamen Versuch (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
+identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
 identification-zero-moves = das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von { $low } bis { $high } N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich
 
@@ -1423,6 +1424,7 @@ identification-actuator-open = die Messungen bestimmen { $names } nicht: die Wer
 identification-family-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, höchstens { $most } je Einstellung und { $changing } mit wechselnder Einstellung, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-interval-between = { $names }: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht
 identification-label-suspect = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting }: bei der angegebenen Einstellung verfehlt das Modell ihn um das { $ratio }-Fache. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
+identification-label-stray = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting } und nicht die der benachbarten Einstellungen. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
 identification-labels-exchanged = die Dämpfkraft steigt oder fällt über { $name } nicht durchgehend; mit { $one } und { $other } vertauscht täte sie es. Die Angaben dieser Versuche prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
 identification-family-stores = eine Änderung von { $setting } kann am Fahrzeug Arbeit leisten, denn sie ändert { $names }: gespeicherte Energie oder eine Kraft in Ruhe
 identification-family-no-setting = kein Versuch nennt { $name }. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), die Einheit einer Stromspalte ohne Einheit nennen (--unit current=A), oder setting und [settings] in campaign.toml daneben eintragen

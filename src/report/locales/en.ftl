@@ -155,8 +155,8 @@ test-sentence = Largest force { $force } N. Mean error of the model { $error } N
 ## The literature.
 
 family-section = Over the setting
-family-between = A family that did not see { $at } misses there by { $error } N ({ $percent }), { $ratio } times as much as a fit of { $at } alone.
-family-between-worse = Between its settings the model is worse than at them: a family that did not see { $at } misses there by { $error } N ({ $percent }), { $ratio } times as much as a fit of { $at } alone. Records between { $at } and its neighbors would help most.
+family-between = A family that did not see { $at } misses there by { $error } N ({ $percent } %), { $ratio } times as much as a fit of { $at } alone.
+family-between-worse = Between its settings the model is worse than at them: a family that did not see { $at } misses there by { $error } N ({ $percent } %), { $ratio } times as much as a fit of { $at } alone. Records between { $at } and its neighbors would help most.
 family-about = The damper depends on a setting. At every test it is that of the test; a setting between those of the model file is interpolated.
 family-interpolated = { $setting } (interpolated)
 plot-family = Force at constant velocity, by setting

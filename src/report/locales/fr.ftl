@@ -155,8 +155,8 @@ test-sentence = Effort maximal { $force } N. Écart moyen du modèle { $error } 
 ## The literature.
 
 family-section = Selon le réglage
-family-between = Une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent }), { $ratio } fois autant qu’un ajustement à { $at } seul.
-family-between-worse = Entre ses réglages, le modèle est moins bon qu’à ceux-ci : une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent }), { $ratio } fois autant qu’un ajustement à { $at } seul. Des mesures entre { $at } et ses voisins aideraient le plus.
+family-between = Une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul.
+family-between-worse = Entre ses réglages, le modèle est moins bon qu’à ceux-ci : une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul. Des mesures entre { $at } et ses voisins aideraient le plus.
 family-about = L’amortisseur dépend d’un réglage. À chaque essai, c’est celui de l’essai ; entre ceux du fichier de modèle, il est interpolé.
 family-interpolated = { $setting } (interpolé)
 plot-family = Effort à vitesse constante, par réglage
@@ -1036,6 +1036,7 @@ records-at-rests = { $count } essais l’un après l’autre, séparés aux repo
 
 records-rows-dropped = { $count } lignes sur { $rows } écartées pour cellules vides ou sans nombre (ligne { $lines })
 records-setting-held = { $count } des { $rows } valeurs du réglage « { $setting } » manquent ; chacune est prise égale à la précédente
+records-setting-start = le réglage « { $setting } » met { $seconds } s à atteindre sa valeur ; ce début a été coupé
 records-setting-empty = la colonne du réglage « { $setting } » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit
 records-small-current = le courant est d’au plus { $current } mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A
 records-filled = { $count } valeurs manquantes de la voie { $channel } complétées par des droites
@@ -1370,7 +1371,7 @@ identification-contradicts = { $name } contredit les dimensions de l’amortisse
 identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course à trois fois la fréquence les distinguerait
 identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
-identification-no-slow-test = il n’y a pas d’essai lent (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
+identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
 identification-zero-moves = le modèle laisse de chaque essai un autre effort constant, de { $low } à { $high } N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables
 
@@ -1423,6 +1424,7 @@ identification-actuator-open = les mesures ne déterminent pas { $names } : les 
 identification-family-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, au plus { $most } par réglage et { $changing } dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation
 identification-label-suspect = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } : au réglage indiqué, le modèle s’en écarte { $ratio } fois plus. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings
+identification-label-stray = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } et non celles des réglages voisins. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings
 identification-labels-exchanged = l’effort d’amortissement ne croît ni ne décroît d’un bout à l’autre de { $name } ; il le ferait avec { $one } et { $other } échangés. Vérifier les indications de ces essais ; un amortisseur réellement ainsi est modélisé comme mesuré
 identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie { $names } : énergie accumulée ou force au repos
 identification-family-no-setting = aucun essai n’indique { $name }. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté

@@ -155,8 +155,8 @@ test-sentence = 最大力 { $force } N。模型平均误差 { $error } N，{ $pe
 ## The literature.
 
 family-section = 随设置变化
-family-between = 未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent }），是单独拟合 { $at } 的 { $ratio } 倍。
-family-between-worse = 模型在各设置之间不如在设置处：未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent }），是单独拟合 { $at } 的 { $ratio } 倍。在 { $at } 与相邻设置之间测量最有帮助。
+family-between = 未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。
+family-between-worse = 模型在各设置之间不如在设置处：未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。在 { $at } 与相邻设置之间测量最有帮助。
 family-about = 该减振器取决于一个设置。每个试验取其自身的设置；模型文件各设置之间采用插值。
 family-interpolated = { $setting }（插值）
 plot-family = 各设置下恒定速度时的力
@@ -1036,6 +1036,7 @@ records-at-rests = { $count } 个试验前后相接，按静止前后运动的�
 
 records-rows-dropped = { $rows } 行中有 { $count } 行因单元格为空或不是数值而舍去（第 { $lines } 行）
 records-setting-held = 设定“{ $setting }”的 { $rows } 个值中缺少 { $count } 个；均取其前一个值
+records-setting-start = 设定“{ $setting }”在 { $seconds } s 内尚未到达其值；该起始段已剪去
 records-setting-empty = 设定“{ $setting }”的列为空：该试验视为没有该设定，或以其名称为准
 records-small-current = 电流最大为 { $current } mA，按 0 A 计，因为没有阀对此有响应；若该列单位为 A，请给出 --unit current=A
 records-filled = { $channel }通道的 { $count } 个缺失值已用直线补齐
@@ -1370,7 +1371,7 @@ identification-contradicts = { $name } 与减振器的尺寸矛盾：{ $value } 
 identification-one-rate = 所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三倍频率做同一行程的试验可将二者区分
 identification-roads = { $roads } 个没有循环的长试验各以 { $stretches } 段、每段 { $seconds } s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
-identification-no-slow-test = 没有慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
+identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
 identification-zero-moves = 模型在各试验中剩下各不相同的恒定力，从 { $low } 到 { $high } N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信
 
@@ -1423,6 +1424,7 @@ identification-actuator-open = 记录不能确定 { $names }：取阀通常的�
 identification-family-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，每个设置最多 { $most } 个，设置变化的 { $changing } 个，涵盖各种振幅、速度、平均位置、温度和侧向力。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
 identification-no-interval-between = { $names }：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差
 identification-label-suspect = { $test } 标明 { $name } { $stated }，但其力属于 { $fitting }：在所标设定下模型的误差为后者的 { $ratio } 倍。请检查该标注；更正值写入 campaign.toml 的 settings
+identification-label-stray = { $test } 标明 { $name } { $stated }，但其力属于 { $fitting }，而不属于相邻设定。请检查该标注；更正值写入 campaign.toml 的 settings
 identification-labels-exchanged = 阻尼力在 { $name } 上并非单调变化；若将 { $one } 与 { $other } 互换则会单调。请检查这些试验的标注；若阻尼器确实如此，则按测量建模
 identification-family-stores = 改变 { $setting } 可能对宿主做功，因为它改变 { $names }：储存的能量或静止时的力
 identification-family-no-setting = 没有试验说明 { $name }。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]

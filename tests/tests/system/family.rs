@@ -178,6 +178,14 @@ fn a_test_with_the_label_of_another_setting_is_named() {
         found.notes.iter().map(ToString::to_string).filter(|note| note.contains("Check its label")).collect()
     };
     assert_eq!(said(&fit(&records)), [""; 0]);
+    // A slip makes a setting of its own, which is fitted to this test alone.
+    let mut slipped = records.clone();
+    let wrong = slipped.iter_mut().find(|record| record.peak_velocity > 0.3).unwrap();
+    wrong.setting.as_mut().unwrap().value = 4.0;
+    let name = wrong.name.clone();
+    let notes = said(&fit(&slipped));
+    assert!(notes.len() == 1 && notes[0].starts_with(&format!("{name} states current 4 A")), "{notes:?}");
+    assert!(notes[0].contains("those of 0 A, and not"), "{notes:?}");
     let wrong = records.iter_mut().rfind(|record| record.peak_velocity > 0.3).unwrap();
     wrong.setting.as_mut().unwrap().value = 0.0;
     let name = wrong.name.clone();

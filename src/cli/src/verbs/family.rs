@@ -55,11 +55,9 @@ pub fn run(
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
     // Even if the errors at the settings are small, they may be larger between the settings.
-    let is_worse_between = found.worst_left_out().is_some_and(|of| of.ratio > WorstLeftOut::AS_GOOD);
+    let is_worse_between = found.worst_left_out().is_none_or(|of| of.ratio > WorstLeftOut::AS_GOOD);
     say(&if is_worse_between { format!("At the settings of the records: {}", lower_first(&good)) } else { good })?;
-    if let Some(text) = format_interpolation(&found) {
-        say(&text)?;
-    }
+    say(&format_interpolation(&found))?;
     if let Some(path) = json {
         dashpot_output::json(path, &FamilyFigures::new(&found, campaign, Some(output)))?;
     }
@@ -191,18 +189,22 @@ fn lower_first(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// Formats the worst error of the left-out settings. Returns `None` if no setting was left out.
-fn format_interpolation(found: &FamilyFit) -> Option<String> {
-    let WorstLeftOut { setting, error, ratio } = found.worst_left_out()?;
+/// Formats the worst error of the left-out settings, or that none could be left out.
+fn format_interpolation(found: &FamilyFit) -> String {
+    let Some(WorstLeftOut { setting, error, ratio }) = found.worst_left_out() else {
+        return "between settings: no setting could be left out, so the error there is unknown; a third setting would show it"
+            .to_owned();
+    };
     let at = setting_in_words(setting, &found.setting.unit);
     let text = format!(
         "between settings: a family that did not see {at} misses there by {:.2} N ({:.2} %), {ratio:.2} times as much as a fit of {at} alone",
         error.mean_error_n, error.error_percent
     );
-    Some(match ratio > WorstLeftOut::AS_GOOD {
+    match ratio > WorstLeftOut::AS_GOOD {
+        true if found.has_doubtful_labels => format!("{text}; check the labels named above first"),
         true => format!("{text}; records between {at} and its neighbors would help most"),
         false => text,
-    })
+    }
 }
 
 /// Formats the errors at each setting.

@@ -139,7 +139,16 @@ impl Stroke {
             to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
             let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            to.quantities.push(bounded(quantity, phrases::NO_LEAK));
+            // Without an upper end the curve has no laminar part. A lower end would then be read as a leak.
+            match quantity.high {
+                Some(_) => to.quantities.push(quantity),
+                None => to.unknown.push(Gap {
+                    name: leak,
+                    why: phrases::NO_LEAK.into(),
+                    entries: Vec::new(),
+                    parameters: Vec::new(),
+                }),
+            }
         }
         let mut cannot = |why: Template| {
             to.unknown.push(Gap {

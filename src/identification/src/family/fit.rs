@@ -103,6 +103,8 @@ pub struct FamilyFit {
     pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
+    /// Whether the forces contradict the setting that a test states; the notes name the tests.
+    pub has_doubtful_labels: bool,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
     /// Fingerprints of the contents of these tests, in the same order.
@@ -187,7 +189,9 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
-    notes.extend(setting_labels::notes(&best, &damper, &axis, &sorted, &settings));
+    let doubts = setting_labels::notes(&best, &damper, &axis, &sorted, &settings);
+    let has_doubtful_labels = !doubts.is_empty();
+    notes.extend(doubts);
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
@@ -209,6 +213,7 @@ pub fn fit_family(
         notes,
         tests: used.iter().map(|r| r.name.clone()).collect(),
         fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
+        has_doubtful_labels,
         misfit: (joint_refit.residual.norm_squared() / scored.max(1) as f64).sqrt(),
     })
 }

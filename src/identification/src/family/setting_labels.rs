@@ -9,6 +9,7 @@ use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_messages::Sentence;
+use std::collections::BTreeSet;
 
 /// Ratio of a test's errors at the stated setting and at another setting above which the label is suspect.
 ///
@@ -16,6 +17,10 @@ use dashpot_messages::Sentence;
 /// then gives odds of 6 to 1 between two settings and even odds among six. With a lower ratio, a test with a poor fit is wrongly suspected.
 /// Test: `a_test_with_the_label_of_another_setting_is_named`.
 const MUCH_WORSE: f64 = 5.0;
+/// Ratio of the usual number of tests of a setting to that of a setting with few tests: a wrong label rarely hits several tests alike.
+const FEW: usize = 3;
+/// Ratio of a test's error at another setting to that at its own, which was fitted to it, up to which the other one fits as well.
+const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that noise may cause, as a fraction of its range.
 const FLAT: f64 = 0.02;
 
@@ -38,6 +43,14 @@ pub fn notes(
                 .with("ratio", format!("{:.0}", suspect.ratio))
         })
         .collect();
+    notes.extend(strays(best, settings).into_iter().map(|stray| {
+        let name = |of: &SettingRecords| of.records[stray.record].name.clone();
+        Sentence::from(phrases::LABEL_STRAY)
+            .with("test", name(&sorted[stray.stated]))
+            .with("name", &axis.name)
+            .with("stated", in_unit(axis, settings[stray.stated].value))
+            .with("fitting", in_unit(axis, settings[stray.fitting].value))
+    }));
     let strengths: Vec<f64> = settings.iter().map(|of| strength(&damper.params_at(of.value))).collect();
     if let Some((one, other)) = exchanged(&strengths) {
         notes.push(
@@ -93,6 +106,36 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
         }
     }
     suspects
+}
+
+/// Returns records whose stated setting has few tests of its own, and whose forces are those of a setting that is not next to it.
+///
+/// The family fits such a setting by these tests alone, so their error there is small.
+fn strays(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
+    let counts = |of: &SettingTests| of.tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len();
+    let mut sizes: Vec<usize> = settings.iter().map(counts).collect();
+    sizes.sort_unstable();
+    let usual = sizes[sizes.len() / 2];
+    let mut strays = Vec::new();
+    for (stated, of) in settings.iter().enumerate().filter(|(_, of)| FEW * counts(of) <= usual) {
+        let mut all: Vec<Vec<(usize, f64)>> = Vec::new();
+        for place in 0..settings.len() {
+            let Some(own) = errors(best, place, &of.tests) else { return Vec::new() };
+            all.push(own);
+        }
+        for (row, (record, error)) in all[stated].iter().enumerate() {
+            let at = |place: usize| all[place][row].1;
+            let is_next = |place: usize| place.abs_diff(stated) == 1;
+            let apart = (0..settings.len()).filter(|place| *place != stated && !is_next(*place));
+            let Some(fitting) = apart.min_by(|a, b| at(*a).total_cmp(&at(*b))) else { continue };
+            let nearest = (0..settings.len()).filter(|place| is_next(*place)).map(at).fold(f64::INFINITY, f64::min);
+            let ratio = nearest / at(fitting);
+            if ratio > MUCH_WORSE && at(fitting) < AS_WELL * error.max(1.0) {
+                strays.push(Suspect { stated, record: *record, fitting, ratio });
+            }
+        }
+    }
+    strays
 }
 
 /// Returns the root mean square error of each record at a setting, with the record's index. The errors are relative to the error due to

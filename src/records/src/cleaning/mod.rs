@@ -58,6 +58,7 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
         .flat_map(rests::split)
         .flat_map(stairs::split)
         .flat_map(settings::split)
+        .map(|part| set_to::drop_start(part, &options.settings))
         .collect())
 }
 

@@ -2,10 +2,10 @@
 
 use crate::columns::heading::{without_unit, written_unit};
 use crate::data::samples::Samples;
-use crate::data::setting_signal::SettingSignal;
+use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit};
+use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit, tolerance};
 use dashpot_messages::Sentence;
 
 /// A column with the setting of a damper.
@@ -53,6 +53,39 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
         (None, Some(current)) => Some((current, "current".to_owned(), "A".to_owned())),
         (None, None) => None,
     }
+}
+
+/// Largest fraction of a test that is cut off because the setting is still on its way to a constant value. Beyond it, the way is the test.
+const START: usize = 2;
+
+/// Cuts off the start of a test in which a slow supply brings the setting to the value at which it then stays.
+///
+/// A test with steps between levels stays whole, because its steps show the response of the valve.
+pub(super) fn drop_start(mut samples: Samples, rules: &SettingRules) -> Samples {
+    if samples.setting.is_none() && samples.current.is_none() {
+        return samples;
+    }
+    let own = (samples.setting.clone(), samples.current.clone());
+    let channel = setting_channel(&mut samples, rules);
+    (samples.setting, samples.current) = own;
+    let Some((channel, name, unit)) = channel else { return samples };
+    let half = channel.len() / START;
+    let steady_part = &channel[half..];
+    let Ok(Some(value)) = Setting::of_channel(steady_part, &name, &unit) else { return samples };
+    let tolerance = tolerance(value.value, steady_part);
+    let is_off = |own: &f64| (own - value.value).abs() > tolerance;
+    let Some(last) = channel[..half].iter().rposition(is_off) else { return samples };
+    if Setting::of_channel(&channel, &name, &unit).is_ok()
+        || SettingSignal::new(&name, &unit, &channel).pattern == SettingPattern::Steps
+    {
+        return samples;
+    }
+    let steady = last + 1;
+    let seconds = samples.time.get(steady).zip(samples.time.first()).map_or(0.0, |(to, from)| to - from);
+    samples.retain(|place| place >= steady);
+    let text = Sentence::from(phrases::SETTING_START).with("setting", &name).with("seconds", format!("{seconds:.2}"));
+    samples.note("setting_start", text);
+    samples
 }
 
 /// Determines the setting of the damper: a constant value, or a signal if it changes.
@@ -110,6 +143,26 @@ mod tests {
     }
 
     /// A note reports a current that is too small for a valve. A note also reports an empty column.
+    #[test]
+    fn the_start_of_a_slow_supply_is_cut_off_and_steps_stay() {
+        let with = |current: &dyn Fn(f64) -> f64| {
+            let mut samples = crate::fixtures::moving(1000.0, vec![0.0; 4000]);
+            samples.current = Some((0..4000).map(|k| current(1e-3 * f64::from(k))).collect());
+            drop_start(samples, &SettingRules::default())
+        };
+        let slow = with(&|t| 0.8 * (1.0 - libm::exp(-t / 0.15)));
+        assert!((3000..3700).contains(&slow.time.len()), "{}", slow.time.len());
+        assert!(slow.notes.iter().any(|note| note.kind == "setting_start" && note.is_of_damage()));
+        for whole in [
+            with(&|_| 0.8),
+            with(&|t| if t < 1.0 { 0.0 } else { 0.8 }),
+            with(&|t| 0.8 + 0.4 * libm::sin(3.0 * t)),
+            with(&|t| 0.2 * t),
+        ] {
+            assert_eq!(whole.time.len(), 4000);
+        }
+    }
+
     #[test]
     fn currents_that_no_valve_answers_to_and_empty_columns_are_noted() {
         let noted = |heading: &str, current: f64| {

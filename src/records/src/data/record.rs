@@ -176,6 +176,7 @@ impl Note {
             "time_resolution",
             "noisy_last_cycle",
             "empty_setting",
+            "setting_start",
             "small_current",
         ]
         .contains(&self.kind)

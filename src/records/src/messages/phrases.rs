@@ -51,6 +51,7 @@ dashpot_messages::phrases! {
     // Rows.
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
     SETTING_HELD: "{count} of {rows} values of the setting '{setting}' are missing; each is taken as the one before it";
+    SETTING_START: "the setting '{setting}' is on its way to its value for {seconds} s; this start was cut off";
     SETTING_EMPTY: "the column of the setting '{setting}' is empty: the test counts as one without it, or as its name says";
     SMALL_CURRENT: "the current is at most {current} mA, which counts as 0 A, for no valve answers to it; where the column holds A, give --unit current=A";
     FILLED: "{count} missing values of {channel} filled by straight lines";

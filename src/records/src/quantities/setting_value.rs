@@ -97,6 +97,11 @@ pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     (value * per_step).round() / per_step + 0.0
 }
 
+/// Returns the range, in the unit of the channel, within which the values of a steady channel stay.
+pub(crate) fn tolerance(middle: f64, channel: &[f64]) -> f64 {
+    STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel)
+}
+
 impl Setting {
     /// Returns the setting of a channel. If the channel is not steady, the error contains the lowest and the highest
     /// value.
@@ -107,7 +112,7 @@ impl Setting {
         }
         let (low, high) = (quantile(&mut values, SPIKES), quantile(&mut values, 1.0 - SPIKES));
         let middle = quantile(&mut values, 0.5);
-        if high - low > STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel) {
+        if high - low > tolerance(middle, channel) {
             return Err((low, high));
         }
         Ok(Some(Setting { name: name.to_owned(), unit: unit.to_owned(), value: as_set(middle, unit) }))

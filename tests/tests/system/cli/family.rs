@@ -412,13 +412,27 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
                  0.05,200,100,300,150\n0.1,300,160,500,260\n0.3,,300,900,500\n0.5,700,420,1300,700\n";
     std::fs::write(dir.join("clicks.csv"), table).unwrap();
     let printed = done(dir, &["import", "peaks", "clicks.csv", "-o", "adjuster.toml", "--clicks", "family"]);
-    assert!(printed.contains("not every click has a force at -300.0 mm/s"), "{printed}");
+    assert!(printed.contains("interpolated linearly over up to 66.7 % of the speed"), "{printed}");
     for (setting, rebound, compression) in [("0", 1300.0, -700.0), ("8", 700.0, -420.0)] {
         done(dir, &["setting", "adjuster.toml", setting, "-o", "one.toml", "--force"]);
         let one = dashpot_identification::model_file::read_family(&dir.join("one.toml")).unwrap();
         let forces = one.params.list(list!("fv_force"));
         assert_eq!((forces.first(), forces.last()), (Some(&compression), Some(&rebound)));
     }
+    // Speeds that scatter, as a dyno measures them, lose no point.
+    let scattered = "V-C 0,C 0 clk,V-C 8,C 8 clk,V-R 0,R 0 clk,V-R 8,R 8 clk\n";
+    let rows =
+        [[0.05, 200.0, 100.0, 300.0, 150.0], [0.1, 300.0, 160.0, 500.0, 260.0], [0.5, 700.0, 420.0, 1300.0, 700.0]];
+    let rows = rows.map(|[v, a, b, c, d]| format!("{v},{a},{},{b},{},{c},{},{d}\n", 1.004 * v, 0.997 * v, 1.002 * v));
+    std::fs::write(dir.join("dyno.csv"), format!("{scattered}{}", rows.concat())).unwrap();
+    let units = ["--unit", "velocity=m/s", "--unit", "force=N"];
+    let printed =
+        done(dir, &[&["import", "peaks", "dyno.csv", "-o", "dyno.toml", "--clicks", "family"], &units[..]].concat());
+    assert!(printed.contains("7 points"), "{printed}");
+    // A click that ends early would end all of them.
+    std::fs::write(dir.join("short.csv"), table.replace("0.5,700,420,1300,700\n", "0.5,700,,1300,\n")).unwrap();
+    let message = refused(dir, &["import", "peaks", "short.csv", "-o", "other.toml", "--clicks", "family"]);
+    assert!(message.contains("click 8 has forces up to 300 mm/s"), "{message}");
     std::fs::write(dir.join("clicks.csv"), table.replace("R 8", "R 9")).unwrap();
     let message = refused(dir, &["import", "peaks", "clicks.csv", "-o", "other.toml", "--clicks", "family"]);
     assert!(message.contains("clicks.csv") && !dir.join("other.toml").exists(), "{message}");

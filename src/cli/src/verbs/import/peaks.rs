@@ -88,7 +88,14 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
     dashpot_output::write(output, &begun.text)?;
     if !begun.left_out.is_empty() {
         let speeds: Vec<String> = begun.left_out.iter().map(|speed| format!("{:.1}", 1e3 * speed)).collect();
-        let text = format!("note: not every click has a force at {} mm/s; left out", speeds.join(", "));
+        let text = format!("note: not every click reaches {} mm/s; left out", speeds.join(", "));
+        dashpot_output::say(Some(output), &text)?;
+    }
+    if begun.interpolated > 1e-6 {
+        let percent = 100.0 * begun.interpolated;
+        let text = format!(
+            "note: the clicks have other speeds than one another; forces are interpolated linearly over up to {percent:.1} % of the speed"
+        );
         dashpot_output::say(Some(output), &text)?;
     }
     dashpot_output::say(
