@@ -7,6 +7,7 @@
 //! | [`valve_response`] | response of the valve, from the numbers of its actuator |
 //! | [`warm_starts`] | temperature of the damper at the start of each record |
 //! | [`own_setting`] | setting of a record, for a damper that depends on one |
+//! | [`setting_doubts`] | records whose forces belong to another setting |
 //! | [`comparison`] | comparison of a model and its FV curve with a campaign |
 //! | [`against`] | comparison with models of the literature |
 //! | [`whole_records`] | errors of a model over every sample of records |
@@ -26,6 +27,7 @@ pub mod imposed_motion;
 mod limit;
 pub mod own_setting;
 pub mod prediction;
+pub mod setting_doubts;
 pub mod step_response;
 pub mod stiffness;
 pub mod valve_response;

@@ -22,6 +22,7 @@ use dashpot_report::numbers::digits;
 use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
+use dashpot_simulation::setting_doubts::{SettingDoubt, doubt_settings};
 use std::path::PathBuf;
 
 /// Compare a model with records, and with the plain FV curve that is fitted to the same data
@@ -125,6 +126,9 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     dashpot_output::say(json, &table(&validation))?;
     if is_family {
         dashpot_output::say(json, &settings_table(&model, &validation))?;
+        for doubt in doubt_settings(&model, &compared, &settings) {
+            dashpot_output::warn(&format_doubt(&doubt, model.axis.unit()));
+        }
     }
     let mut rivals: Vec<Rival> = Vec::new();
     if !args.against.is_empty() {
@@ -256,6 +260,19 @@ pub fn compare_family<'a>(
 ) -> anyhow::Result<Vec<Compared<'a>>> {
     let progress = Progress::new("simulating");
     Ok(comparison::compare_family(file, campaign, given, &|done, total| progress.count(done, total))?)
+}
+
+/// Formats a doubt about the setting of a test.
+fn format_doubt(doubt: &SettingDoubt, unit: &str) -> String {
+    let at = |setting: f64| setting_in_words(setting, unit);
+    format!(
+        "warning: the forces of {} are those of about {}, not of {}: the model misses them by {:.0} N there and by {:.0} N here. Check the setting of the test and its unit",
+        doubt.test,
+        at(doubt.fitting),
+        at(doubt.stated),
+        doubt.fitting_error_n,
+        doubt.stated_error_n
+    )
 }
 
 /// Formats the errors at each setting. Marks settings outside the range of the model.

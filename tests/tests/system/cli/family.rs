@@ -405,6 +405,23 @@ fn a_constant_column_of_the_motion_is_the_option() {
 }
 
 #[test]
+fn a_validation_names_tests_whose_forces_are_those_of_another_setting() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    let mut damper = damper();
+    damper.axis.set_name("current").unwrap();
+    damper.axis.set_unit("A").unwrap();
+    let text = dashpot_identification::model_file::flat_family(&damper, |_| String::new());
+    std::fs::write(dir.join("family.toml"), text).unwrap();
+    for (place, current, stated) in [("right", 0.6, "_0.6A"), ("wrong", 0.6, "_0.0A")] {
+        write(&dir.join(place), current, stated);
+        let run = run(dir, &["validate", "family.toml", place]);
+        assert_eq!(run.code, Some(0), "{run:?}");
+        assert_eq!(run.err.contains("are those of about 0.6 A, not of 0 A"), place == "wrong", "{run:?}");
+    }
+}
+
+#[test]
 fn a_table_of_clicks_is_one_model_over_the_clicks() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();
@@ -420,14 +437,17 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
         assert_eq!((forces.first(), forces.last()), (Some(&compression), Some(&rebound)));
     }
     // Speeds that scatter, as a dyno measures them, lose no point.
-    let scattered = "V-C 0,C 0 clk,V-C 8,C 8 clk,V-R 0,R 0 clk,V-R 8,R 8 clk\n";
+    let mut scattered = String::from("Clicks,Comp Vel [m/s],Comp Force [N],Reb Vel [m/s],Reb Force [N]\n");
     let rows =
-        [[0.05, 200.0, 100.0, 300.0, 150.0], [0.1, 300.0, 160.0, 500.0, 260.0], [0.5, 700.0, 420.0, 1300.0, 700.0]];
-    let rows = rows.map(|[v, a, b, c, d]| format!("{v},{a},{},{b},{},{c},{},{d}\n", 1.004 * v, 0.997 * v, 1.002 * v));
-    std::fs::write(dir.join("dyno.csv"), format!("{scattered}{}", rows.concat())).unwrap();
-    let units = ["--unit", "velocity=m/s", "--unit", "force=N"];
-    let printed =
-        done(dir, &[&["import", "peaks", "dyno.csv", "-o", "dyno.toml", "--clicks", "family"], &units[..]].concat());
+        [[0.05, 200.0, 300.0, 100.0, 150.0], [0.1, 300.0, 500.0, 160.0, 260.0], [0.5, 700.0, 1300.0, 420.0, 700.0]];
+    for (click, factor, column) in [(0, 1.004, 1), (8, 0.997, 3)] {
+        for row in rows {
+            let v = factor * row[0];
+            let _ = writeln!(scattered, "{click},{v},{},{v},{}", row[column], row[column + 1]);
+        }
+    }
+    std::fs::write(dir.join("dyno.csv"), scattered).unwrap();
+    let printed = done(dir, &["import", "peaks", "dyno.csv", "-o", "dyno.toml", "--clicks", "family"]);
     assert!(printed.contains("7 points"), "{printed}");
     // A click that ends early would end all of them.
     std::fs::write(dir.join("short.csv"), table.replace("0.5,700,420,1300,700\n", "0.5,700,,1300,\n")).unwrap();

@@ -1,0 +1,81 @@
+//! Records whose forces belong to another setting than the one that they state.
+
+use crate::prediction::predict;
+use crate::warm_starts::WarmStarts;
+use dashpot_identification::model_file::{ModelFile, prepared};
+use dashpot_identification::validation::Compared;
+use dashpot_records::Record;
+use dashpot_records::smoothing::smooth;
+use rayon::prelude::*;
+
+/// Mean error of a test relative to its largest force, below which its setting is not questioned: families miss interpolated settings by less.
+const CLEAR: f64 = 0.05;
+/// Ratio of the errors at the stated and the best setting from which the stated one is in doubt. It is that of the labels of a fit.
+const MUCH_WORSE: f64 = 5.0;
+/// Largest number of tests that are examined, those with the largest errors. Each is simulated at every candidate.
+const EXAMINED: usize = 8;
+/// Candidates in each interval of the grid. With 4, the nearest is off by an eighth of an interval at most.
+const CANDIDATES: usize = 4;
+
+/// A record with a doubtful setting.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SettingDoubt {
+    /// Name of the record.
+    pub test: String,
+    /// Setting that it states or is given.
+    pub stated: f64,
+    /// Setting at which the model fits best.
+    pub fitting: f64,
+    /// Mean absolute error at the stated setting, N.
+    pub stated_error_n: f64,
+    /// Mean absolute error at the fitting setting, N.
+    pub fitting_error_n: f64,
+}
+
+/// Examines the records with the largest errors of a model over a setting. `settings` is the setting of each record, `None` where it changes.
+pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {
+    let mut worst: Vec<(usize, f64, f64)> = compared
+        .iter()
+        .zip(settings)
+        .enumerate()
+        .filter_map(|(place, (of, setting))| {
+            let error = mean_error(of.record, &of.model);
+            let top = of.record.force.iter().fold(0.0f64, |top, force| top.max(force.abs()));
+            setting.filter(|_| error > CLEAR * top).map(|setting| (place, setting, error))
+        })
+        .collect();
+    worst.sort_by(|a, b| b.2.total_cmp(&a.2));
+    worst.truncate(EXAMINED);
+    worst.sort_by_key(|of| of.0);
+    let grid = file.axis.grid();
+    let mut candidates: Vec<f64> = grid
+        .windows(2)
+        .flat_map(|pair| (0..CANDIDATES).map(|k| pair[0] + (pair[1] - pair[0]) * k as f64 / CANDIDATES as f64))
+        .collect();
+    candidates.extend(grid.last());
+    let records: Vec<&Record> = compared.iter().map(|of| of.record).collect();
+    let warm = WarmStarts::new(&records);
+    let examine = |(place, stated, error): (usize, f64, f64)| {
+        let record = records[place];
+        let motion = smooth(record);
+        let at = |setting: &f64| {
+            let params = file.definition().params_at(*setting);
+            let forces = predict(&prepared(&params).ok()?, record, &motion, warm.rise(&params, place));
+            Some((*setting, mean_error(record, &forces)))
+        };
+        let best = candidates.iter().filter_map(at).min_by(|a, b| a.1.total_cmp(&b.1));
+        best.filter(|(_, other)| MUCH_WORSE * other < error).map(|(fitting, other)| SettingDoubt {
+            test: record.name.clone(),
+            stated,
+            fitting,
+            stated_error_n: error,
+            fitting_error_n: other,
+        })
+    };
+    worst.into_par_iter().filter_map(examine).collect()
+}
+
+fn mean_error(record: &Record, forces: &[f64]) -> f64 {
+    let sum: f64 = record.force.iter().zip(forces).map(|(measured, force)| (measured - force).abs()).sum();
+    sum / forces.len().max(1) as f64
+}
