@@ -274,7 +274,9 @@ impl Composed<'_> {
         Some(Instead { effect, probability: probabilities.get(effect).copied().unwrap_or(0.0) })
     }
 
-    /// Returns a note if the residual clearly exceeds the noise: the difference counts as form error of the FV curve, and so would a small effect.
+    /// Returns a note if the residual clearly exceeds the noise.
+    ///
+    /// The difference counts as form error of the FV curve, and so would a small effect.
     fn detection_limit(&self) -> Option<Sentence> {
         let count = self.fitted.len().max(1) as f64;
         let rms = |squares: &mut dyn Iterator<Item = f64>| (squares.sum::<f64>() / count).sqrt();

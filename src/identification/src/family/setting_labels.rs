@@ -17,9 +17,13 @@ use std::collections::BTreeSet;
 /// then gives odds of 6 to 1 between two settings and even odds among six. With a lower ratio, a test with a poor fit is wrongly suspected.
 /// Test: `a_test_with_the_label_of_another_setting_is_named`.
 const MUCH_WORSE: f64 = 5.0;
-/// Ratio of the usual number of tests of a setting to that of a setting with few tests: a wrong label rarely hits several tests alike.
+/// Smallest ratio of the median number of tests of a setting to that of a setting with few tests.
+///
+/// A wrong label rarely hits several tests alike.
 const FEW: usize = 3;
-/// Ratio of a test's error at another setting to that at its own, which was fitted to it, up to which the other one fits as well.
+/// Largest ratio of a test's errors at another setting and at its own at which both fit equally well.
+///
+/// The own setting was fitted to the test, so its error is small.
 const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that noise may cause, as a fraction of its range.
 const FLAT: f64 = 0.02;
@@ -108,7 +112,7 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     suspects
 }
 
-/// Returns records whose stated setting has few tests of its own, and whose forces are those of a setting that is not next to it.
+/// Returns records at a setting with few tests, whose forces are those of a setting that is not next to it.
 ///
 /// The family fits such a setting by these tests alone, so their error there is small.
 fn strays(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
