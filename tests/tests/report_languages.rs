@@ -101,7 +101,7 @@ fn page(case: &Case, language: Language) -> String {
     .render()
 }
 
-/// Returns every visible text with letters, figures included.
+/// Returns every visible text that contains letters, including the texts in drawings.
 fn visible(page: &str) -> Vec<String> {
     every_text(page).into_iter().filter(|text| text.chars().any(char::is_alphabetic)).collect()
 }

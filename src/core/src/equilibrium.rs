@@ -21,13 +21,13 @@ const NEAR: f64 = 1e-6;
 impl Model {
     /// Returns the steady state at an initial position: the damper rests, or moves steadily with `input.velocity`.
     ///
-    /// A missing displacement is 0.
+    /// If `input` has no displacement, the displacement is 0.
     pub fn steady_state(&self, input: &Input) -> State {
         self.equilibrium(input)
     }
 
-    /// Returns the steady state of a damper with a history: contacts keep their deflection at rest. A missing
-    /// displacement is that of `from`.
+    /// Returns the steady state of a damper with a history: contacts at rest keep their deflection. If `input`
+    /// has no displacement, the displacement of `from` applies.
     pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_from(from, input)
     }

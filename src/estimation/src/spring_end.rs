@@ -29,7 +29,7 @@ pub fn excess(base: &Params, side: f64) -> f64 {
     (side * (force[end] - force[anchor(x)]) - middle(x, force) * (x[end] - x[anchor(x)]).abs()).max(0.0)
 }
 
-/// Extrapolates the end of the spring linearly from its middle.
+/// Limits the end of the spring curve on one side to the linear extrapolation of its middle.
 pub fn straighten(to: &mut Hypothesis, side: f64) {
     let (x, force) =
         (to.base.list(list!("spring_displacement")).to_vec(), to.base.list(list!("spring_force")).to_vec());

@@ -1,5 +1,5 @@
-//! Campaigns of the second laboratory as cases, which are measured, read back from files, and have an identified base
-//! model. The severity of an effect determines its strength.
+//! Cases from the second laboratory. Each campaign is simulated, written to files and read back, and a base model is
+//! identified. The strength of each effect is chosen so that the effect has the requested severity.
 
 use crate::EvaluationError;
 use crate::outcome::{Outcome, judged};

@@ -141,8 +141,8 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
-/// At a knee of the force, a step returns the derivative of one side or a value between both (step.md). The book states the fraction of
-/// exceptions.
+/// At a knee of the force, a step returns the derivative of one side or a value between both (step.md). The book states the
+/// fraction of comparisons in which the derivative fits neither side (step-evidence.md).
 ///
 /// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51 of 41410
 /// failures.

@@ -272,7 +272,7 @@ impl StatefulForce for PreslidingFriction {
         }
     }
 
-    /// Exact for n = 1.
+    /// Computes state and force at the end of the path. The result is exact for the exponent n = 1.
     ///
     /// With displacement instead of time as the variable, the law of the contact depends on its own state alone. Only
     /// the reversals of the path inside the step matter.

@@ -182,7 +182,7 @@ impl Element {
         GROUPS.iter().take(ELEMENTS).enumerate().map(|(place, group)| Element { place, group })
     }
 
-    /// Returns the element of group `place`; `None` for the settings.
+    /// Returns the element of the group with index `place`, or `None` for the group of the integration.
     pub fn of_group(place: usize) -> Option<Element> {
         Element::all().nth(place)
     }

@@ -124,8 +124,8 @@ pub(crate) struct Valves {
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Derivatives of the force after frequency-selective damping, and of its state. The variables are the force before
-    /// this effect, w, and the known state.
+    /// Derivatives of the force after frequency-selective damping, and of the state of this element. The three variables
+    /// are: the force before the element; w; the known state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }

@@ -143,7 +143,7 @@ pub fn oil_velocity<Q: Equation>(
         let newton = w + step;
         let mut next = newton;
         let a = by_w / by_curve;
-        // Near the solution, the error of the Householder steps matters, so a Newton step is more accurate.
+        // Far from the solution, the curve itself is solved. Near it, the error of that solution exceeds the error of a Newton step.
         if round >= PATIENCE || size > NEAR * scale {
             (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value / by_curve);
         }

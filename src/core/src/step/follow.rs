@@ -32,7 +32,7 @@ pub struct Stage<'a> {
     pub resistance: f64,
     /// Linearized force of the springs on the mass.
     pub inner: Response,
-    /// Position about which these springs were linearized.
+    /// Position about which the springs on the mass were linearized.
     pub inner_at: f64,
     /// ∂u/∂v̂, where the FV curve was linearized about the velocity v̂; 0 if the curve itself was solved.
     pub by_guess: f64,

@@ -47,6 +47,8 @@ pub struct ActuatorSearch {
     pub best: ActuatorRefit,
     /// All parts, present or absent.
     pub parts: Vec<ActuatorPart>,
+    /// Other forms that the records do not rule out, with their log posterior minus that of the best form.
+    pub alternatives: Vec<(f64, ActuatorRefit)>,
     /// Derivatives of the residuals with respect to the instant of the command change within a sample: see
     /// [`ActuatorProblem::timing_derivatives`].
     pub timing: Vec<Vec<f64>>,
@@ -77,6 +79,9 @@ const VALVES: [ActuatorForm; 4] = {
     let each = ActuatorForm { lag: Ways::Each, ..ActuatorForm::NONE };
     [lag, ActuatorForm { dead_time: true, ..lag }, each, ActuatorForm { dead_time: true, ..each }]
 };
+
+/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, its weight is below one in a thousand.
+const RULED_OUT: f64 = 14.0;
 
 const PARTS: [&str; 5] = ["lag", "lag_each_way", "dead_time", "rate_limit", "hysteresis"];
 
@@ -185,11 +190,14 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         if cancel::asked() {
             break;
         }
-        let moves: Vec<ActuatorForm> = PARTS.iter().filter_map(|part| toggled(best.form, part)).collect();
-        for form in moves {
-            known.entry(form).or_insert_with(|| fit(form, Some(&best)));
+        // Two lags and a dead time may be worth adding together where neither is alone.
+        let valves = VALVES.map(|form| ActuatorForm { lag: form.lag, dead_time: form.dead_time, ..best.form });
+        let single = PARTS.iter().filter_map(|part| toggled(best.form, part));
+        let moves: Vec<ActuatorForm> = single.chain(valves).filter(|form| *form != best.form).collect();
+        for form in &moves {
+            known.entry(*form).or_insert_with(|| fit(*form, Some(&best)));
         }
-        let near = PARTS.iter().filter_map(|part| known.get(&toggled(best.form, part)?)?.as_ref());
+        let near = moves.iter().filter_map(|form| known.get(form)?.as_ref());
         let next = near.reduce(|best, next| if next.0 > best.0 { next } else { best });
         match next {
             Some((posterior, refit)) if *posterior > best_posterior + RISE => {
@@ -197,6 +205,13 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
             }
             _ => break,
         }
+    }
+    // The search changes the form only for a clear rise; of what it visited, the most probable form is the solution.
+    if let Some((posterior, refit)) = known.values().flatten().max_by(|a, b| a.0.total_cmp(&b.0)) {
+        (best_posterior, best) = (*posterior, refit.clone());
+    }
+    for form in PARTS.iter().filter_map(|part| toggled(best.form, part)).collect::<Vec<_>>() {
+        known.entry(form).or_insert_with(|| fit(form, Some(&best)));
     }
     let parts = PARTS
         .iter()
@@ -207,9 +222,16 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
             Some(ActuatorPart { name: part, is_present, log_odds })
         })
         .collect();
+    let alternatives = known
+        .into_iter()
+        .filter(|(form, _)| *form != best.form)
+        .filter_map(|(_, found)| found)
+        .map(|(posterior, refit)| (posterior - best_posterior, refit))
+        .filter(|(difference, _)| *difference > -RULED_OUT)
+        .collect();
     let start = best.theta.clone();
     let problem = ActuatorProblem::new(context, best.form);
     let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
     let timing = problem.timing_derivatives(&best.theta)?;
-    Some(ActuatorSearch { best, parts, timing })
+    Some(ActuatorSearch { best, parts, alternatives, timing })
 }

@@ -12,8 +12,8 @@ use crate::refit::Effort;
 use crate::samples::Test;
 use rayon::prelude::*;
 
-/// Smallest probability of an alternative in a comparison with only the best structure. A 95 % interval may omit less
-/// probable alternatives.
+/// Smallest probability at which an alternative is included, if it and the best structure are the only candidates. Below
+/// it, a 95 % interval may omit the alternative.
 const LEAST: f64 = 0.05;
 /// Largest number of alternatives. Each alternative costs a refit, and further alternatives are even less probable.
 /// With 3, other forms of the effects use up the number, and a spring parallel to a gas column is lost (system test

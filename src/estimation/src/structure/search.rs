@@ -37,7 +37,7 @@ pub struct StructureSearch {
     pub unnamed: Vec<(Unnamed, f64)>,
     /// The last expansion of the best structure.
     pub last: Vec<Trial>,
-    /// Structures in which a rival or another form replaces an effect of the best structure.
+    /// Structures in which a competing effect, or another form of the same effect, replaces an effect of the best structure.
     pub rivals: Vec<Trial>,
     /// All screened effects with the squared norm of their response in σ². A small norm means that the records cannot
     /// show the effect.

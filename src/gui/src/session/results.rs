@@ -37,7 +37,7 @@ pub struct Finding<T> {
 }
 
 impl<T> Finding<T> {
-    /// Makes the finding of a fit from its result and basis.
+    /// Makes a [`Finding`] from the result of a fit and its [`Basis`].
     pub fn of_fit(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis_of_fit }
     }

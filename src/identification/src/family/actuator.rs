@@ -13,6 +13,7 @@ use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuato
 use dashpot_estimation::family::command_time::SPREAD;
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
+use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use serde::Serialize;
@@ -85,7 +86,7 @@ pub fn identify_actuator(
         sample_times: &sample_times,
         gap_spreads: &interpolation_errors(damper, reports),
     };
-    let ActuatorSearch { best, parts, timing } = search_actuator(&context, progress)?;
+    let ActuatorSearch { best, parts, alternatives, timing } = search_actuator(&context, progress)?;
     let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
     damper.axis = axis;
     let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
@@ -93,8 +94,16 @@ pub fn identify_actuator(
         is_present: of.is_present,
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
+    let mut known = estimates(&best, &timing, damper, ways_of(records));
+    let others: Vec<(f64, Vec<Estimate>)> = alternatives
+        .iter()
+        .map(|(difference, refit)| {
+            (libm::exp(difference / TEMPERATURE), estimates(refit, &timing, damper, ways_of(records)))
+        })
+        .collect();
+    known.iter_mut().for_each(|estimate| mix_interval(estimate, &others));
     Some(ActuatorFit {
-        estimates: estimates(&best, &timing, damper, ways_of(records)),
+        estimates: known,
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
@@ -167,6 +176,26 @@ fn estimates(
         }
     }
     all
+}
+
+/// Widens an interval to that of the mean over the actuators that the records do not rule out. A number that another one lacks is 0 there.
+fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
+    let part = |weight: f64, of: Option<&Estimate>| {
+        let value = of.map_or(0.0, |of| of.value);
+        // A number that the records leave open has no interval there.
+        let weight = if of.is_some_and(|of| of.low.is_none()) { 0.0 } else { weight };
+        let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
+        Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
+    };
+    if estimate.low.is_none() || estimate.high.is_none() {
+        return;
+    }
+    let own = part(1.0, Some(estimate));
+    let other = |(weight, all): &(f64, Vec<Estimate>)| part(*weight, all.iter().find(|of| of.name == estimate.name));
+    let parts: Vec<Part> = std::iter::once(own).chain(others.iter().map(other)).collect();
+    if let Some([low, high]) = mixed_interval(&parts) {
+        (estimate.low, estimate.high) = (Some(low), Some(high));
+    }
 }
 
 /// Returns the unit of a number of the axis. The user chooses the unit of the setting. The result is one of the few units that the program

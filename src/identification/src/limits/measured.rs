@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub const NEAR: f64 = 0.05;
 /// Largest ratio of two peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee.
 pub const BETWEEN: f64 = 2.0;
-/// Largest relative difference of amplitudes of one stroke.
+/// Largest relative difference of two amplitudes that count as the same stroke.
 const SAME_STROKE: f64 = 0.1;
 
 /// A peak with the test from which it comes.

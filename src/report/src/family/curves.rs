@@ -121,7 +121,9 @@ fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
     Model::new(&params).ok()
 }
 
-/// Draws the ratio from the slowest to the fastest peak of each direction. Below that range, no test determines both forces.
+/// Draws the force ratio of the hardest to the softest setting over velocity.
+///
+/// Each direction covers the velocities from its slowest to its fastest peak. Below this range, no test determines both forces.
 fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Words) -> Option<Figure> {
     let strength = |setting: f64| -> Option<f64> {
         let model = without_gas(damper, setting)?;

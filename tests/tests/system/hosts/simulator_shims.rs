@@ -72,7 +72,7 @@ fn the_zero_of_the_rig_is_where_the_map_says() {
     assert_eq!(ran.code(), Some(2));
 }
 
-/// The S-function is compiled with headers of the test's host instead of Simulink's headers.
+/// The S-function is compiled against the stand-in headers in `tests/hosts/simulink` instead of Simulink's headers.
 #[test]
 fn simulink_tries_steps_and_takes_them() {
     let directory = tempfile::tempdir().expect("a directory");
