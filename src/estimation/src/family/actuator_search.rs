@@ -206,13 +206,6 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
             _ => break,
         }
     }
-    // The search changes the form only for a clear rise; of what it visited, the most probable form is the solution.
-    if let Some((posterior, refit)) = known.values().flatten().max_by(|a, b| a.0.total_cmp(&b.0)) {
-        (best_posterior, best) = (*posterior, refit.clone());
-    }
-    for form in PARTS.iter().filter_map(|part| toggled(best.form, part)).collect::<Vec<_>>() {
-        known.entry(form).or_insert_with(|| fit(form, Some(&best)));
-    }
     let parts = PARTS
         .iter()
         .filter_map(|part| {

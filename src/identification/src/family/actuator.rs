@@ -20,6 +20,10 @@ use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
 const RMS_OF_MEAN: f64 = 1.25;
+/// Factor on the second derivative in the first and last interval, of a standard deviation. Where it bounds the error of a force, it is 2.
+///
+/// With 2 the forces between settings would be freer, and the response of the valve less certain.
+const AT_END: f64 = 1.5;
 /// Largest ratio of a posterior to a prior standard deviation at which the records determine a number.
 const NARROWED: f64 = 0.7;
 
@@ -119,7 +123,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         let squared = report.left_out?.error_percent.powi(2) - report.family.error_percent.powi(2);
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
-    let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), difference);
+    let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), AT_END, difference);
     // A grid of two settings has no inner setting that can be left out.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }

@@ -43,7 +43,7 @@ impl InterpolationError {
     /// The error is 0 on the grid and beyond its ends. Returns `None` if no neighbor lies between two others, for example in a grid of two
     /// settings.
     pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
-        self.of_differences(setting, |place| {
+        self.of_differences(setting, AT_END, |place| {
             let [before, own, after] =
                 [place.checked_sub(1)?, place, place + 1].map(|k| Some((self.grid.get(k)?, self.dampers.get(k)?)));
             let ((from, before), (here, own), (to, after)) = (before?, own?, after?);
@@ -54,7 +54,8 @@ impl InterpolationError {
 
     /// Returns the possible error of any quantity. `difference` returns the deviation from the line through the neighbors at a grid index,
     /// with its sign if it has one.
-    pub fn of_differences(&self, setting: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
+    /// `at_end` is the factor on the second derivative in the first and last interval.
+    pub fn of_differences(&self, setting: f64, at_end: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
         if *next <= setting {
@@ -71,20 +72,20 @@ impl InterpolationError {
         let mean = (self.grid[left] + next + setting) / 3.0;
         let largest = match [bend(Some(left)), bend(Some(right))] {
             [Some(a), Some(b)] => a.half.abs().max(b.half.abs()),
-            [Some(nearest), None] => end_bend(nearest, bend(left.checked_sub(1)), mean),
-            [None, nearest] => end_bend(nearest?, bend(Some(right + 1)), mean),
+            [Some(nearest), None] => end_bend(nearest, bend(left.checked_sub(1)), mean, at_end),
+            [None, nearest] => end_bend(nearest?, bend(Some(right + 1)), mean, at_end),
         };
         Some(largest * (setting - self.grid[left]) * (next - setting))
     }
 }
 
 /// Returns the largest expected half second derivative at a setting in the first or last interval.
-fn end_bend(nearest: Bend, second: Option<Bend>, at: f64) -> f64 {
+fn end_bend(nearest: Bend, second: Option<Bend>, at: f64, factor: f64) -> f64 {
     let continued = second.map_or(0.0, |second| {
         let rise = (nearest.half - second.half) / (nearest.at - second.at);
         nearest.half + rise * (at - nearest.at)
     });
-    (AT_END * nearest.half.abs()).max(continued.abs())
+    (factor * nearest.half.abs()).max(continued.abs())
 }
 
 #[cfg(test)]
