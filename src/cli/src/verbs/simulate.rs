@@ -102,7 +102,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, csv(&answers, settings))?;
     // Rows may go to standard output, so remarks go to the other stream.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
-    let of_setting = commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached);
+    let clamped = commands.as_ref().and_then(|commands| commands.clamped(&motion, file.axis.range()));
+    let of_setting =
+        commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached).chain(clamped);
     for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }

@@ -47,12 +47,6 @@ fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
     schedule.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
 }
 
-/// Returns a note if a setting of a schedule lies outside the grid.
-fn schedule_outside(schedule: &[(f64, f64)], (low, high): (f64, f64)) -> Option<String> {
-    let (_, value) = schedule.iter().find(|(_, value)| *value < low || *value > high)?;
-    Some(format!("the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them"))
-}
-
 /// Source of the setting of each step.
 #[derive(Debug, Clone, PartialEq)]
 enum Source {
@@ -125,7 +119,6 @@ impl Commands {
                 None => {}
             }
             let values = schedule.values(axis)?;
-            notes.extend(schedule_outside(&values, axis.range()));
             return Ok(Commands { source: Source::Schedule(values, axis.start()), notes });
         }
         let Some(of) = own else {
@@ -150,6 +143,19 @@ impl Commands {
         notes.push(describe(of, motion));
         notes.extend(outside(of, axis));
         Ok(Commands { source: Source::Motion, notes })
+    }
+
+    /// Returns a note if settings of the schedule lie outside the grid, with the number of samples at which they are clamped.
+    pub fn clamped(&self, motion: &ImposedMotion, (low, high): (f64, f64)) -> Option<String> {
+        let Source::Schedule(schedule, _) = &self.source else { return None };
+        let is_outside = |value: f64| !(low..=high).contains(&value);
+        let (_, value) = schedule.iter().find(|(_, value)| is_outside(*value))?;
+        let all = motion.time.len();
+        let count = (0..all).filter(|sample| is_outside(self.command(motion, *sample))).count();
+        Some(format!(
+            "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them at {count} of {all} samples; \
+             check its unit"
+        ))
     }
 
     /// Returns a note if a schedule has times after the end of the motion, `end`, s.
