@@ -1,6 +1,7 @@
 //! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP).
 //! The forces of such a table include gas force and friction. They are subtracted if the user states them.
 
+use crate::family::setting_labels::exchanged_settings;
 use crate::model_file::{self, NoModel, prepared};
 use dashpot_core::family::interpolation::MAX_GRID;
 use dashpot_core::family::{Axis, Definition};
@@ -107,6 +108,8 @@ pub struct Begun {
     pub left_out: Vec<f64>,
     /// Largest distance over which a force was interpolated, relative to the velocity.
     pub interpolated: f64,
+    /// Two clicks whose exchange would make the damping force monotonic over the clicks.
+    pub exchanged: Option<(f64, f64)>,
 }
 
 /// Smallest ratio of the largest speed of a click to that of all clicks. Below it, the model would end far within the table.
@@ -204,7 +207,8 @@ pub fn family_of_peaks(
     let refused = |fault: Fault| OfPeaksError::Rejected { file: file(), name: "clicks", reason: fault.reason.text() };
     let (params, mut axis) = Axis::through(&clicks, &sets).map_err(refused)?;
     axis.set_name("clicks").map_err(refused)?;
-    Ok(begun(path, &all[0], &Definition { params, axis }, (left_out, off)))
+    let exchanged = exchanged_settings(&sets).map(|(one, other)| (clicks[one], clicks[other]));
+    Ok(Begun { exchanged, ..begun(path, &all[0], &Definition { params, axis }, (left_out, off)) })
 }
 
 /// Reads the damper's own forces from a table.
@@ -270,6 +274,7 @@ fn begun(path: &Path, read: &Read, damper: &Definition, (left_out, interpolated)
         is_doubtful,
         left_out,
         interpolated,
+        exchanged: None,
     }
 }
 

@@ -22,7 +22,7 @@ mod interpolation_error;
 mod left_out;
 pub mod model_file;
 mod selection;
-mod setting_labels;
+pub(crate) mod setting_labels;
 mod settings;
 
 pub use actuator::{ActuatorDecision, ActuatorFit};

@@ -55,8 +55,8 @@ pub fn notes(
             .with("stated", in_unit(axis, settings[stray.stated].value))
             .with("fitting", in_unit(axis, settings[stray.fitting].value))
     }));
-    let strengths: Vec<f64> = settings.iter().map(|of| strength(&damper.params_at(of.value))).collect();
-    if let Some((one, other)) = exchanged(&strengths) {
+    let sets: Vec<Params> = settings.iter().map(|of| damper.params_at(of.value)).collect();
+    if let Some((one, other)) = exchanged_settings(&sets) {
         notes.push(
             Sentence::from(phrases::LABELS_EXCHANGED)
                 .with("name", &axis.name)
@@ -165,6 +165,13 @@ fn errors(best: &FamilyStructure, place: usize, tests: &[Test]) -> Option<Vec<(u
     let errors: Vec<(usize, f64)> =
         sums.into_iter().map(|(record, sum, count)| (record, (sum / count.max(1) as f64).sqrt())).collect();
     errors.iter().all(|(_, error)| error.is_finite()).then_some(errors)
+}
+
+/// Returns the positions of two settings whose exchange makes the damping force monotonic over the settings.
+///
+/// Returns `None` if the force is monotonic as it is, or if no exchange makes it so.
+pub fn exchanged_settings(sets: &[Params]) -> Option<(usize, usize)> {
+    exchanged(&sets.iter().map(strength).collect::<Vec<_>>())
 }
 
 /// Returns the mean magnitude of the forces of the FV curve, N.

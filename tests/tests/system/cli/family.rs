@@ -449,6 +449,11 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
     std::fs::write(dir.join("dyno.csv"), scattered).unwrap();
     let printed = done(dir, &["import", "peaks", "dyno.csv", "-o", "dyno.toml", "--clicks", "family"]);
     assert!(printed.contains("7 points"), "{printed}");
+    let three = "Velocity [m/s],C 0 clk [N],C 8 clk [N],C 16 clk [N],R 0 clk [N],R 8 clk [N],R 16 clk [N]\n\
+                 0.1,300,100,200,600,200,400\n0.5,600,200,400,1200,400,800\n";
+    std::fs::write(dir.join("three.csv"), three).unwrap();
+    let printed = done(dir, &["import", "peaks", "three.csv", "-o", "three.toml", "--clicks", "family"]);
+    assert!(printed.contains("with 8 and 16 exchanged"), "{printed}");
     // A click that ends early would end all of them.
     std::fs::write(dir.join("short.csv"), table.replace("0.5,700,420,1300,700\n", "0.5,700,,1300,\n")).unwrap();
     let message = refused(dir, &["import", "peaks", "short.csv", "-o", "other.toml", "--clicks", "family"]);

@@ -91,6 +91,12 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
         let text = format!("note: not every click reaches {} mm/s; left out", speeds.join(", "));
         dashpot_output::say(Some(output), &text)?;
     }
+    if let Some((one, other)) = begun.exchanged {
+        let text = format!(
+            "note: the damping force does not rise or fall throughout over the clicks; with {one} and {other} exchanged it would. Check the table"
+        );
+        dashpot_output::say(Some(output), &text)?;
+    }
     if begun.interpolated > 1e-6 {
         let percent = 100.0 * begun.interpolated;
         let text = format!(
