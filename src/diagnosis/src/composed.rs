@@ -2,7 +2,8 @@
 
 use super::calibration::confidence;
 use super::changes::{Change, changes};
-use super::decisions::{CLEARLY, MATERIAL, NAMED, QUIET, UNEXPLAINED};
+use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
+use super::detection_limit;
 use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
@@ -274,22 +275,6 @@ impl Composed<'_> {
         Some(Instead { effect, probability: probabilities.get(effect).copied().unwrap_or(0.0) })
     }
 
-    /// Returns a note if the residual clearly exceeds the noise.
-    ///
-    /// The difference counts as form error of the FV curve, and so would a small effect.
-    fn detection_limit(&self) -> Option<Sentence> {
-        let count = self.fitted.len().max(1) as f64;
-        let rms = |squares: &mut dyn Iterator<Item = f64>| (squares.sum::<f64>() / count).sqrt();
-        let own = self.fitted.iter().zip(&self.best.evidence.mean_squares);
-        let residual = rms(&mut own.map(|(test, square)| square * test.unit().powi(2)));
-        let noise = rms(&mut self.fitted.iter().map(|test| test.mean_noise.powi(2)));
-        (residual > CLEARLY * noise).then(|| {
-            Sentence::from(phrases::DETECTION_LIMIT)
-                .with("residual", format!("{residual:.1}"))
-                .with("noise", format!("{noise:.1}"))
-        })
-    }
-
     fn open<'a>(&'a self, probability: &'a dyn Fn(&str) -> f64) -> Open<'a> {
         Open { search: &self.search, start: &self.start, best: &self.best, probability }
     }
@@ -372,7 +357,7 @@ impl Composed<'_> {
                 let tests = loud.iter().take(LISTED).map(told).collect();
                 notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
             }
-            notes.extend(self.detection_limit());
+            notes.extend(detection_limit::note(&self.fitted, &self.best.evidence.mean_squares));
             let none = (1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
             let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
             let summary = Sentence::from(nothing).with("percent", percent(none)).with_sentence("times", times(after));

@@ -5,7 +5,8 @@ pub const NAMED: f64 = 0.5;
 
 /// Residual over the noise of the mean cycles beyond which a diagnosis without a finding states both.
 ///
-/// Below, the noise itself limits what can be found. It decides on a note alone.
+/// At twice the noise the form error is 1.7 times the noise, so it limits the findings more than the noise does. The value decides on a
+/// note alone. Test: `a_residual_above_twice_the_noise_is_stated_with_it`.
 pub const CLEARLY: f64 = 2.0;
 
 /// Largest root mean square residual at which nothing is missing, in units of noise and curve error.

@@ -10,6 +10,7 @@
 //! | [`rivals`] | unnamed effects that explain a part of the disagreement |
 //! | [`decisions`], [`calibration`] | thresholds, and calibration of probabilities |
 //! | [`tree`] | all probabilities: path, family, effect, form |
+//! | [`detection_limit`] | size of effects that a diagnosis without a finding cannot exclude |
 //! | [`phrases`] | English templates of all sentences |
 //! | [`regions`] | regions where model and records disagree |
 //! | [`mod@reference`], [`changes`] | form error shared by two dampers, and changes between them |
@@ -25,6 +26,7 @@ mod calibration;
 mod changes;
 mod composed;
 mod decisions;
+mod detection_limit;
 mod diagnose;
 mod effects;
 pub mod groups;

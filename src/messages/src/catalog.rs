@@ -8,7 +8,7 @@ use std::fmt;
 
 /// The texts of a language by their ids.
 ///
-/// It is made once and kept: a text without arguments is formatted when the file is read.
+/// A program makes one catalog for each language. Texts without arguments are formatted when the file is read.
 pub struct Catalog {
     bundle: FluentBundle<FluentResource>,
     plain: HashMap<String, String>,
@@ -21,7 +21,7 @@ impl fmt::Debug for Catalog {
 }
 
 impl Catalog {
-    /// The texts of a Fluent file in a language, such as `de`. What cannot be read of it is left out; [`file::faults`] names that.
+    /// Reads a Fluent file in a language, such as `de`. Unreadable entries are omitted; [`file::faults`] names them.
     pub fn new(language: &str, source: &str) -> Catalog {
         let resource = FluentResource::try_new(source.to_owned()).unwrap_or_else(|(readable, _)| readable);
         let entries = file::entries(&resource);

@@ -1,4 +1,4 @@
-//! What a Fluent file holds, compared with what the code asks for.
+//! Comparison of the messages of a Fluent file with the messages of the code.
 
 use fluent_bundle::FluentResource;
 use fluent_syntax::ast::{Entry as Parsed, Expression, InlineExpression, Pattern, PatternElement};
@@ -65,15 +65,15 @@ fn read_inline(inline: &InlineExpression<&str>, entry: &mut Entry) {
             entry.arguments.insert(id.name.to_owned());
         }
         InlineExpression::Placeable { expression } => read_expression(expression, entry),
-        // A function, a term or another message: it has no text of its own here.
+        // A function, a term or a reference to another message has no text of its own.
         _ => {}
     }
 }
 
-/// What is wrong with a file, each with the file and the id.
+/// Returns the faults of a file, each with the name of the file and the id.
 ///
-/// That are lines that cannot be read, and messages that the code does not use, that are missing, that stand twice or that have other
-/// arguments than the code gives. `used` are the ids of the code with their arguments.
+/// Faults are unreadable lines, and messages that are unused, missing, empty or duplicate, or whose arguments differ from those of the code.
+/// `used` contains the ids of the code with their arguments.
 pub fn faults(file: &str, source: &str, used: &BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
     let mut faults = Vec::new();
     if let Err((_, errors)) = FluentResource::try_new(source.to_owned()) {

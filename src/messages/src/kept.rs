@@ -1,4 +1,4 @@
-//! Sentences as files keep them: ids of messages and their arguments, from which they are made again.
+//! Storage of sentences in files: ids of messages and their arguments, from which the sentences are restored.
 
 use crate::sentence::{Sentence, Template, Value};
 use serde::{Deserialize, Serialize};
@@ -55,18 +55,18 @@ impl Kept {
     }
 }
 
-/// Makes sentences again of their messages.
+/// Restores sentences from the messages of a file.
 #[derive(Debug)]
 pub struct Restorer(HashMap<&'static str, Template>);
 
 impl Restorer {
-    /// One for sentences of these messages.
+    /// Makes a restorer for sentences of these messages.
     pub fn new(templates: impl IntoIterator<Item = Template>) -> Restorer {
         let all = templates.into_iter().chain([Sentence::AS_IT_IS]);
         Restorer(all.map(|template| (template.id(), template)).collect())
     }
 
-    /// The sentence; `None` where it is of another version and has other messages or arguments.
+    /// Restores a sentence. Returns `None` if it comes from a version with other messages or arguments.
     pub fn restore(&self, kept: &Kept) -> Option<Sentence> {
         let Kept::Table(entries) = kept else { return None };
         let template = *self.0.get(entries.get("id")?.text()?)?;
@@ -77,15 +77,16 @@ impl Restorer {
         Some(Sentence::of(template, values.collect::<Option<_>>()?))
     }
 
-    /// The sentences that a file keeps, by their English.
+    /// Restores the sentences of a file, by their English text.
     pub fn by_english(&self, kept: &[Kept]) -> HashMap<String, Sentence> {
         let all = kept.iter().filter_map(|kept| self.restore(kept));
         all.map(|sentence| (sentence.to_string(), sentence)).collect()
     }
 
-    /// The sentence with an English text, of those that a file keeps; the text itself where there is none.
+    /// Restores the sentence of a file that has this English text. Without such a sentence, the text itself is returned.
     pub fn find(&self, english: &str, kept: &[Kept]) -> Sentence {
-        self.by_english(kept).remove(english).unwrap_or_else(|| Sentence::as_it_is(english))
+        let mut all = kept.iter().filter_map(|kept| self.restore(kept));
+        all.find(|sentence| sentence.to_string() == english).unwrap_or_else(|| Sentence::as_it_is(english))
     }
 
     fn value(&self, kept: &Kept) -> Option<Value> {

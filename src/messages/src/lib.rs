@@ -1,7 +1,7 @@
-//! Messages with ids and arguments, and their texts in Fluent files, one a language.
+//! Messages with ids and arguments. Their texts are in Fluent files, one for each language.
 //!
-//! Code names a message by its id and gives its arguments as finished texts; a [`Catalog`] has the text of the language. Ids come from the
-//! names of constants and fields ([`id!`]), so that code cannot misspell one; [`file::faults`] compares a file with what the code asks for.
+//! Code names a message by its id and passes its arguments as formatted texts. A [`Catalog`] contains the texts of a language. Ids are made
+//! from the names of constants and fields ([`id!`]), so a wrong id does not compile. [`file::faults`] compares a file with the code's messages.
 
 mod catalog;
 pub mod file;

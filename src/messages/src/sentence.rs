@@ -1,6 +1,7 @@
-//! Sentences that can be said in any language: a message with its English text, and the values at the places of that. Scripts and the
-//! terminal get the English; who writes for people has a [`Locale`] look the message up by its id and put the same values in. A file that
-//! keeps a sentence has its message and values beside the English text ([`Kept`](crate::Kept)).
+//! Sentences in any language: a message with its English text, and values for its placeholders.
+//!
+//! Scripts and the terminal show the English text. Reports use a [`Locale`], which finds the message by its id and inserts the same values.
+//! A file stores message and values of a sentence in addition to its English text ([`Kept`](crate::Kept)).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;

@@ -62,8 +62,14 @@ struct Messages {
     messages: Vec<Kept>,
 }
 
-/// All sentences of a campaign.
-fn sentences(read: &mut dashpot_records::Campaign) -> impl Iterator<Item = &mut Sentence> {
+/// Sentences of a campaign, in any order.
+fn sentences(read: &dashpot_records::Campaign) -> impl Iterator<Item = &Sentence> {
+    let notes = read.records.iter().flat_map(|record| &record.notes).chain(&read.notes);
+    notes.map(|note| &note.text).chain(read.unusable.iter().map(|one| &one.why)).chain(&read.sign.reasons)
+}
+
+/// Sentences of a campaign, to be replaced.
+fn sentences_mut(read: &mut dashpot_records::Campaign) -> impl Iterator<Item = &mut Sentence> {
     let notes = read.records.iter_mut().flat_map(|record| &mut record.notes).chain(&mut read.notes);
     let unusable = read.unusable.iter_mut().map(|one| &mut one.why);
     notes.map(|note| &mut note.text).chain(unusable).chain(&mut read.sign.reasons)
@@ -136,7 +142,7 @@ impl Campaign {
         let of = Campaign { read: read.clone() };
         let channels = (0..read.records.len()).map(|k| of.channels(py, k)).collect::<PyResult<_>>()?;
         let as_read = read.records.iter().map(|r| r.original_fingerprint.clone()).collect();
-        let messages = sentences(&mut read.clone()).map(|sentence| (&*sentence).into()).collect();
+        let messages = sentences(read).map(Kept::from).collect();
         let json = serde_json::to_string(&Whole { read, messages }).map_err(raise::<RecordError>)?;
         Ok((json, channels, as_read, read.files.clone()))
     }
@@ -171,7 +177,7 @@ impl Campaign {
         }
         let Messages { messages } = serde_json::from_str(json).map_err(raise::<RecordError>)?;
         let kept = KEPT.by_english(&messages);
-        for sentence in sentences(&mut read) {
+        for sentence in sentences_mut(&mut read) {
             if let Some(whole) = kept.get(&sentence.to_string()) {
                 *sentence = whole.clone();
             }

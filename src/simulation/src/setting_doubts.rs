@@ -2,16 +2,17 @@
 
 use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
+use dashpot_identification::family::LABEL_DOUBT_RATIO;
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::Compared;
 use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 
-/// Mean error of a test relative to its largest force, below which its setting is not questioned: families miss interpolated settings by less.
+/// Mean error of a test relative to its largest force, below which its setting is not questioned.
+///
+/// Settings left out of the fits of the physical valve are missed by 0.7 to 2.2 % (`prove_semi_active 4 3040000`). Test: `a_validation_names_tests_whose_forces_are_those_of_another_setting`.
 const CLEAR: f64 = 0.05;
-/// Ratio of the errors at the stated and the best setting from which the stated one is in doubt. It is that of the labels of a fit.
-const MUCH_WORSE: f64 = 5.0;
 /// Largest number of tests that are examined, those with the largest errors. Each is simulated at every candidate.
 const EXAMINED: usize = 8;
 /// Candidates in each interval of the grid. With 4, the nearest is off by an eighth of an interval at most.
@@ -44,6 +45,9 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
             setting.filter(|_| error > CLEAR * top).map(|setting| (place, setting, error))
         })
         .collect();
+    if worst.is_empty() {
+        return Vec::new();
+    }
     worst.sort_by(|a, b| b.2.total_cmp(&a.2));
     worst.truncate(EXAMINED);
     worst.sort_by_key(|of| of.0);
@@ -64,7 +68,7 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
             Some((*setting, mean_error(record, &forces)))
         };
         let best = candidates.iter().filter_map(at).min_by(|a, b| a.1.total_cmp(&b.1));
-        best.filter(|(_, other)| MUCH_WORSE * other < error).map(|(fitting, other)| SettingDoubt {
+        best.filter(|(_, other)| LABEL_DOUBT_RATIO * other < error).map(|(fitting, other)| SettingDoubt {
             test: record.name.clone(),
             stated,
             fitting,

@@ -97,11 +97,20 @@ fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
 
 /// Computes the error of a parameter set, with the measurement errors of a hypothesis at `theta`.
 fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
+    Some(error_of(tests, &forces_at(params, rig, theta, tests)?))
+}
+
+/// Computes the forces of a parameter set in each test, with the measurement errors of a hypothesis. `None` if the numbers make no model.
+pub fn forces_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
     let model = Model::new(params).ok()?;
     let integration = Accuracy::Single.integration(params, &model);
     let model = model.with_integration(integration);
-    let forces: Vec<Vec<f64>> = tests.par_iter().map(|test| rig.forces_with(&model, test, theta)).collect();
-    Some(error_of(tests, &forces))
+    Some(tests.par_iter().map(|test| rig.forces_with(&model, test, theta)).collect())
+}
+
+/// Counts the records of tests; a long record gives several tests.
+pub fn count_records(tests: &[Test]) -> usize {
+    tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len()
 }
 
 /// Computes the error of an ordinary fit on its own tests.
@@ -149,7 +158,7 @@ pub fn reports(
             let left_out = left_out_error(family, axis, settings, place);
             Some(SettingReport {
                 setting: of.value,
-                tests: of.tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len(),
+                tests: count_records(&of.tests),
                 own_fit,
                 family: fitted,
                 left_out,

@@ -31,6 +31,7 @@ pub use at_setting::at_setting;
 pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport, WorstLeftOut};
+pub use setting_labels::LABEL_DOUBT_RATIO;
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 
 /// Divisor of the log odds of a part of a family before conversion to probabilities. The form errors of different tests are correlated, so

@@ -55,7 +55,8 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
     }
 }
 
-/// Largest fraction of a test that is cut off because the setting is still on its way to a constant value. Beyond it, the way is the test.
+/// Reciprocal of the largest fraction of a test that may be cut off at its start. If the setting moves for longer, its motion is the test.
+/// Test: `the_start_of_a_slow_supply_is_cut_off_and_steps_stay`.
 const START: usize = 2;
 
 /// Cuts off the start of a test in which a slow supply brings the setting to the value at which it then stays.
