@@ -75,7 +75,7 @@ fn row(one: &Checked) -> String {
         Verdict::NotTested => "NOT TESTED: no slow test with whole cycles (below 6 mm/s)",
     };
     let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {
-        format!(", but not sure: half a sample of the logger is {} ms", digits(1e3 * uncertainty, 2))
+        format!(", but not sure: the measured time is known to ± {} ms", digits(1e3 * uncertainty, 2))
     });
     format!(
         "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{unsure}",

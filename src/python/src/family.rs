@@ -123,7 +123,7 @@ impl Family {
             read.accept_settings();
             let compared = compare_family(file, &read, given, &say)?;
             let mut validation = figures(&read, &compared, None, &[])?;
-            let settings = summarize_settings(&mut validation, file, &read, given)?;
+            let settings = summarize_settings(&mut validation, file, (&read, &compared), given)?;
             if let Some(windows) = &windows {
                 let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
                 let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();

@@ -156,7 +156,10 @@ test-sentence = Größte Kraft { $force } N. Mittlerer Fehler des Modells { $err
 
 family-section = Über der Einstellung
 family-between = Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein.
-family-between-worse = Zwischen seinen Einstellungen ist das Modell schlechter als bei ihnen: Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein. Messungen zwischen { $at } und den Nachbarn helfen am meisten.
+family-between-worse = Zwischen seinen Einstellungen ist das Modell schlechter als bei ihnen: Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein. { $advice }
+family-between-records = Messungen zwischen { $at } und den Nachbarn helfen am meisten.
+family-between-labels = Zuerst die bezweifelten Einstellungen der Versuche prüfen.
+family-between-unknown = Keine Einstellung konnte weggelassen werden; der Fehler zwischen den Einstellungen ist daher unbekannt. Eine dritte Einstellung würde ihn zeigen.
 family-about = Der Dämpfer hängt von einer Einstellung ab. In jedem Versuch ist es die des Versuchs; zwischen den Einstellungen der Modelldatei wird interpoliert.
 family-interpolated = { $setting } (interpoliert)
 plot-family = Kraft bei konstanter Geschwindigkeit, nach Einstellung
@@ -236,7 +239,7 @@ certificate-untested = UNVOLLSTÄNDIG. Die { $tested } geprüften Grenzwerte sin
 certificate-nothing-tested = UNVOLLSTÄNDIG. Keiner der { $count } Grenzwerte war mit diesen Messungen prüfbar: { $why }.
 certificate-why-untested = es fehlt ein Versuch bei dieser Geschwindigkeit oder einer, der für Reibung und Gaskraft langsam genug ist
 certificate-why-untested-at-setting = es fehlt ein Versuch bei dieser Geschwindigkeit und Einstellung, einer, der für Reibung und Gaskraft langsam genug ist, oder ein solcher Sprung der Einstellung
-certificate-unsure = { $verdict }, nicht sicher: eine halbe Abtastung des Loggers ist { $value } ms
+certificate-unsure = { $verdict }, nicht sicher: die gemessene Zeit ist auf ± { $value } ms bekannt
 certificate-interpolated = { $tests }, interpoliert
 certificate-model-passes = Das Modell kommt bei jedem Grenzwert zum selben Urteil.
 certificate-model-fails = Das Modell kommt bei { $count } der Grenzwerte zu einem anderen Urteil als die Messung; eine Simulation zeigt dort also einen anderen Dämpfer.
@@ -1425,11 +1428,12 @@ identification-family-selected = die Messreihe hat { $all } Versuche, mehr als e
 identification-no-interval-between = { $names }: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht
 identification-label-suspect = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting }: bei der angegebenen Einstellung verfehlt das Modell ihn um das { $ratio }-Fache. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
 identification-label-stray = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting } und nicht die der benachbarten Einstellungen. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
+identification-setting-doubt = die Kräfte von { $test } sind etwa die von { $fitting }, nicht die von { $stated }: dort verfehlt das Modell sie um { $fitting_error } N, hier um { $stated_error } N. Die Einstellung des Versuchs und ihre Einheit prüfen
 identification-labels-exchanged = die Dämpfkraft steigt oder fällt über { $name } nicht durchgehend; mit { $one } und { $other } vertauscht täte sie es. Die Angaben dieser Versuche prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
 identification-family-stores = eine Änderung von { $setting } kann am Fahrzeug Arbeit leisten, denn sie ändert { $names }: gespeicherte Energie oder eine Kraft in Ruhe
 identification-family-no-setting = kein Versuch nennt { $name }. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), die Einheit einer Stromspalte ohne Einheit nennen (--unit current=A), oder setting und [settings] in campaign.toml daneben eintragen
 identification-family-other-setting = kein Versuch nennt { $name }; die Versuche haben eine Einstellung namens { $known }: --setting mit diesem Namen angeben
-identification-family-without = { $count } Versuche nennen { $name } nicht: { $tests }. Mit --exclude weglassen, ihre Spalte nennen (--column setting=HEADING), oder in campaign.toml unter settings angeben
+identification-family-without = { $name } fehlt bei { $tests } (Versuche: { $count }). Mit --exclude weglassen, ihre Spalte nennen (--column setting=HEADING), oder in campaign.toml unter settings angeben
 identification-family-one = alle Versuche bei konstantem Wert von { $name } haben denselben, { $value }: ein Modell darüber braucht mindestens zwei. Ohne --setting anpassen, oder die Einheit der Spalte prüfen
 identification-family-only-changing = { $name } ändert sich in allen { $count } Versuchen: ein Dämpfer darüber wird an Versuche bei zwei oder mehr festen Einstellungen angepasst; veränderliche bestimmen sein Ventil
 identification-family-too-many = die Versuche haben { $count } Werte von { $name }, und ein Modell fasst { $most }: einige mit --exclude oder --hold-out weglassen, oder in campaign.toml unter [settings] angeben, was eingestellt war

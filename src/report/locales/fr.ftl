@@ -156,7 +156,10 @@ test-sentence = Effort maximal { $force } N. Écart moyen du modèle { $error } 
 
 family-section = Selon le réglage
 family-between = Une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul.
-family-between-worse = Entre ses réglages, le modèle est moins bon qu’à ceux-ci : une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul. Des mesures entre { $at } et ses voisins aideraient le plus.
+family-between-worse = Entre ses réglages, le modèle est moins bon qu’à ceux-ci : une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul. { $advice }
+family-between-records = Des mesures entre { $at } et ses voisins aideraient le plus.
+family-between-labels = Vérifier d’abord les réglages mis en doute des essais.
+family-between-unknown = Aucun réglage n’a pu être laissé de côté : l’erreur entre les réglages est donc inconnue ; un troisième réglage la montrerait.
 family-about = L’amortisseur dépend d’un réglage. À chaque essai, c’est celui de l’essai ; entre ceux du fichier de modèle, il est interpolé.
 family-interpolated = { $setting } (interpolé)
 plot-family = Effort à vitesse constante, par réglage
@@ -236,7 +239,7 @@ certificate-untested = INCOMPLET. Les { $tested } limites vérifiées sont respe
 certificate-nothing-tested = INCOMPLET. Aucune des { $count } limites n’a pu être vérifiée avec ces mesures : { $why }.
 certificate-why-untested = il n’y a pas d’essai à cette vitesse, ou aucun assez lent pour le frottement et l’effort du gaz
 certificate-why-untested-at-setting = il n’y a pas d’essai à cette vitesse et à ce réglage, aucun assez lent pour le frottement et l’effort du gaz, ou pas de tel saut du réglage
-certificate-unsure = { $verdict }, pas sûr : un demi-échantillon de l’enregistreur vaut { $value } ms
+certificate-unsure = { $verdict }, pas sûr : le temps mesuré est connu à ± { $value } ms près
 certificate-interpolated = { $tests }, interpolé
 certificate-model-passes = Le modèle donne la même réponse à chaque limite.
 certificate-model-fails = Le modèle répond autrement que la mesure à { $count } des limites : une simulation y montre un autre amortisseur.
@@ -1425,11 +1428,12 @@ identification-family-selected = la campagne compte { $all } essais, plus qu’u
 identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation
 identification-label-suspect = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } : au réglage indiqué, le modèle s’en écarte { $ratio } fois plus. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings
 identification-label-stray = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } et non celles des réglages voisins. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings
+identification-setting-doubt = les efforts de { $test } sont ceux d’environ { $fitting }, non ceux de { $stated } : là, le modèle s’en écarte de { $fitting_error } N, ici de { $stated_error } N. Vérifier le réglage de l’essai et son unité
 identification-labels-exchanged = l’effort d’amortissement ne croît ni ne décroît d’un bout à l’autre de { $name } ; il le ferait avec { $one } et { $other } échangés. Vérifier les indications de ces essais ; un amortisseur réellement ainsi est modélisé comme mesuré
 identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie { $names } : énergie accumulée ou force au repos
 identification-family-no-setting = aucun essai n’indique { $name }. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté
 identification-family-other-setting = aucun essai n’indique { $name } ; les essais ont un réglage nommé { $known } : donner --setting avec ce nom
-identification-family-without = { $count } essais n’indiquent pas { $name } : { $tests }. Les écarter avec --exclude, nommer leur colonne (--column setting=HEADING), ou le donner dans campaign.toml sous settings
+identification-family-without = { $name } manque pour { $tests } (essais : { $count }). Les écarter avec --exclude, nommer leur colonne (--column setting=HEADING), ou le donner dans campaign.toml sous settings
 identification-family-one = tous les essais à { $name } constant ont la même valeur, { $value } : un modèle en fonction de ce réglage en demande au moins deux. Les ajuster sans --setting, ou vérifier l’unité de la colonne
 identification-family-only-changing = { $name } varie pendant chacun des { $count } essais : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve
 identification-family-too-many = les essais ont { $count } valeurs de { $name }, et un modèle en contient { $most } : en écarter avec --exclude ou --hold-out, ou indiquer le réglage dans campaign.toml sous [settings]

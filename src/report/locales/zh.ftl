@@ -156,7 +156,10 @@ test-sentence = 最大力 { $force } N。模型平均误差 { $error } N，{ $pe
 
 family-section = 随设置变化
 family-between = 未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。
-family-between-worse = 模型在各设置之间不如在设置处：未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。在 { $at } 与相邻设置之间测量最有帮助。
+family-between-worse = 模型在各设置之间不如在设置处：未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。{ $advice }
+family-between-records = 在 { $at } 与相邻设置之间测量最有帮助。
+family-between-labels = 请先检查有疑问的试验设定值。
+family-between-unknown = 无法留出任何设定值，因此设定值之间的误差未知；第三个设定值可以显示该误差。
 family-about = 该减振器取决于一个设置。每个试验取其自身的设置；模型文件各设置之间采用插值。
 family-interpolated = { $setting }（插值）
 plot-family = 各设置下恒定速度时的力
@@ -236,7 +239,7 @@ certificate-untested = 不完整。已检验的 { $tested } 项限值均满足�
 certificate-nothing-tested = 不完整。{ $count } 项限值均无法用这些记录检验：{ $why }。
 certificate-why-untested = 没有该速度的试验，或没有足够慢的试验来测摩擦力和气体力
 certificate-why-untested-at-setting = 没有该速度和该设置的试验，没有足够慢的试验来测摩擦力和气体力，或没有这样的设置阶跃
-certificate-unsure = { $verdict }，但不确定：记录仪半个采样为 { $value } ms
+certificate-unsure = { $verdict }，但不确定：测得时间的不确定度为 ± { $value } ms
 certificate-interpolated = { $tests }，插值
 certificate-model-passes = 模型对每项限值给出相同的判定。
 certificate-model-fails = 模型对其中 { $count } 项限值的判定与实测不同，因此仿真在那里表现的是另一个减振器。
@@ -1425,11 +1428,12 @@ identification-family-selected = 本次测量有 { $all } 个试验，多于搜�
 identification-no-interval-between = { $names }：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差
 identification-label-suspect = { $test } 标明 { $name } { $stated }，但其力属于 { $fitting }：在所标设定下模型的误差为后者的 { $ratio } 倍。请检查该标注；更正值写入 campaign.toml 的 settings
 identification-label-stray = { $test } 标明 { $name } { $stated }，但其力属于 { $fitting }，而不属于相邻设定。请检查该标注；更正值写入 campaign.toml 的 settings
+identification-setting-doubt = { $test } 的力约为 { $fitting } 的力，而非 { $stated } 的力：模型在前者偏差 { $fitting_error } N，在后者偏差 { $stated_error } N。请检查该试验的设定值及其单位
 identification-labels-exchanged = 阻尼力在 { $name } 上并非单调变化；若将 { $one } 与 { $other } 互换则会单调。请检查这些试验的标注；若阻尼器确实如此，则按测量建模
 identification-family-stores = 改变 { $setting } 可能对宿主做功，因为它改变 { $names }：储存的能量或静止时的力
 identification-family-no-setting = 没有试验说明 { $name }。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]
 identification-family-other-setting = 没有试验说明 { $name }；试验的设置名为 { $known }：请用该名称给出 --setting
-identification-family-without = { $count } 个试验没有说明 { $name }：{ $tests }。请用 --exclude 排除，用 --column setting=HEADING 指明其列，或在 campaign.toml 的 settings 中给出
+identification-family-without = 以下试验未说明 { $name }：{ $tests }（共 { $count } 个）。请用 --exclude 排除，用 --column setting=HEADING 指明其列，或在 campaign.toml 的 settings 中给出
 identification-family-one = 所有恒定 { $name } 的试验都是 { $value }：随其变化的模型至少需要两个值。请不带 --setting 拟合，或检查该列的单位
 identification-family-only-changing = 全部 { $count } 个试验中 { $name } 都在变化：随其变化的减振器须用两个或更多恒定设置下的试验拟合，变化的试验用于辨识其阀
 identification-family-too-many = 试验有 { $count } 个 { $name } 值，而模型最多容纳 { $most } 个：请用 --exclude 或 --hold-out 排除一些，或在 campaign.toml 的 [settings] 中写明设定值

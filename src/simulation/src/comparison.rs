@@ -2,6 +2,7 @@
 
 use crate::own_setting::OwnSetting;
 use crate::prediction::{between_velocities, predict, predict_family};
+use crate::setting_doubts::doubt_settings;
 use crate::step_response::step_responses;
 use crate::warm_starts::WarmStarts;
 use dashpot_core::family::Definition;
@@ -126,14 +127,15 @@ pub fn settings_of(
     campaign.records.iter().map(of).collect()
 }
 
-/// Summarizes a validation by the settings of its tests, and adds the responses to steps of the setting. Returns the setting of every test.
+/// Summarizes a validation by the settings of its tests. Adds the responses to steps of the setting, and the tests with doubtful settings.
+/// Returns the setting of every test.
 ///
 /// # Errors
 /// [`settings_of`] fails, or the parameters do not form a valid model.
 pub fn summarize_settings(
     validation: &mut Validation,
     file: &ModelFile,
-    campaign: &Campaign,
+    (campaign, compared): (&Campaign, &[Compared<'_>]),
     given: Option<f64>,
 ) -> Result<Vec<Option<f64>>, CompareError> {
     let settings = settings_of(file, campaign, given)?;
@@ -141,6 +143,7 @@ pub fn summarize_settings(
     let changing = campaign.records.iter().zip(&settings).filter(|(_, setting)| setting.is_none());
     let changing: Vec<&Record> = changing.map(|(record, _)| record).collect();
     validation.step_responses = step_responses(&file.definition(), &changing)?;
+    validation.setting_doubts = doubt_settings(file, compared, &settings);
     Ok(settings)
 }
 
@@ -154,7 +157,7 @@ fn plain_curve(params: &Params) -> Params {
 }
 
 /// Returns a damper over a setting that has only the FV curve and the gas force. It follows every command instantaneously.
-fn without_actuator(definition: &Definition) -> Definition {
+pub(crate) fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
         // For every entry 0 is allowed and disables it.

@@ -4,7 +4,7 @@ use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
 use dashpot_identification::family::LABEL_DOUBT_RATIO;
 use dashpot_identification::model_file::{ModelFile, prepared};
-use dashpot_identification::validation::Compared;
+use dashpot_identification::validation::{Compared, SettingDoubt};
 use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
@@ -17,21 +17,6 @@ const CLEAR: f64 = 0.05;
 const EXAMINED: usize = 8;
 /// Candidates in each interval of the grid. With 4, the nearest is off by an eighth of an interval at most.
 const CANDIDATES: usize = 4;
-
-/// A record with a doubtful setting.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SettingDoubt {
-    /// Name of the record.
-    pub test: String,
-    /// Setting that it states or is given.
-    pub stated: f64,
-    /// Setting at which the model fits best.
-    pub fitting: f64,
-    /// Mean absolute error at the stated setting, N.
-    pub stated_error_n: f64,
-    /// Mean absolute error at the fitting setting, N.
-    pub fitting_error_n: f64,
-}
 
 /// Examines the records with the largest errors of a model over a setting. `settings` is the setting of each record, `None` where it changes.
 pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {

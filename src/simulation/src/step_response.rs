@@ -2,11 +2,14 @@
 //!
 //! For the motion of the test, the model gives the force at the setting before the step and at the setting after it. The response is the
 //! completed fraction of the difference of these forces. So a step during a sine is equivalent to a step at constant speed.
+//!
+//! Both settings are those at which the valve comes to rest. With hysteresis, it comes to rest before it reaches the command.
 
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
+use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
-use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse};
+use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
@@ -163,6 +166,39 @@ struct Step {
     model: StepForces,
 }
 
+/// The valve's state along the command of a record, without dead time, which does not affect where the valve comes to rest.
+struct Valve<'a> {
+    actuator: Actuator,
+    record: &'a Record,
+    stand: Stand,
+    /// Sample of the state.
+    sample: usize,
+}
+
+impl<'a> Valve<'a> {
+    fn new(actuator: Actuator, record: &'a Record) -> Valve<'a> {
+        let lagged = record.setting_signal.as_ref().and_then(|signal| signal.values.first()).copied().unwrap_or(0.0);
+        Valve { actuator, record, stand: Stand { lagged, turned: 0.0 }, sample: 0 }
+    }
+
+    /// Moves on to a later sample.
+    fn move_to(&mut self, sample: usize) -> &Valve<'a> {
+        if let Some(signal) = &self.record.setting_signal {
+            while self.sample < sample {
+                let [from, to] = [self.sample, self.sample + 1].map(|k| self.record.time[k]);
+                self.stand = self.actuator.advance(&self.stand, signal.values[self.sample], to - from);
+                self.sample += 1;
+            }
+        }
+        self
+    }
+
+    /// Returns the settings at which the valve comes to rest under the commands before and after a step.
+    fn settings_at_rest(&self, from: f64, to: f64) -> [f64; 2] {
+        [from, to].map(|command| self.actuator.setting(&self.actuator.at_rest(&self.stand, command)))
+    }
+}
+
 /// Computes the responses to the steps of the setting in records, grouped by the settings before and after.
 ///
 /// # Errors
@@ -178,15 +214,18 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
         let model = predict_family(&family, record, &motion);
         let mut levels: Vec<(f64, Vec<f64>)> = Vec::new();
         let mut starts_at = 0.0;
+        let mut valve = Valve::new(definition.axis.actuator(), record);
         for step in signal.steps() {
-            for level in [step.from, step.to] {
+            let at_rest = valve.move_to(step.index).settings_at_rest(step.from, step.to);
+            for level in at_rest {
                 if !levels.iter().any(|(known, _)| is_same_setting(*known, level)) {
                     let damper = prepared(&definition.params_at(level))?;
                     levels.push((level, predict(&damper, record, &motion, 0.0)));
                 }
             }
             let level = |wanted: f64| levels.iter().find(|(known, _)| is_same_setting(*known, wanted)).map(|(_, f)| f);
-            let (Some(before), Some(after)) = (level(step.from), level(step.to)) else { continue };
+            let [from, to] = at_rest.map(level);
+            let (Some(before), Some(after)) = (from, to) else { continue };
             // The change is equally likely in both halves of a sample interval.
             let instant = 0.5 * (record.time[step.index] + record.time[step.index.saturating_sub(1)]);
             let end = record.time[step.end.min(record.time.len()) - 1];
@@ -243,8 +282,15 @@ fn response(kind: Kind) -> StepResponse {
     let mut tests: Vec<String> = steps.iter().map(|step| step.test.clone()).collect();
     tests.dedup();
     let groups = groups.into_iter().filter(|(_, own)| own.len() >= FEWEST).map(|((test, is_rebound), own)| {
-        let [measured, model] = both(&own, &grid).0.map(|response| ResponseTimes::measure(&grid, &response));
-        StepGroup { test: test.to_owned(), is_rebound, steps: own.len(), measured, model }
+        let [measured, model] = both(&own, &grid).0;
+        StepGroup {
+            test: test.to_owned(),
+            is_rebound,
+            steps: own.len(),
+            measured: ResponseTimes::measure(&grid, &measured),
+            uncertainty: TimeUncertainty::measure(&grid, &measured, &model, kind.sample),
+            model: ResponseTimes::measure(&grid, &model),
+        }
     });
     let groups = groups.collect();
     let ([measured, model], settled) = both(&steps, &grid);
@@ -257,6 +303,7 @@ fn response(kind: Kind) -> StepResponse {
         end_fraction: settled,
         groups,
         measured: ResponseTimes::measure(&grid, &measured),
+        uncertainty: TimeUncertainty::measure(&grid, &measured, &model, kind.sample),
         model: ResponseTimes::measure(&grid, &model),
         time: grid,
         measured_response: measured,

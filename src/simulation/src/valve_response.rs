@@ -39,6 +39,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
         end_fraction: 1.0,
         groups: Vec::new(),
         measured: None,
+        uncertainty: None,
         model: ResponseTimes::measure(&time, &response),
         time,
         measured_response: Vec::new(),

@@ -5,11 +5,12 @@
 //! The internal figures of a fit and a diagnosis are smaller than those of a validation. They use mean cycles, which average out the noise,
 //! and a diagnosis refits first. A validation uses every sample of every record and begins in steady state.
 
-use crate::prediction::predict;
+use crate::comparison::without_actuator;
+use crate::prediction::{predict, predict_family};
 use crate::warm_starts::WarmStarts;
 use dashpot_core::Params;
 use dashpot_identification::family::FamilyFit;
-use dashpot_identification::model_file::{NoModel, prepared};
+use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
 use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
 use dashpot_identification::{Fit, Measured, to_measurement_error};
 use dashpot_records::measurement_correction::correct_record;
@@ -124,6 +125,38 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
     let errors = validate(&compared)?.overall.errors;
     let own: Vec<&Record> = all.iter().map(|(record, _)| record).collect();
     Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
+}
+
+/// Computes the quality of a family over its tests in which the setting changes. Returns `None` without such tests.
+///
+/// # Errors
+/// The errors of [`deviation`].
+pub fn quality_where_the_setting_changes(
+    fit: &FamilyFit,
+    records: &[&Record],
+) -> Result<Option<Quality>, WholeRecordsError> {
+    let off = to_measurement_error(&fit.measured);
+    let own: Vec<Record> = records
+        .iter()
+        .filter(|record| record.setting_signal.is_some() && fit.fingerprints.contains(&record.fingerprint()))
+        .map(|record| correct_record(record, &off))
+        .collect();
+    if own.is_empty() {
+        return Ok(None);
+    }
+    let plain = without_actuator(&fit.damper);
+    let (damper, plain) = (prepared_family(&fit.damper)?, prepared_family(&plain)?);
+    let compared: Vec<Compared> = own
+        .par_iter()
+        .map(|record| {
+            let motion = smooth(record);
+            let [model, fv_only] = [&damper, &plain].map(|family| predict_family(family, record, &motion));
+            Compared { record, model, fv_only, used_in_fit: true }
+        })
+        .collect();
+    let errors = validate(&compared)?.overall.errors;
+    let noise_n = mean_noise(&own.iter().collect::<Vec<_>>());
+    Ok(Some(Quality { model: errors.model, fv_only: errors.fv_only, noise_n }))
 }
 
 /// Computes the errors over records that are corrected for measurement errors.

@@ -152,6 +152,41 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     assert_eq!(ends, [false, true, true, false]);
 }
 
+/// Value of `fv_interpolation` for straight lines between the points.
+const LINEAR: f64 = 1.0;
+
+/// Makes a damper with a sharp knee whose velocity grows with the current.
+fn with_sharp_knees() -> Definition {
+    let mut params = kernel_campaign::base();
+    let knee = |current: f64| 0.06 + 0.15 * current;
+    let mut speeds: Vec<f64> = CURRENTS.iter().map(|current| knee(*current)).collect();
+    speeds.push(1.2);
+    let velocities: Vec<f64> = speeds.iter().rev().map(|v| -v).chain([0.0]).chain(speeds.iter().copied()).collect();
+    params.set_list(list!("fv_velocity"), &velocities).unwrap();
+    params.set(number!("fv_interpolation"), LINEAR).unwrap();
+    let mut axis = Axis::NONE;
+    axis.set_grid(&CURRENTS).unwrap();
+    for (index, current) in CURRENTS.iter().enumerate() {
+        let force = |v: f64| {
+            let below = v.abs().min(knee(*current));
+            v.signum() * (1.0 + current) * (2600.0 * below + 250.0 * (v.abs() - below))
+        };
+        let forces: Vec<f64> = velocities.iter().map(|v| if *v == 0.0 { 0.0 } else { force(*v) }).collect();
+        axis.set_forces(index, &forces).unwrap();
+    }
+    axis.put(&mut params, 0.0);
+    Definition { params, axis }
+}
+
+#[test]
+fn a_knee_that_moves_with_the_current_is_as_sharp_as_in_a_fit_of_one_current() {
+    let found = fitted(&with_sharp_knees(), 51);
+    for of in &found.settings {
+        let (family, alone) = (of.family.mean_error_n, of.own_fit.mean_error_n);
+        assert!(family < 1.2 * alone, "{} A: {family} N, alone {alone} N", of.setting);
+    }
+}
+
 #[test]
 fn friction_that_grows_with_the_current_is_found_to() {
     let found = with_growing_friction();

@@ -8,12 +8,13 @@ use crate::plural::count_tests;
 use crate::progress::Progress;
 use dashpot_identification::family::{
     ActuatorDecision, ActuatorFit, FamilyEstimate, FamilyFigures, FamilyFit, FamilyItem, ForceAtSetting, SettingAxis,
-    SettingDependence, SettingError, SettingReport, WorstLeftOut, fit_family, model_file,
+    SettingDependence, SettingError, SettingReport, fit_family, model_file,
 };
 use dashpot_identification::model_file::{ModelFile, family_of_text};
 use dashpot_identification::validation::validate;
 use dashpot_identification::{Estimate, FitOptions, Standing, describe_item};
 use dashpot_records::{Campaign, Record, setting_in_words};
+use dashpot_report::family::errors;
 use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 use dashpot_report::{FamilyReport, Print, ReportInput, quality};
@@ -54,10 +55,16 @@ pub fn run(
     }
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
+    let changing = whole_records::quality_where_the_setting_changes(&found, records)?;
     // Even if the errors at the settings are small, they may be larger between the settings.
-    let is_worse_between = found.worst_left_out().is_none_or(|of| of.ratio > WorstLeftOut::AS_GOOD);
-    say(&if is_worse_between { format!("At the settings of the records: {}", lower_first(&good)) } else { good })?;
-    say(&format_interpolation(&found))?;
+    let is_worse_between = found.worst_left_out().is_none_or(|of| of.is_worse());
+    let is_of_all = !is_worse_between && changing.is_none();
+    say(&if is_of_all { good } else { format!("At the settings of the records: {}", lower_first(&good)) })?;
+    if let Some(changing) = changing {
+        let good = quality::sentence(&changing, &TERMINAL);
+        say(&format!("Where the {} changes within a test: {}", found.setting.name, lower_first(&good)))?;
+    }
+    say(&errors::between(&found, &TERMINAL))?;
     if let Some(path) = json {
         dashpot_output::json(path, &FamilyFigures::new(&found, campaign, Some(output)))?;
     }
@@ -86,17 +93,17 @@ fn write_report(
         campaign.records.iter().filter(|record| !has_setting(record)).map(|record| record.name.clone()).collect();
     if !without.is_empty() {
         say(&format!(
-            "note: {} held-out tests say no {} and are not in the report: {}",
-            without.len(),
+            "note: the report leaves out the held-out tests that state no {}: {} (tests: {})",
             found.setting.name,
-            without.join(", ")
+            without.join(", "),
+            without.len()
         ))?;
         campaign.records.retain(has_setting);
     }
     campaign.notes.extend(model.identification.right(&mut campaign.records));
     let compared = compare_family(model, &campaign, None)?;
     let mut validation = validate(&compared)?;
-    comparison::summarize_settings(&mut validation, model, &campaign, None)?;
+    comparison::summarize_settings(&mut validation, model, (&campaign, &compared), None)?;
     validation.unusable.clone_from(&campaign.unusable);
     say(&format!("over whole records:\n{}", settings_table(model, &validation)))?;
     let mut input = ReportInput {
@@ -187,24 +194,6 @@ fn format_estimate(name: &str, e: &Estimate) -> String {
 fn lower_first(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
-}
-
-/// Formats the worst error of the left-out settings, or that none could be left out.
-fn format_interpolation(found: &FamilyFit) -> String {
-    let Some(WorstLeftOut { setting, error, ratio }) = found.worst_left_out() else {
-        return "between settings: no setting could be left out, so the error there is unknown; a third setting would show it"
-            .to_owned();
-    };
-    let at = setting_in_words(setting, &found.setting.unit);
-    let text = format!(
-        "between settings: a family that did not see {at} misses there by {:.2} N ({:.2} %), {ratio:.2} times as much as a fit of {at} alone",
-        error.mean_error_n, error.error_percent
-    );
-    match ratio > WorstLeftOut::AS_GOOD {
-        true if found.has_doubtful_labels => format!("{text}; check the labels named above first"),
-        true => format!("{text}; records between {at} and its neighbors would help most"),
-        false => text,
-    }
 }
 
 /// Formats the errors at each setting.

@@ -12,7 +12,7 @@ use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::limits;
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{
-    Against, AgainstSummary, Compared, ResponseTimes, StepResponse, Validation, validate,
+    Against, AgainstSummary, Compared, ResponseTimes, StepResponse, TimeUncertainty, Validation, validate,
 };
 use dashpot_output::{FolderLock, Kind};
 use dashpot_records::{Campaign, Record, setting_in_words};
@@ -22,7 +22,6 @@ use dashpot_report::numbers::digits;
 use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
-use dashpot_simulation::setting_doubts::{SettingDoubt, doubt_settings};
 use std::path::PathBuf;
 
 /// Compare a model with records, and with the plain FV curve that is fitted to the same data
@@ -114,7 +113,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     let compared = if is_family { compare_family(&model, &campaign, setting)? } else { compare(&model, &campaign)? };
     let mut validation = validate(&compared)?;
     let settings = match is_family {
-        true => comparison::summarize_settings(&mut validation, &model, &campaign, setting)?,
+        true => comparison::summarize_settings(&mut validation, &model, (&campaign, &compared), setting)?,
         false => Vec::new(),
     };
     if let (true, Some(windows)) = (is_family, &windows) {
@@ -126,8 +125,8 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     dashpot_output::say(json, &table(&validation))?;
     if is_family {
         dashpot_output::say(json, &settings_table(&model, &validation))?;
-        for doubt in doubt_settings(&model, &compared, &settings) {
-            dashpot_output::warn(&format_doubt(&doubt, model.axis.unit()));
+        for doubt in &validation.setting_doubts {
+            dashpot_output::warn(&format!("warning: {}", doubt.sentence(model.axis.unit())));
         }
     }
     let mut rivals: Vec<Rival> = Vec::new();
@@ -262,19 +261,6 @@ pub fn compare_family<'a>(
     Ok(comparison::compare_family(file, campaign, given, &|done, total| progress.count(done, total))?)
 }
 
-/// Formats a doubt about the setting of a test.
-fn format_doubt(doubt: &SettingDoubt, unit: &str) -> String {
-    let at = |setting: f64| setting_in_words(setting, unit);
-    format!(
-        "warning: the forces of {} are those of about {}, not of {}: the model misses them by {:.0} N there and by {:.0} N here. Check the setting of the test and its unit",
-        doubt.test,
-        at(doubt.fitting),
-        at(doubt.stated),
-        doubt.fitting_error_n,
-        doubt.stated_error_n
-    )
-}
-
 /// Formats the errors at each setting. Marks settings outside the range of the model.
 pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     let axis = &model.axis;
@@ -316,31 +302,28 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Smallest reported ratio of half a sample to a response time.
+/// Smallest reported uncertainty of a response time, as a fraction of it.
 const COARSE: f64 = 0.1;
 /// Fraction of a response that the levels must complete. Below it, the text recommends longer levels.
 const SETTLED: f64 = 0.97;
 
 /// Formats the response times to a step.
 fn response(of: &StepResponse, unit: &str) -> String {
-    let times = |times: &Option<ResponseTimes>| match times {
-        Some(t) => format!(
-            "{:.1} ms to 63 %, {:.1} ms to 90 % ({:.1} ms from 10 %), overshoot {:.0} %",
-            1e3 * t.t63_s,
-            1e3 * t.t90_s,
-            1e3 * (t.t90_s - t.t10_s),
-            100.0 * t.overshoot
-        ),
-        None => "not shown".to_owned(),
-    };
-    let coarse = match of.measured {
-        Some(times) if of.sample_s > COARSE * times.t63_s => {
+    let times = |times: &Option<ResponseTimes>, uncertainty: Option<TimeUncertainty>| match times {
+        Some(t) => {
+            let milli = |value: f64, known_to: Option<f64>| match known_to.filter(|known| *known > COARSE * value) {
+                Some(known) => format!("{:.1} ± {} ms", 1e3 * value, digits(1e3 * known, 1)),
+                None => format!("{:.1} ms", 1e3 * value),
+            };
             format!(
-                "; measured times are known to ± {} ms, half a sample of the logger",
-                digits(0.5e3 * of.sample_s, 1)
+                "{} to 63 %, {} to 90 % ({} from 10 %), overshoot {:.0} %",
+                milli(t.t63_s, uncertainty.map(|of| of.t63_s)),
+                milli(t.t90_s, uncertainty.map(|of| of.t90_s)),
+                milli(t.t90_s - t.t10_s, uncertainty.map(|of| of.rise_s)),
+                100.0 * t.overshoot
             )
         }
-        _ => String::new(),
+        None => "not shown".to_owned(),
     };
     let short = match of.end_fraction < SETTLED {
         true => format!("; the levels end at {:.0} % of the way, longer ones show more", 100.0 * of.end_fraction),
@@ -348,11 +331,11 @@ fn response(of: &StepResponse, unit: &str) -> String {
     };
     let step = format!("{} to {} {unit}", of.from, of.to);
     format!(
-        "step from {}, {} steps: measured {}; model {}{coarse}{short}",
+        "step from {}, {} steps: measured {}; model {}{short}",
         step.trim_end(),
         of.steps,
-        times(&of.measured),
-        times(&of.model)
+        times(&of.measured, of.uncertainty),
+        times(&of.model, None)
     )
 }
 

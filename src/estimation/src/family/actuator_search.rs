@@ -7,6 +7,7 @@ use crate::samples::Test;
 use crate::structure::evidence::{Evidence, mean_square};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Prior log odds of a lag: every valve has a lag, but records of slow loggers do not resolve the lag.
 const LAG: f64 = 1.0;
@@ -83,6 +84,10 @@ const VALVES: [ActuatorForm; 4] = {
 /// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, its weight is below one in a thousand.
 const RULED_OUT: f64 = 14.0;
 
+/// Number of fits after which the search is usually half done. It only scales the displayed progress, because the
+/// number of fits is unknown in advance.
+const USUAL_FITS: usize = 8;
+
 const PARTS: [&str; 5] = ["lag", "lag_each_way", "dead_time", "rate_limit", "hysteresis"];
 
 fn has(form: ActuatorForm, part: &str) -> bool {
@@ -142,7 +147,10 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     let range = high - low;
     let places: Vec<Vec<usize>> = context.tests.iter().map(responding).collect();
     let mut known: BTreeMap<ActuatorForm, Option<(f64, ActuatorRefit)>> = BTreeMap::new();
+    let fits = AtomicUsize::new(0);
     let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
+        let done = fits.fetch_add(1, Ordering::Relaxed);
+        progress(done as f64 / (done + USUAL_FITS) as f64);
         let problem = ActuatorProblem::new(context, form);
         let is_far = from.is_some_and(|from| from.form.lag == Ways::Neither && form.lag != Ways::Neither);
         let starts: Vec<Option<Vec<f64>>> = match from {
@@ -185,8 +193,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         }
         known.insert(form, found);
     }
-    for done in 0..2 * PARTS.len() {
-        progress(done as f64 / (2 * PARTS.len()) as f64);
+    for _ in 0..2 * PARTS.len() {
         if cancel::asked() {
             break;
         }

@@ -17,6 +17,7 @@ use crate::structure::curve_at_rest::with_other_form;
 use crate::structure::search::StructureSearch;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
@@ -31,6 +32,10 @@ const ASKED_FOR: f64 = 15.0;
 const EFFECTS: usize = 16;
 /// Largest number of moves.
 const MOVES: usize = 24;
+
+/// Number of moves after which the search is usually half done. It only scales the displayed progress, because the number
+/// of moves is unknown in advance.
+const USUAL_MOVES: usize = 8;
 
 /// Dependence of a quantity on the setting, with the log odds of the dependence.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +69,13 @@ pub fn search_family(
         .collect();
     progress(0.3);
     let asked_for = asked_for(found);
-    let ends: Vec<FamilyStructure> = starts.into_par_iter().map(|start| climb(start, settings, &asked_for)).collect();
+    let moves = AtomicUsize::new(0);
+    let report_move = || {
+        let done = 1 + moves.fetch_add(1, Ordering::Relaxed);
+        progress(0.3 + 0.7 * done as f64 / (done + USUAL_MOVES) as f64);
+    };
+    let ends: Vec<FamilyStructure> =
+        starts.into_par_iter().map(|start| climb(start, settings, &asked_for, &report_move)).collect();
     progress(1.0);
     let best = ends.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
     Some(likelier_at_rest(best, settings))
@@ -85,7 +96,12 @@ fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilySt
 }
 
 /// Makes moves as long as the posterior rises.
-fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Structure]) -> FamilyStructure {
+fn climb(
+    start: FamilyStructure,
+    settings: &[SettingTests],
+    asked_for: &[&Structure],
+    report_move: &(dyn Fn() + Sync),
+) -> FamilyStructure {
     let mut best = start;
     let mut tried = BTreeSet::new();
     for _ in 0..MOVES {
@@ -95,6 +111,7 @@ fn climb(start: FamilyStructure, settings: &[SettingTests], asked_for: &[&Struct
         let next = toggle(&best, settings)
             .or_else(|| remove(&best, settings))
             .or_else(|| add(&best, settings, asked_for, &mut tried));
+        report_move();
         let Some(next) = next else { break };
         best = next;
     }

@@ -17,25 +17,28 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Returns the velocities of the FV table that all settings share. They come from the tests of all settings, or from
-/// `of` if that structure has more points.
-pub fn velocities(settings: &[SettingTests], of: &Structure) -> Vec<f64> {
-    let segments: Vec<Segment> = settings.iter().flat_map(|s| &s.tests).map(|t| t.segment.clone()).collect();
-    let plain = first_guess::velocities(&segments);
-    let mut own = of.hypothesis.base.list(list!("fv_velocity")).to_vec();
-    if own.len() <= plain.len() {
-        return plain;
+/// Smallest ratio of the speeds of a knee's point and of any other point. The points that the search of a setting adds are at
+/// least a factor of 1.13 from their neighbors there. Points of other settings closer than half of that show the same
+/// knee, and would have too few samples between them.
+const APART: f64 = 1.06;
+
+/// Returns the velocities of the FV table that all settings share: those of the tests of all settings, and the points
+/// that the search of any setting added at its knees. With the first alone, a knee that moves over the setting is
+/// rounded off.
+fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
+    let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
+    let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());
+    for (own, of) in at_settings.iter().zip(settings) {
+        let plain = first_guess::velocities(&segments(of));
+        for point in own.hypothesis.base.list(list!("fv_velocity")) {
+            let is_apart = |other: &f64| other * point <= 0.0 || !(1.0 / APART..=APART).contains(&(point / other));
+            if !plain.contains(point) && all.iter().all(is_apart) && all.len() < MAX_POINTS {
+                all.push(*point);
+            }
+        }
     }
-    let (Some(first), Some(last)) = (plain.first(), plain.last()) else { return own };
-    // Faster tests of other settings extend the ends of the table.
-    if let Some(end) = own.first_mut() {
-        *end = end.min(*first);
-    }
-    if let Some(end) = own.last_mut() {
-        *end = end.max(*last);
-    }
-    own.truncate(MAX_POINTS);
-    own
+    all.sort_by(f64::total_cmp);
+    all
 }
 
 /// Makes a family with the effects of one structure, in which every parameter varies if possible. At each setting,
@@ -45,7 +48,7 @@ pub fn varying_family(
     at_settings: &[&Structure],
     settings: &[SettingTests],
 ) -> Option<(FamilyHypothesis, Vec<Component>)> {
-    let velocities = velocities(settings, from);
+    let velocities = velocities(settings, at_settings);
     let template = Hypothesis { heating: None, ..with_velocities(&from.hypothesis, &from.refit.theta, &velocities)? };
     let zero = anchor(&velocities);
     let starts: Option<Vec<Vec<f64>>> = at_settings

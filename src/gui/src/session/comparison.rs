@@ -130,7 +130,7 @@ impl Comparison {
         let mut found = validate(compared).map_err(Sentence::as_it_is)?;
         if let Some((whole, at)) = &self.family {
             let campaign = self.ticked_campaign();
-            summarize_settings(&mut found, whole, &campaign, Some(*at)).map_err(Sentence::as_it_is)?;
+            summarize_settings(&mut found, whole, (&campaign, compared), Some(*at)).map_err(Sentence::as_it_is)?;
         }
         found.unusable.clone_from(&self.loaded.campaign.unusable);
         Ok(found)

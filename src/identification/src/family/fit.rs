@@ -175,7 +175,9 @@ pub fn fit_family(
     let own: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
     let reports = reports(&best, &own, &axis, &settings);
     progress(Stage { done: 0.95, text: phrases::FAMILY_ACTUATOR });
-    let actuator = identify_actuator(&mut damper, &best, &reports, &changing, &|_| ());
+    let actuator = identify_actuator(&mut damper, &best, &reports, &changing, &|done| {
+        progress(Stage { done: 0.95 + 0.05 * done, text: phrases::FAMILY_ACTUATOR });
+    });
     let all: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let joint = best.hypothesis.joint();
     let joint_refit = best.hypothesis.joint_refit(&best.refit);

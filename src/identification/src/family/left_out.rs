@@ -56,7 +56,12 @@ pub struct WorstLeftOut {
 impl WorstLeftOut {
     /// Largest ratio at which an interpolated setting counts as equal to a grid setting. It is the target of the book's figures, and
     /// affects messages only.
-    pub const AS_GOOD: f64 = 1.3;
+    const AS_GOOD: f64 = 1.3;
+
+    /// Returns whether the model is worse between its settings than at them.
+    pub fn is_worse(&self) -> bool {
+        self.ratio > WorstLeftOut::AS_GOOD
+    }
 
     /// Finds the worst setting of these reports. Returns `None` if no setting was left out.
     pub fn find(reports: &[SettingReport]) -> Option<WorstLeftOut> {

@@ -3,7 +3,7 @@
 use super::measured::Figures;
 use super::table::{Limit, Quantity};
 use super::{Certificate, Checked, Overall, Value, Verdict};
-use crate::validation::{ResponseTimes, StepGroup, StepResponse};
+use crate::validation::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
 use dashpot_records::{Record, is_same_setting, restate_in_unit};
 
 /// Reason why limits do not match the damper.
@@ -137,9 +137,6 @@ pub fn judge_over_settings(
     })
 }
 
-/// Uncertainty of a measured response time, in samples of the logger. The command may change anywhere within a sample.
-const HALF_SAMPLE: f64 = 0.5;
-
 /// Compares a limit on a time with the slowest response to which the limit applies.
 fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
@@ -150,15 +147,14 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
         .collect();
     let time = |times: ResponseTimes| if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
     type Times<T> = fn(&T) -> Option<ResponseTimes>;
-    // Both ends of a rise time lie in the force, so the instant of the command does not affect it.
-    let uncertainty = |of: &StepResponse| (!is_rise).then_some(HALF_SAMPLE * of.sample_s);
+    let uncertainty = |of: Option<TimeUncertainty>| of.map(|of| if is_rise { of.rise_s } else { of.t63_s });
     let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
         let of_all = own.iter().filter_map(|of| {
-            Some(Value { value: time(whole(of)?), tests: of.tests.clone(), uncertainty: uncertainty(of) })
+            Some(Value { value: time(whole(of)?), tests: of.tests.clone(), uncertainty: uncertainty(of.uncertainty) })
         });
-        let groups = own.iter().flat_map(|of| of.groups.iter().map(move |group| (of, group)));
-        let of_each = groups.filter_map(|(of, group)| {
-            Some(Value { value: time(part(group)?), tests: vec![group.test.clone()], uncertainty: uncertainty(of) })
+        let of_each = own.iter().flat_map(|of| &of.groups).filter_map(|group| {
+            let tests = vec![group.test.clone()];
+            Some(Value { value: time(part(group)?), tests, uncertainty: uncertainty(group.uncertainty) })
         });
         // Judge each group separately, because a mean over tests and directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
@@ -232,6 +228,7 @@ mod tests {
                 end_fraction: 1.0,
                 groups: Vec::new(),
                 measured: Some(times),
+                uncertainty: Some(TimeUncertainty { t63_s: 0.0005, t90_s: 0.001, rise_s: 0.0008 }),
                 model: None,
                 time: Vec::new(),
                 measured_response: Vec::new(),
@@ -254,7 +251,7 @@ mod tests {
         // JSON has the figures in seconds, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
-        // The uncertainty is half a sample, 0.5 ms. It does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.
+        // The uncertainty of 0.5 ms does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.
         assert_eq!(found.limits[0].deciding_uncertainty(), None);
         let near =
             judged("quantity,setting,high,unit\nresponse_time_up,1.6,11.8,ms\nresponse_time_up,1.6,12.2,ms\n").unwrap();

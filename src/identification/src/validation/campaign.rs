@@ -6,6 +6,7 @@ use super::deviation::{Errors, REGION_BOUNDARY};
 use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
 use super::response::StepResponse;
+use super::setting_doubt::SettingDoubt;
 use crate::limits::Certificate;
 use dashpot_messages::Sentence;
 use dashpot_records::{Unusable, is_same_setting};
@@ -47,6 +48,9 @@ pub struct Validation {
     /// Responses to steps of the setting, or empty if no test has steps.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub step_responses: Vec<StepResponse>,
+    /// Tests whose forces are those of another setting, or empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub setting_doubts: Vec<SettingDoubt>,
     /// The model and the models of the literature on the same tests, or empty without a comparison.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
@@ -143,6 +147,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         settings: Vec::new(),
         changing: None,
         step_responses: Vec::new(),
+        setting_doubts: Vec::new(),
         against: Vec::new(),
         limits: None,
         as_the_fit_saw: None,

@@ -23,6 +23,7 @@ pub mod hysteresis;
 pub mod matrix;
 mod of_test;
 mod response;
+mod setting_doubt;
 
 pub use against::{Against, AgainstSummary, AgainstTest};
 pub use campaign::{ChangingSummary, SettingSummary, Summary, Validation, validate};
@@ -31,4 +32,5 @@ pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};
 pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};
 pub use of_test::{PeakForce, TestValidation};
-pub use response::{ResponseTimes, StepGroup, StepResponse};
+pub use response::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
+pub use setting_doubt::SettingDoubt;

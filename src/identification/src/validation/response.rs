@@ -47,6 +47,65 @@ impl ResponseTimes {
     }
 }
 
+/// Uncertainties of measured response times, s: half the width of their 95 % intervals.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TimeUncertainty {
+    /// Uncertainty of the time to 63 %.
+    pub t63_s: f64,
+    /// Uncertainty of the time to 90 %.
+    pub t90_s: f64,
+    /// Uncertainty of the time from 10 % to 90 %. The instant of the command does not affect it.
+    pub rise_s: f64,
+}
+
+/// The instant of a command within a sample interval is unknown, so its error is up to half a sample.
+const HALF_SAMPLE: f64 = 0.5;
+/// Width of a 95 % interval to either side, in standard deviations.
+const WIDTH_95: f64 = 2.0;
+
+impl TimeUncertainty {
+    /// Computes the uncertainties from the noise of the measured response. The slope is that of the modeled response, which has no noise.
+    ///
+    /// Near its end a response is almost level. So a small noise there makes the time to 90 % uncertain.
+    ///
+    /// Returns `None` if the modeled response does not reach 90 %.
+    pub fn measure(time: &[f64], measured: &[f64], model: &[f64], sample_s: f64) -> Option<TimeUncertainty> {
+        let noise = WIDTH_95 * end_noise(time, measured)?;
+        let reaches = |fraction: f64| (0..time.len()).find(|k| time[*k] >= 0.0 && model[*k] >= fraction);
+        let last = *time.last()?;
+        let at = |fraction: f64| {
+            let Some(k) = reaches(fraction) else { return last };
+            let Some(before) = k.checked_sub(1).filter(|before| model[*before] < fraction) else { return time[k] };
+            let part = (fraction - model[before]) / (model[k] - model[before]);
+            time[before] + part * (time[k] - time[before])
+        };
+        let of_noise = |fraction: f64| 0.5 * (at(fraction + noise) - at(fraction - noise));
+        reaches(0.9)?;
+        let [at_10, at_63, at_90] = [0.1, 0.632, 0.9].map(of_noise);
+        let instant = HALF_SAMPLE * sample_s;
+        Some(TimeUncertainty { t63_s: instant + at_63, t90_s: instant + at_90, rise_s: at_10.hypot(at_90) })
+    }
+}
+
+/// Fraction of a response at its end that shows the noise.
+const END: f64 = 0.25;
+
+/// Computes the standard deviation of a response from a straight line in its last quarter.
+fn end_noise(time: &[f64], response: &[f64]) -> Option<f64> {
+    let from = time.partition_point(|t| *t < (1.0 - END) * time[time.len() - 1]);
+    let points = || time[from..].iter().zip(&response[from..]).filter(|(_, r)| r.is_finite());
+    let count = points().count() as f64;
+    if count < 3.0 {
+        return None;
+    }
+    let mean = |of: &dyn Fn(f64, f64) -> f64| points().map(|(t, r)| of(*t, *r)).sum::<f64>() / count;
+    let [t, r] = [mean(&|t, _| t), mean(&|_, r| r)];
+    let [tt, tr] = [mean(&|x, _| (x - t) * (x - t)), mean(&|x, y| (x - t) * (y - r))];
+    let slope = tr / tt;
+    let square = mean(&|x, y| (y - r - slope * (x - t)) * (y - r - slope * (x - t)));
+    Some((square * count / (count - 2.0)).sqrt())
+}
+
 /// Response to the steps of one test in one direction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepGroup {
@@ -59,6 +118,9 @@ pub struct StepGroup {
     /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
+    /// Uncertainties of the measured times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<TimeUncertainty>,
     /// Times of the model's force.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
@@ -75,15 +137,18 @@ pub struct StepResponse {
     pub steps: usize,
     /// Names of the tests that contain these steps.
     pub tests: Vec<String>,
-    /// Sampling interval, s. The uncertainty of the instant of a step is half of it.
+    /// Sampling interval, s. The instant of a step is known to half of it.
     pub sample_s: f64,
-    /// Completed fraction of the change of the model's force at the end of the levels.
+    /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
     pub end_fraction: f64,
     /// Response times of each test and direction with at least three steps. A limit applies to the slowest group.
     pub groups: Vec<StepGroup>,
     /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
+    /// Uncertainties of the measured times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<TimeUncertainty>,
     /// Times of the model's force.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
@@ -119,5 +184,20 @@ mod tests {
         assert!((found.t10_s - 0.00405).abs() < 1e-4 && (found.t90_s - 0.02603).abs() < 1e-4, "{found:?}");
         assert!(found.overshoot < 1e-9);
         assert_eq!(ResponseTimes::measure(&time, &vec![0.3; 600]), None);
+    }
+
+    #[test]
+    fn noise_makes_the_time_to_the_end_of_a_response_uncertain() {
+        let time: Vec<f64> = (0..1600).map(|k| 1e-4 * f64::from(k) - 0.01).collect();
+        let model: Vec<f64> = time.iter().map(|t| if *t < 0.0 { 0.0 } else { 1.0 - libm::exp(-t / 0.01) }).collect();
+        // Standard deviation 0.02.
+        let noisy: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.02 } else { -0.02 }).collect();
+        let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, 1e-3).unwrap();
+        let (clean, found) = (of(&model), of(&noisy));
+        assert!((clean.t63_s - 5e-4).abs() < 2e-5 && clean.rise_s < 5e-5, "{clean:?}");
+        // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %.
+        assert!((found.t63_s - 5e-4 - 0.04 * 0.01 / 0.368).abs() < 1e-4, "{found:?}");
+        assert!(found.rise_s > 3.8e-3 && found.rise_s < 4.8e-3, "{found:?}");
+        assert_eq!(TimeUncertainty::measure(&time, &noisy, &vec![0.5; 1600], 1e-3), None);
     }
 }

@@ -72,6 +72,16 @@ class ResponseTimes(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class TimeUncertainty(Result):
+    """Half the width of the 95 % intervals of measured response times."""
+
+    t63_s: float
+    t90_s: float
+    rise_s: float
+    """Of the time from 10 to 90 %, which does not depend on the instant of the command."""
+
+
+@dataclass(frozen=True, repr=False)
 class StepGroup(Result):
     """The response to steps of one test in one direction."""
 
@@ -79,6 +89,7 @@ class StepGroup(Result):
     is_rebound: bool
     steps: int
     measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
+    uncertainty: TimeUncertainty | None = field(default=None, metadata={"omitted": True})
     model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
 
 
@@ -92,13 +103,15 @@ class StepResponse(Result):
     """Setting before."""
     after: float = field(metadata={"key": "to"})
     sample_s: float
-    """Time between two samples, s; half of it is how far the instant of a step is known."""
+    """Time between two samples, s. The instant of a step is known to half of it."""
     end_fraction: float
     """Fraction of its way that the model's force has gone at the end of the levels."""
     groups: tuple[StepGroup, ...]
     """Response times of each test and direction that has at least three steps; a limit judges the slowest."""
     measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
     """Of the measured force; none where the records do not show them."""
+    uncertainty: TimeUncertainty | None = field(default=None, metadata={"omitted": True})
+    """Half the width of the 95 % intervals of the measured times."""
     model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
 
 

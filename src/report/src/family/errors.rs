@@ -7,7 +7,7 @@ use crate::errors::three;
 use crate::numbers::{digits, error, percent};
 use crate::words::Words;
 use dashpot_core::family::Definition;
-use dashpot_identification::family::{FamilyFit, SettingError, WorstLeftOut};
+use dashpot_identification::family::{FamilyFit, SettingError};
 use dashpot_identification::validation::{Summary, Validation};
 use dashpot_records::setting_in_words;
 
@@ -34,14 +34,20 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
-/// Describes the error of the family between its settings. Returns `None` if no setting was left out.
-pub fn between(fit: &FamilyFit, words: &Words) -> Option<String> {
-    let WorstLeftOut { setting, error, ratio } = fit.worst_left_out()?;
-    let at = setting_in_words(setting, &fit.setting.unit);
-    let text = if ratio > WorstLeftOut::AS_GOOD { words.family_between_worse } else { words.family_between };
-    let figures = [digits(error.mean_error_n, 3), percent(error.error_percent), digits(ratio, 2)];
+/// Describes the error of the family between its settings, with advice if it is larger than at them.
+pub fn between(fit: &FamilyFit, words: &Words) -> String {
+    let Some(worst) = fit.worst_left_out() else { return words.family_between_unknown.to_owned() };
+    let at = words.number(&setting_in_words(worst.setting, &fit.setting.unit));
+    let figures = [digits(worst.error.mean_error_n, 3), percent(worst.error.error_percent), digits(worst.ratio, 2)];
     let [error, percent, ratio] = figures.each_ref();
-    Some(words.fill(text, &[("at", &at), ("error", error), ("percent", percent), ("ratio", ratio)]))
+    // Records in doubt make the error between the settings large, and further records do not help then.
+    let advice = match fit.has_doubtful_labels {
+        true => words.family_between_labels.to_owned(),
+        false => words.fill(words.family_between_records, &[("at", &at)]),
+    };
+    let text = if worst.is_worse() { words.family_between_worse } else { words.family_between };
+    let values = [("at", &*at), ("error", error), ("percent", percent), ("ratio", ratio), ("advice", &advice)];
+    words.fill(text, &values)
 }
 
 /// Compares the errors of an ordinary fit, of the family, and of the family that was fitted without the setting.

@@ -9,7 +9,7 @@
 //! | [`loops`] | loops of selected tests |
 
 mod curves;
-mod errors;
+pub mod errors;
 mod loops;
 mod numbers;
 mod responses;
@@ -35,10 +35,12 @@ impl FamilyReport<'_> {
     /// Builds the sections at the beginning of the report.
     pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
         let damper = self.model.definition();
-        let mut first: Vec<Block> =
-            curves::by_setting(&damper, validation, words).map(Block::Wide).into_iter().collect();
+        let unit = self.model.axis.unit();
+        let doubts = validation.setting_doubts.iter().map(|doubt| words.say(&doubt.sentence(unit)));
+        let mut first: Vec<Block> = doubts.map(Block::Warning).collect();
+        first.extend(curves::by_setting(&damper, validation, words).map(Block::Wide));
         first.push(Block::Paragraph(words.family_about.to_owned()));
-        first.extend(self.fit.and_then(|fit| errors::between(fit, words)).map(Block::Paragraph));
+        first.extend(self.fit.map(|fit| Block::Paragraph(errors::between(fit, words))));
         let mut second = curves::over_setting(&damper, validation, words);
         second.extend(numbers::figures(self.model, words));
         if !second.is_empty() {

@@ -12,9 +12,11 @@ use dashpot_core::family::Definition;
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_identification::family::{ActuatorDecision, actuator_numbers};
 use dashpot_identification::model_file::ModelFile;
-use dashpot_identification::validation::{ResponseTimes, StepResponse, Validation};
+use dashpot_identification::validation::{ResponseTimes, StepResponse, TimeUncertainty, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
+/// Smallest displayed uncertainty of a response time, as a fraction of it.
+const COARSE: f64 = 0.1;
 /// Number of points of one branch over the setting.
 const POINTS: usize = 61;
 /// Fraction of the tests' largest velocity at which hysteresis is drawn.
@@ -83,14 +85,19 @@ fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: 
 
 /// Builds the table of the times of all kinds of steps.
 fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Table {
-    let five = |times: Option<&ResponseTimes>| -> [Cell; 5] {
-        let milli = |s: f64| Cell::number(1e3 * s, |v| digits(v, 3));
+    let five = |times: Option<&ResponseTimes>, uncertainty: Option<TimeUncertainty>| -> [Cell; 5] {
+        let milli = |s: f64, known: Option<f64>| {
+            Cell::number(1e3 * s, |v| match known.filter(|known| *known > COARSE * s) {
+                Some(known) => format!("{} ± {}", digits(v, 3), digits(1e3 * known, 1)),
+                None => digits(v, 3),
+            })
+        };
         match times {
             Some(t) => [
-                milli(t.t63_s),
-                milli(t.t90_s),
-                milli(t.t63_s - t.t10_s),
-                milli(t.t90_s - t.t10_s),
+                milli(t.t63_s, uncertainty.map(|of| of.t63_s)),
+                milli(t.t90_s, uncertainty.map(|of| of.t90_s)),
+                milli(t.t63_s - t.t10_s, None),
+                milli(t.t90_s - t.t10_s, uncertainty.map(|of| of.rise_s)),
                 Cell::number(100.0 * t.overshoot, |v| digits(v, 2)),
             ],
             None => [(); 5].map(|()| Cell::none()),
@@ -98,8 +105,8 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
     };
     let row = |of: &StepResponse| {
         let mut row: Vec<Cell> = vec![step_name(damper, of, words).into(), Cell::count(of.steps)];
-        row.extend(five(of.measured.as_ref()));
-        row.extend(five(of.model.as_ref()));
+        row.extend(five(of.measured.as_ref(), of.uncertainty));
+        row.extend(five(of.model.as_ref(), None));
         row
     };
     let mut columns = vec![Column::words(words.col_step), Column::figures(words.col_steps)];

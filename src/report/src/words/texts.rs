@@ -153,7 +153,10 @@ dashpot_messages::interface! {
         // The literature.
         family_section,
         family_between(at error percent ratio),
-        family_between_worse(at error percent ratio),
+        family_between_worse(at error percent ratio advice),
+        family_between_records(at),
+        family_between_labels,
+        family_between_unknown,
         family_about,
         family_interpolated(setting),
         plot_family,
