@@ -22,9 +22,10 @@ use rayon::prelude::*;
 /// knee, and would have too few samples between them.
 const APART: f64 = 1.06;
 
-/// Returns the velocities of the FV table that all settings share: those of the tests of all settings, and the points
-/// that the search of any setting added at its knees. With the first alone, a knee that moves over the setting is
-/// rounded off.
+/// Returns the velocities of the FV table that all settings share.
+///
+/// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
+/// the first alone, a knee that moves over the setting is rounded off.
 fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
     let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
     let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());

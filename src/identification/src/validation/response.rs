@@ -83,7 +83,7 @@ impl TimeUncertainty {
         reaches(0.9)?;
         let [at_10, at_63, at_90] = [0.1, 0.632, 0.9].map(of_noise);
         let instant = HALF_SAMPLE * sample_s;
-        Some(TimeUncertainty { t63_s: instant + at_63, t90_s: instant + at_90, rise_s: at_10.hypot(at_90) })
+        Some(TimeUncertainty { t63_s: instant + at_63, t90_s: instant + at_90, rise_s: libm::hypot(at_10, at_90) })
     }
 }
 
