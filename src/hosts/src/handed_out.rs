@@ -164,6 +164,10 @@ pub fn no_adams_library() -> String {
     )
 }
 
+/// Length of a damper at zero displacement if it is not given, mm: that of a passenger car's damper. With a wrong length, the damper in the
+/// vehicle starts far from the zero of its records.
+pub const ASSUMED_LENGTH: f64 = 400.0;
+
 /// Contents of a run folder for Adams before it is written.
 pub struct RunFolder {
     /// Names and contents of the files.
@@ -171,6 +175,7 @@ pub struct RunFolder {
     /// Reason why native.adm is missing.
     pub no_native: Option<String>,
     has_library: bool,
+    is_length_assumed: bool,
     replaced: Vec<String>,
     chatters: Vec<String>,
 }
@@ -179,6 +184,11 @@ impl RunFolder {
     /// Returns remarks about the run folder for a path `folder`.
     pub fn notes(&self, folder: &Path) -> Vec<String> {
         let mut notes = Vec::new();
+        if self.is_length_assumed {
+            notes.push(format!(
+                "no length at zero displacement was given, and {ASSUMED_LENGTH} mm is assumed: give the distance of your damper's markers there (--length, or as README.txt says)"
+            ));
+        }
         if let Some(reason) = &self.no_native {
             notes.push(format!("no native.adm, because {reason}"));
             let old = folder.join("native.adm");
@@ -208,8 +218,8 @@ pub struct RunFolderInput<'a> {
     pub model: &'a Model,
     /// The text of the model file.
     pub text: &'a [u8],
-    /// Distance between the markers at zero displacement, mm.
-    pub length: f64,
+    /// Distance between the markers at zero displacement, mm. If `None`, [`ASSUMED_LENGTH`] with a note.
+    pub length: Option<f64>,
     /// The tests for the rig in the folder.
     pub tests: &'a [SineTest],
     /// The libraries with their names.
@@ -223,7 +233,7 @@ pub struct RunFolderInput<'a> {
 /// Makes the run folder of a model.
 pub fn run_folder(input: RunFolderInput<'_>) -> RunFolder {
     let RunFolderInput { params, model, text, length, tests, libraries, replaced, chatters } = input;
-    let (texts, no_native) = folder::files(params, model, "damper.toml", length, tests);
+    let (texts, no_native) = folder::files(params, model, "damper.toml", length.unwrap_or(ASSUMED_LENGTH), tests);
     let has_library = !libraries.is_empty();
     let missing =
         if has_library { String::new() } else { format!("THE LIBRARY IS NOT HERE. {}\n\n", no_adams_library()) };
@@ -238,7 +248,7 @@ pub fn run_folder(input: RunFolderInput<'_>) -> RunFolder {
         files.push((file.name.to_owned(), text.into_bytes()));
     }
     files.extend(libraries);
-    RunFolder { files, no_native, has_library, replaced, chatters }
+    RunFolder { files, no_native, has_library, is_length_assumed: length.is_none(), replaced, chatters }
 }
 
 #[cfg(test)]

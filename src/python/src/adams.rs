@@ -33,14 +33,14 @@ pub fn export_adams(
     py: Python<'_>,
     model: &Model,
     folder: PathBuf,
-    length: &str,
+    length: Option<&str>,
     library: Option<PathBuf>,
     host_step: f64,
     wheel_mass: f64,
     for_step: Option<f64>,
     force: bool,
 ) -> PyResult<Vec<String>> {
-    let length = millimetres(length).map_err(say::<ExportError>)?;
+    let length = length.map(millimetres).transpose().map_err(say::<ExportError>)?;
     let made = py.detach(|| -> anyhow::Result<_> {
         let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
         let prepared = model_file::prepared(&ready.params)?;

@@ -63,5 +63,5 @@ pub use quantities::unit::{Dimension, Unit};
 pub use settings::assignment::records_without_setting;
 pub use signal::delay::Delay;
 pub use signal::{measurement_correction, smoothing};
-pub use source::{read_small, read_small_text};
+pub use source::{read_regular, read_small, read_small_text};
 pub use texts::{templates, words};

@@ -89,11 +89,19 @@ const LARGEST_SMALL: u64 = 16 << 20;
 /// # Errors
 /// The file cannot be read, is a pipe or a device, or is larger.
 pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
-    bytes(file, LARGEST_SMALL).map_err(|error| match error {
+    read_regular(file, LARGEST_SMALL)
+}
+
+/// Reads the bytes of a regular file of at most `largest` bytes.
+///
+/// # Errors
+/// The file cannot be read, is a pipe or a device, or is larger.
+pub fn read_regular(file: &Path, largest: u64) -> std::io::Result<Vec<u8>> {
+    bytes(file, largest).map_err(|error| match error {
         RecordError::Read { source, .. } => source,
         RecordError::NotRegular { .. } if file.is_dir() => std::io::Error::other("it is a folder; give a file in it"),
         RecordError::NotRegular { .. } => std::io::Error::other("it is no regular file"),
-        _ => std::io::Error::other(format!("it is larger than {} MiB", LARGEST_SMALL >> 20)),
+        _ => std::io::Error::other(format!("it is larger than {} MiB", largest >> 20)),
     })
 }
 

@@ -1,10 +1,26 @@
-//! Writes files completely or not at all.
+//! Writes files completely or not at all, and reads regular files of limited size.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 
 use crate::RigError;
+
+/// Size limit of a table, bytes.
+const LARGEST: u64 = 16 << 20;
+
+/// Reads a table. Rejects a pipe, which would block forever, and a device, which never ends.
+pub(crate) fn read_table(path: &Path) -> io::Result<Vec<u8>> {
+    if !fs::metadata(path)?.is_file() {
+        return Err(io::Error::other("it is no regular file"));
+    }
+    let mut bytes = Vec::new();
+    fs::File::open(path)?.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 > LARGEST {
+        true => Err(io::Error::other(format!("it is larger than {} MiB", LARGEST >> 20))),
+        false => Ok(bytes),
+    }
+}
 
 /// Writes a file completely and flushes it to the disk.
 pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), RigError> {

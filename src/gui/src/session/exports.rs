@@ -125,7 +125,7 @@ impl Export {
             params: &self.params,
             model,
             text: self.text.as_bytes(),
-            length: LENGTH,
+            length: None,
             tests: &tests,
             libraries,
             replaced: Vec::new(),
@@ -137,6 +137,3 @@ impl Export {
         Ok(notes)
     }
 }
-
-/// Distance of the damper's markers at zero displacement, mm. Users adapt this default in the exported files.
-const LENGTH: f64 = 400.0;

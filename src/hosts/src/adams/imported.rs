@@ -31,7 +31,7 @@ pub struct Imported {
 /// The file cannot be read, or it does not give a valid model.
 pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let named = || path.display().to_string();
-    let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", named()))?;
+    let bytes = dashpot_records::read_small(path).with_context(|| format!("cannot read {}", named()))?;
     let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);

@@ -17,6 +17,9 @@ pub struct Named {
     pub model_file: String,
 }
 
+/// Size limit of an Adams model, bytes. Models of whole vehicles have a few megabytes.
+const LARGEST: u64 = 256 << 20;
+
 /// Replaces dampers in the model of file `input`, and returns the model with notes.
 ///
 /// The caller writes the result to `output`. The folder of `output` determines whether the solver finds a model file. With `with_preload`,
@@ -26,7 +29,7 @@ pub struct Named {
 /// The file cannot be read, a length is impossible for a damper, or [`patch::patch`] fails.
 pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool) -> anyhow::Result<patch::Patched> {
     let file = || input.display().to_string();
-    let adm = std::fs::read(input).with_context(|| format!("cannot read {}", file()))?;
+    let adm = dashpot_records::read_regular(input, LARGEST).with_context(|| format!("cannot read {}", file()))?;
     let unit = patch::length_unit(&adm).with_context(file)?;
     let damper = |damper: &Named| {
         // Without UNITS, the numbers of a model have no unit. Files of Adams Car have UNITS.

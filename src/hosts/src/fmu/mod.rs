@@ -49,7 +49,8 @@ impl Binary {
                 "{platform:?} is no platform; FMI 2.0 has win64, linux64 and darwin64, FMI 3.0 x86_64-windows and so on"
             );
         }
-        let content = std::fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
+        let content = dashpot_records::read_regular(file, LARGEST_BINARY)
+            .with_context(|| format!("cannot read {}", file.display()))?;
         Ok(Binary { platform: platform.to_owned(), content })
     }
 
@@ -110,6 +111,8 @@ pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     }
 }
 
+/// Size limit of a binary that the user gives, bytes. The libraries of dashpot have a few megabytes.
+const LARGEST_BINARY: u64 = 256 << 20;
 /// Text in every prebuilt runtime. It distinguishes such a runtime from a library that was compiled from one FMU's sources.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 

@@ -220,7 +220,7 @@ def export_fmu(models: Sequence[Model], path: str, wanted: Fmu) -> list[str]: ..
 def export_adams(
     model: Model,
     folder: str,
-    length: str,
+    length: str | None,
     library: str | None,
     host_step: float,
     wheel_mass: float,

@@ -371,7 +371,7 @@ class Model:
         self,
         folder: Path,
         *,
-        length_m: float | str = 0.4,
+        length_m: float | str | None = None,
         library: Path | None = None,
         host_step_s: float = 1e-3,
         wheel_mass_kg: float = 40.0,
@@ -381,7 +381,8 @@ class Model:
         """Writes everything that a run folder of Adams needs: model file, library, commands, a test rig; as ``dashpot export adams``.
 
         :param folder: folder to write to; made if it is not there. It begins with ``README.txt``.
-        :param length_m: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
+        :param length_m: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``;
+            if not given, 0.4 m, and a note says so.
         :param library: the library to hand out; if not given, those that this package was built with.
         :param host_step_s: step, s, of a program that Adams is coupled to, at which chatter is judged.
         :param wheel_mass_kg: the lightest mass that the damper moves, kg.
@@ -396,7 +397,7 @@ class Model:
         with watched():
             return _said_of(
                 _native.export_adams(
-                    self._native, os.fspath(folder), length_of("length_m", length_m), None if library is None else os.fspath(library),
+                    self._native, os.fspath(folder), None if length_m is None else length_of("length_m", length_m), None if library is None else os.fspath(library),
                     host_step_s, wheel_mass_kg, for_step_s, force,
                 )
             )  # fmt: skip

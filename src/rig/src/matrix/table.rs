@@ -1,13 +1,12 @@
 //! The test matrix as a CSV file in millimeters, the unit of test engineers. Only this file converts units.
 
 use std::f64::consts::TAU;
-use std::fs;
 use std::path::Path;
 
 use super::point::{default_cycles, sine_name};
 use super::{Matrix, TestPoint};
 use crate::RigError;
-use crate::files::replace_file;
+use crate::files::{read_table, replace_file};
 
 /// The columns, in the order of writing.
 const COLUMNS: [&str; 7] =
@@ -34,7 +33,7 @@ impl Matrix {
     /// [`RigError::Io`] if the file is not readable; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], with line
     /// and column, if its content is invalid.
     pub fn read(file: &Path) -> Result<Self, RigError> {
-        let bytes = fs::read(file).map_err(RigError::io("read", file))?;
+        let bytes = read_table(file).map_err(RigError::io("read", file))?;
         let text = String::from_utf8(bytes).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             RigError::MatrixFile {
@@ -266,6 +265,7 @@ impl Row<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
     use std::path::PathBuf;
 
     fn parsed(text: &str) -> Result<Matrix, RigError> {

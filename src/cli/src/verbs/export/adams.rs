@@ -21,9 +21,10 @@ pub struct Args {
     /// Folder to write to; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Distance of the damper's markers at zero displacement, in mm, or with its unit: 412.5, 412.5mm, 0.4125m
-    #[arg(long, value_name = "MM", default_value = "400", value_parser = in_millimetres, allow_negative_numbers = true)]
-    length: f64,
+    /// Distance of the damper's markers at zero displacement, in mm, or with its unit: 412.5, 412.5mm, 0.4125m.
+    /// If not given, 400 mm
+    #[arg(long, value_name = "MM", value_parser = in_millimetres, allow_negative_numbers = true)]
+    length: Option<f64>,
     /// Library to copy. If not given, the libraries embedded in this command (Linux and Windows), or the one in its folder
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
