@@ -1,5 +1,9 @@
-//! The instructions in CONTRIBUTING.md are valid: the files exist, and the quoted lines are in them.
+//! The instructions in CONTRIBUTING.md are valid: the files exist, and the quoted lines are in them. Lists that a new element must join
+//! contain all elements that belong to them.
 
+use dashpot_core::parameter::{Acts, Element, GROUPS, acts, table};
+use dashpot_core::step::step;
+use dashpot_core::{Input, Model, Params};
 use dashpot_tests::library::root;
 
 fn page() -> String {
@@ -36,4 +40,55 @@ fn every_quoted_line_stands_in_its_file_and_in_this_order() {
         blocks += 1;
     }
     assert!(blocks > 8, "{blocks} blocks");
+}
+
+#[test]
+fn a_fleet_takes_the_records_that_the_reader_takes() {
+    let python = std::fs::read_to_string(root().join("src/python/python/dashpot/fleet/files.py")).unwrap();
+    let list = python.split("RECORDS = frozenset(").nth(1).and_then(|rest| rest.split("\n)").next()).unwrap();
+    let listed: Vec<&str> = list.split('"').skip(1).step_by(2).filter(|part| *part != ".{e}").collect();
+    assert_eq!(listed, dashpot_records::EXTENSIONS);
+}
+
+/// Velocities, m/s, between which the force of dry friction is nearly constant and that of a damper is not.
+const SLOW: f64 = 1e-3;
+const FAST: f64 = 0.1;
+
+#[test]
+fn a_locked_damper_is_linearized_without_any_dry_friction() {
+    let shim = std::fs::read_to_string(root().join("adams-usersub/src/damper_model.c")).unwrap();
+    let beside = (0..GROUPS.len()).filter(|group| matches!(acts(*group), Acts::Friction | Acts::Stateful));
+    let mut dry = 0;
+    for element in beside.filter_map(Element::of_group) {
+        let name = element.name();
+        let mut params = Params::new();
+        params.disable_all();
+        params.enable(element, true);
+        let Ok(model) = Model::new(&params) else { continue };
+        // Force at x = 0 after travel at a constant velocity, which ends the presliding.
+        let at_zero = |velocity: f64| {
+            let (steps, travel) = (100, 0.02);
+            let dt = travel / velocity.abs() / f64::from(steps);
+            let input = |k: u32| {
+                let displacement = Some(velocity * dt * (f64::from(k) - f64::from(steps)));
+                Input { displacement, velocity, side_force: 500.0, temperature: 20.0 }
+            };
+            let mut state = model.steady_state(&input(0));
+            let mut force = 0.0;
+            for k in 1..=steps {
+                let (next, output) = step(&model, &state, &input(k), dt);
+                (state, force) = (next, output.force);
+            }
+            force
+        };
+        let force = |speed: f64| 0.5 * (at_zero(speed) - at_zero(-speed));
+        if force(SLOW) < 0.3 * force(FAST) || force(FAST) <= 0.0 {
+            continue;
+        }
+        dry += 1;
+        let own = table().filter(|row| row.element() == Some(element));
+        let is_listed = own.map(|row| row.parameter.name).any(|name| shim.contains(&format!("\"{name}\"")));
+        assert!(is_listed, "{name} locks at rest: add its force to DRY_FRICTION in adams-usersub/src/damper_model.c");
+    }
+    assert!(dry >= 4, "{dry} elements of dry friction");
 }

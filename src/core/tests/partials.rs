@@ -3,7 +3,8 @@
 mod common;
 use common::*;
 use dashpot_core::evaluate::partials;
-use dashpot_core::parameter::{Element, Number};
+
+use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
 use dashpot_core::{element, list, number};
@@ -92,6 +93,14 @@ fn variants() -> Vec<(&'static str, Params)> {
         ("stiff", with(&[("series_stiffness", 1e7), ("internal_mass", 0.1)], &[])),
         ("soft", with(&[("series_stiffness", 1e5), ("internal_mass", 2.0), ("series_damping", 2000.0)], &[])),
     ]);
+    // An element that no line above names is added to the default damper, so that a new element is checked too.
+    let is_in = |of: &Params, name: &str| Element::find(name).is_ok_and(|element| of.is_on(element));
+    for name in names() {
+        let added = with(&[], &[name]);
+        if !all.iter().any(|(_, of)| is_in(of, name)) && Model::new(&added).is_ok() {
+            all.push((name, added));
+        }
+    }
     all
 }
 

@@ -6,7 +6,7 @@ use crate::curve::MAX_POINTS;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::math::max;
 use crate::parameter::values::check;
-use crate::parameter::{Element, List, Number, Params, Shape, table};
+use crate::parameter::{Acts, Element, List, Number, Params, Shape, acts, table};
 use crate::{element, list};
 
 /// Largest number of parameters that may depend on the setting, in addition to the forces of the FV table.
@@ -517,19 +517,16 @@ impl Axis {
         self.numbers().iter().filter_map(|varying| {
             let row = table().nth(varying.row as usize)?;
             let element = row.element()?;
-            let dissipates = DISSIPATES.contains(&element) || row.parameter.name == "series_damping";
+            let is_friction = acts(row.group) == Acts::Friction;
+            let dissipates = is_friction || DISSIPATES.contains(&element) || row.parameter.name == "series_damping";
             (!dissipates).then(|| Number::try_from(row).ok()).flatten()
         })
     }
 }
 
-/// Elements whose parameters only affect dissipation.
-const DISSIPATES: [Element; 9] = [
+/// Elements other than friction whose parameters only affect dissipation.
+const DISSIPATES: [Element; 5] = [
     element!("fv_curve"),
-    element!("coulomb_friction"),
-    element!("stribeck_friction"),
-    element!("viscous_friction"),
-    element!("side_force_friction"),
     element!("position_dependent_damping"),
     element!("temperature_fade"),
     element!("frequency_selective_damping"),

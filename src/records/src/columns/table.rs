@@ -219,6 +219,7 @@ const LISTED: usize = 40;
 impl Layout {
     /// Assigns the columns of a header to channels.
     ///
+    /// `line` is the line of the header in the file, for messages. A column beyond the end of `units` has no unit.
     /// `sample_time_given` is true if the source states its own sample time and requires no time column.
     pub fn new<S: AsRef<str>>(
         at: &Place,
@@ -303,7 +304,9 @@ impl Layout {
                 prefer(&mut candidates, |i| {
                     matches!(&headings[i], Heading::Channel(_, HeadingUnit::Known(u)) if u.dimension() == channel.dimension())
                         || units.is_some_and(|u| {
-                            u[i].as_ref().parse::<Unit>().is_ok_and(|u| u.dimension() == channel.dimension())
+                            u.get(i)
+                                .and_then(|u| u.as_ref().parse::<Unit>().ok())
+                                .is_some_and(|u| u.dimension() == channel.dimension())
                         })
                 });
                 // If no heading names the channel, use the only column with a unit of the channel. For a displacement,
@@ -323,8 +326,15 @@ impl Layout {
                 }
                 // A current may belong to any device, so only a column with a unit of current counts.
                 let is_known = |i: &usize| {
-                    let unit =
-                        unit_of(at, line, channel, header[*i], &headings[*i], units.map(|u| u[*i..].iter()), options);
+                    let unit = unit_of(
+                        at,
+                        line,
+                        channel,
+                        header[*i],
+                        &headings[*i],
+                        units.map(|u| u.get(*i..).unwrap_or_default().iter()),
+                        options,
+                    );
                     matches!(unit, Ok(Some(_)))
                 };
                 if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
@@ -344,7 +354,7 @@ impl Layout {
             let unit = if clock {
                 Unit::Second
             } else {
-                let below = units.map(|u| u[index..].iter());
+                let below = units.map(|u| u.get(index..).unwrap_or_default().iter());
                 match unit_of(at, line, channel, header[index], &headings[index], below, options)? {
                     Some(unit) => unit,
                     None => {

@@ -85,15 +85,31 @@ fn matrix_and_rig_write_what_each_other_read() {
     assert_eq!(std::fs::read_dir(dir.join("c")).unwrap().filter(|e| records(e.as_ref().unwrap())).count(), 2);
 }
 
+/// Returns the commands that a help page lists.
+fn commands(help: &str) -> impl Iterator<Item = &str> {
+    let list = help.split_once("Commands:\n").map_or("", |(_, rest)| rest.split("\n\n").next().unwrap_or(""));
+    list.lines()
+        .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next())
+}
+
 #[test]
 fn every_verb_explains_itself_with_an_example() {
     let folder = tempfile::tempdir().unwrap();
-    let help = done(folder.path(), &["--help"]);
-    for verb in ["fit", "validate", "diagnose", "simulate", "matrix", "rig", "demo", "bench"] {
-        assert!(help.contains(verb));
-        let help = done(folder.path(), &[verb, "--help"]);
-        assert!(help.contains("Example") && help.contains(&format!("dashpot {verb}")), "{verb}: {help}");
+    let mut left = vec![Vec::<String>::new()];
+    let mut verbs = 0;
+    while let Some(path) = left.pop() {
+        let asked: Vec<&str> = path.iter().map(String::as_str).chain(["--help"]).collect();
+        let help = done(folder.path(), &asked);
+        let below: Vec<String> = commands(&help).filter(|verb| *verb != "help").map(str::to_owned).collect();
+        if below.is_empty() {
+            let example = format!("dashpot {}", path.join(" "));
+            assert!(help.contains("Example") && help.contains(&example), "{path:?}: {help}");
+            verbs += 1;
+        }
+        left.extend(below.into_iter().map(|verb| path.iter().cloned().chain([verb]).collect()));
     }
+    assert!(verbs > 25, "{verbs}");
     // Missing or wrong arguments produce the usage message.
     for args in [&[][..], &["fit"], &["fit", "x"], &["paint"], &["simulate", "a", "b"]] {
         let ran = run(folder.path(), args);
