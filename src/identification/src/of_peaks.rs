@@ -112,6 +112,32 @@ pub struct Begun {
     pub exchanged: Option<(f64, f64)>,
 }
 
+impl Begun {
+    /// Returns notes on the clicks of a table that made one model over the clicks.
+    pub fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if !self.left_out.is_empty() {
+            let speeds: Vec<String> = self.left_out.iter().map(|speed| format!("{:.1}", 1e3 * speed)).collect();
+            notes.push(format!("not every click reaches {} mm/s; left out", speeds.join(", ")));
+        }
+        if let Some((one, other)) = self.exchanged {
+            notes.push(format!(
+                "the damping force does not rise or fall throughout over the clicks; with {one} and {other} exchanged it would. Check the table"
+            ));
+        }
+        if self.interpolated > NO_DISTANCE {
+            notes.push(format!(
+                "the clicks have other speeds than one another; forces are interpolated linearly over up to {:.1} % of the speed",
+                100.0 * self.interpolated
+            ));
+        }
+        notes
+    }
+}
+
+/// Relative distance of two speeds that is rounding.
+const NO_DISTANCE: f64 = 1e-6;
+
 /// Smallest ratio of the largest speed of a click to that of all clicks. Below it, the model would end far within the table.
 /// Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where a click ends at 0.6.
 const REACHED: f64 = 0.8;

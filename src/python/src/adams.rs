@@ -9,7 +9,7 @@ use dashpot_hosts::adams::replaced::{Named, replaced};
 use dashpot_hosts::damper_length::{in_metres, in_millimetres};
 use dashpot_hosts::handed_out::{self, RunFolderInput};
 use dashpot_identification::model_file;
-use dashpot_identification::of_peaks::of_peaks;
+use dashpot_identification::of_peaks::{family_of_peaks, of_peaks};
 use dashpot_output::as_a_run;
 use dashpot_records::PeakOptions;
 use dashpot_rig::{Matrix, TestPoint};
@@ -127,9 +127,10 @@ pub fn import_dpr(path: PathBuf) -> PyResult<String> {
 
 /// Makes a model from a table of peak forces.
 ///
-/// Returns the text of the model file, the side that was interpreted as rebound, and whether the forces contradict that interpretation.
+/// With `is_family`, makes one model over the clicks of the table. Returns the text of the model file, the side that was interpreted as
+/// rebound, whether the forces contradict that interpretation, and notes.
 #[pyfunction]
-#[allow(clippy::needless_pass_by_value)]
+#[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]
 pub fn import_peaks(
     path: PathBuf,
     positive: Option<&str>,
@@ -138,7 +139,8 @@ pub fn import_peaks(
     clicks: Option<f64>,
     gas_force: f64,
     friction: f64,
-) -> PyResult<(String, String, bool)> {
+    is_family: bool,
+) -> PyResult<(String, String, bool, Vec<String>)> {
     let said = |name: &str, why: String| say::<ModelError>(format!("{name}: {why}"));
     let mut options = PeakOptions { clicks, ..PeakOptions::default() };
     if let Some(text) = positive {
@@ -152,6 +154,8 @@ pub fn import_peaks(
         options.columns.insert(column.parse().map_err(|why| said("columns", why))?, heading);
     }
     let path: &Path = &path;
-    let begun = of_peaks(path, &options, gas_force, friction).map_err(raise::<ModelError>)?;
-    Ok((begun.text, begun.direction, begun.is_doubtful))
+    let make = if is_family { family_of_peaks } else { of_peaks };
+    let begun = make(path, &options, gas_force, friction).map_err(raise::<ModelError>)?;
+    let notes = begun.notes();
+    Ok((begun.text, begun.direction, begun.is_doubtful, notes))
 }

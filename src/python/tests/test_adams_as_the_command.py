@@ -174,6 +174,9 @@ def test_a_table_of_peaks_for_each_click(command: Command, beside: Path) -> None
     command("import", "peaks", "clicks.csv", "-o", "c.toml", "--clicks", "all")
     for clicks in (0, 10):
         assert dashpot.Model.from_peaks("clicks.csv", clicks=clicks).text == Path(f"c_{clicks}.toml").read_text()
+    command("import", "peaks", "clicks.csv", "-o", "family.toml", "--clicks", "family")
+    family = dashpot.Family.from_peaks("clicks.csv")
+    assert family.text == Path("family.toml").read_text() and list(family.grid) == [0, 10]
     with pytest.raises(dashpot.ModelError) as several:
         dashpot.Model.from_peaks("clicks.csv")
     assert "each of 0, 10 clicks; clicks=0 takes one of them, one call for each gives a model of each" in str(several.value)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+import warnings
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
@@ -11,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._arguments import loads
+from ._arguments import as_arguments, loads
 from ._files import needs, write_new
 from ._numbers import column, real
 from ._result import Row, frame, table
@@ -19,7 +20,7 @@ from ._work import watched
 from .campaign import Campaign, Path, Progress, Record, native_of
 from .family_fit import FamilyFitResult
 from .limits import Limit, rows
-from .model import Model, Response
+from .model import Model, Response, _named_after
 from .validation import JudgedValidation, Validation
 
 if TYPE_CHECKING:
@@ -52,6 +53,32 @@ class Family:
         """
         with needs(path), open(path, encoding="utf-8") as file:
             return Family(file.read(), path)
+
+    @staticmethod
+    def from_peaks(
+        path: Path,
+        *,
+        positive: str | None = None,
+        units: Mapping[str, str] | None = None,
+        columns: Mapping[str, str | int] | None = None,
+        gas_force_n: float = 0.0,
+        friction_n: float = 0.0,
+    ) -> Family:
+        """Makes a damper over the clicks of a table of peak forces that has a curve for each click; as ``dashpot import peaks --clicks family``.
+
+        The arguments are those of :meth:`Model.from_peaks`. Warnings say what speeds were left out or interpolated, and which clicks look exchanged.
+
+        :raises ModelError: naming the table and its line, where it cannot be read, has no clicks, or its forces make no model.
+        """
+        for name, value in (("gas_force_n", gas_force_n), ("friction_n", friction_n)):
+            real(name, value)
+        with needs(path):
+            text, direction, is_doubtful, notes = _native.import_peaks(
+                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, None, gas_force_n, friction_n, True
+            )
+        for note in [*([direction] if is_doubtful else []), *notes]:
+            warnings.warn(as_arguments(note), stacklevel=2)
+        return Family(text, _named_after(path))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Family, (self.text, self._name))

@@ -176,9 +176,10 @@ class Model:
         for name, value in (("clicks", clicks), ("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
         with needs(path):
-            text, direction, is_doubtful = _native.import_peaks(
-                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, clicks, gas_force_n, friction_n
-            )
+            text, direction, is_doubtful, _ = _native.import_peaks(
+                os.fspath(path), positive, dict(units or {}), {k: str(v) for k, v in (columns or {}).items()}, clicks, gas_force_n, friction_n,
+                False,
+            )  # fmt: skip
         if is_doubtful:
             warnings.warn(as_arguments(direction), stacklevel=2)
         return cls(text, _named_after(path))

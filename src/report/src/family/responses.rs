@@ -15,6 +15,8 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, TimeUncertainty, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
+/// Largest overshoot that counts as rounding, percent.
+const NO_OVERSHOOT: f64 = 0.05;
 /// Smallest displayed uncertainty of a response time, as a fraction of it.
 const COARSE: f64 = 0.1;
 /// Number of points of one branch over the setting.
@@ -98,7 +100,7 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
                 milli(t.t90_s, uncertainty.map(|of| of.t90_s)),
                 milli(t.t63_s - t.t10_s, None),
                 milli(t.t90_s - t.t10_s, uncertainty.map(|of| of.rise_s)),
-                Cell::number(100.0 * t.overshoot, |v| digits(v, 2)),
+                Cell::number(100.0 * t.overshoot, |v| if v < NO_OVERSHOOT { "0".to_owned() } else { digits(v, 2) }),
             ],
             None => [(); 5].map(|()| Cell::none()),
         }

@@ -86,24 +86,7 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
     let make = if args.clicks.as_deref() == Some("family") { family_of_peaks } else { of_peaks };
     let begun: Begun = make(&args.input, &options, args.gas_force, args.friction)?;
     dashpot_output::write(output, &begun.text)?;
-    if !begun.left_out.is_empty() {
-        let speeds: Vec<String> = begun.left_out.iter().map(|speed| format!("{:.1}", 1e3 * speed)).collect();
-        let text = format!("note: not every click reaches {} mm/s; left out", speeds.join(", "));
-        dashpot_output::say(Some(output), &text)?;
-    }
-    if let Some((one, other)) = begun.exchanged {
-        let text = format!(
-            "note: the damping force does not rise or fall throughout over the clicks; with {one} and {other} exchanged it would. Check the table"
-        );
-        dashpot_output::say(Some(output), &text)?;
-    }
-    if begun.interpolated > 1e-6 {
-        let percent = 100.0 * begun.interpolated;
-        let text = format!(
-            "note: the clicks have other speeds than one another; forces are interpolated linearly over up to {percent:.1} % of the speed"
-        );
-        dashpot_output::say(Some(output), &text)?;
-    }
+    begun.notes().iter().try_for_each(|note| dashpot_output::say(Some(output), &format!("note: {note}")))?;
     dashpot_output::say(
         Some(output).filter(|p| dashpot_output::is_stdout(p)),
         &format!(
