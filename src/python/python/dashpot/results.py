@@ -12,7 +12,7 @@ from .certificate import Certificate, Checked, LimitValue, PeakPoint
 from .host import HostCheck
 from .validation import (
     Against, AgainstSummary, AgainstTest, Deviation, ErrorMatrix, Errors, GapBin, Hysteresis, JudgedValidation, MatrixCell, MatrixRow, OfEach,
-    PeakForce, ResponseTimes, SettingSummary, StepGroup, StepResponse, Summary, TestValidation, TimeUncertainty, Validation,
+    PeakForce, ResponseTimes, SettingDoubt, SettingSummary, StepGroup, StepResponse, Summary, TestValidation, TimeUncertainty, Validation,
 )
 from .diagnosis import (
     Branch, Change, CouldNotTest, Diagnosis, Evidence, Figures, Finding, Findings, NextTest,
@@ -27,6 +27,6 @@ from .literature import LiteratureModel
 __all__ = [
     "ActuatorDecision", "ActuatorFit", "Against", "AgainstSummary", "AgainstTest", "Branch", "Certificate", "Change", "ChangeAtSetting", "ChangeOverSettings", "Checked", "Contradiction", "CouldNotTest", "Delay", "Deviation", "Diagnosis", "EffectAtSetting", "EffectOverSettings", "ErrorMatrix", "Errors", "Estimate",
     "Evidence", "Explanation", "FamilyDiagnosis", "FamilyEstimate", "FamilyFitResult", "FamilyItem", "Figures", "Finding", "Findings", "FitResult", "ForceAtSetting", "Gap", "GapBin", "Group", "GroupsDiagnosis", "HostCheck", "Hysteresis", "InventoryItem", "JudgedValidation", "LimitValue", "LiteratureModel", "MatrixCell", "MatrixRow", "Measured", "NextTest",
-    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Quantity", "Region", "ResponseTimes", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingDiagnosis", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "StepGroup", "StepResponse", "Summary", "TestOutcome", "TimeUncertainty", "Unusable",
+    "Noise", "Note", "OfEach", "OverWholeRecords", "PeakForce", "PeakPoint", "Quantity", "Region", "ResponseTimes", "Result", "Rival", "SettingAxis", "SettingDependence", "SettingDiagnosis", "SettingDoubt", "SettingError", "SettingReport", "SettingSummary", "Shift", "SignFinding", "StepGroup", "StepResponse", "Summary", "TestOutcome", "TimeUncertainty", "Unusable",
     "TestValidation", "Tried", "Validation", "Value",
 ]

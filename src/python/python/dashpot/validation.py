@@ -266,6 +266,18 @@ class Compared:
 
 
 @dataclass(frozen=True, repr=False)
+class SettingDoubt(Result):
+    """A test whose forces are those of another setting than the one that it states."""
+
+    test: str
+    stated: float
+    fitting: float
+    """Setting at which the model fits best."""
+    stated_error_n: float
+    fitting_error_n: float
+
+
+@dataclass(frozen=True, repr=False)
 class Validation(Papers, Result):
     """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
 
@@ -283,6 +295,8 @@ class Validation(Papers, Result):
     """Errors over the tests whose setting changes."""
     step_responses: tuple[StepResponse, ...] = field(default=(), metadata={"omitted": True})
     """Responses to steps of the setting."""
+    setting_doubts: tuple[SettingDoubt, ...] = field(default=(), metadata={"omitted": True})
+    """Tests whose forces are those of another setting; :meth:`Family.validate` warns of them."""
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
     """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})

@@ -415,9 +415,16 @@ fn a_validation_names_tests_whose_forces_are_those_of_another_setting() {
     std::fs::write(dir.join("family.toml"), text).unwrap();
     for (place, current, stated) in [("right", 0.6, "_0.6A"), ("wrong", 0.6, "_0.0A")] {
         write(&dir.join(place), current, stated);
-        let run = run(dir, &["validate", "family.toml", place]);
+        let run = run(dir, &["validate", "family.toml", place, "--json", "errors.json", "--report", "page.html"]);
         assert_eq!(run.code, Some(0), "{run:?}");
-        assert_eq!(run.err.contains("are those of about 0.6 A, not of 0 A"), place == "wrong", "{run:?}");
+        let is_wrong = place == "wrong";
+        let page = std::fs::read_to_string(dir.join("page.html")).unwrap();
+        for text in [&run.err, &page] {
+            assert_eq!(text.contains("are those of about 0.6 A, not of 0 A"), is_wrong, "{text}");
+        }
+        let figures = json(&dir.join("errors.json"));
+        let doubt = figures.pointer("/setting_doubts/0").map(|doubt| (&doubt["stated"], &doubt["fitting"]));
+        assert_eq!(doubt, is_wrong.then_some((&0.0.into(), &0.6.into())));
     }
 }
 
