@@ -247,7 +247,7 @@ impl Cavitation {
     }
 
     /// Returns the void under a lasting force, where the gas in it has expanded until the cap equals the force. Returns
-    /// 0 if no void opens, or if the gas cannot balance the force.
+    /// 0 if no void opens, if the gas cannot balance the force, or if the void would exceed [`LONGEST`].
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {

@@ -249,7 +249,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_a_step_are_those_of_differences() {
-        // The gas reaches the wall temperature within the step, and the rod displaces a third of the gas volume.
+        // The thermal time is two thirds of the step, and the rod displaces a third of the gas volume.
         let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {

@@ -286,13 +286,13 @@ impl Instant {
     }
 }
 
-/// Largest number of iterations for states and force at equilibrium, and number of the first iterations with full
-/// steps.
-///
-/// After `DRAWN` iterations the state of the selective damping is bracketed. With a groove, the force of a nearly
-/// closed valve rises so steeply that the state overshoots by more in every iteration. A lagging valve would move the
-/// bracket in every iteration, so models with such a valve use no bracket.
+/// Largest number of iterations for states and force at equilibrium.
 const TOGETHER: usize = 200;
+/// Number of iterations after which the state of the frequency-selective damping is bracketed.
+///
+/// With a bypass groove, the force of a nearly closed valve rises steeply. Without the bracket, the state overshoots by
+/// more in every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use
+/// no bracket.
 const DRAWN: usize = 40;
 
 /// Computes the states and the hydraulic force at equilibrium, where voids and valves no longer move.

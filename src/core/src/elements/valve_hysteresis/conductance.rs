@@ -27,7 +27,7 @@ pub struct Conductance {
     strokes: [[At; PLACES + 1]; 2],
 }
 
-/// Computes the velocity W at which the FV curve has the force h on a stroke.
+/// Computes the velocity W at which the FV curve has the force h on a stroke, and the derivative of the curve there.
 #[inline(always)]
 fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
