@@ -110,9 +110,9 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 }
 
 impl PreslidingFriction {
-    /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ. `bent` is the initial ζ.
+    /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
     ///
-    /// r is the ratio of displacement to slip: ±1, or less where the contact creeps.
+    /// `bent` is the initial ζ. r is the ratio of displacement to slip: ±1, or less where the contact creeps.
     /// ζ never crosses its steady state, so the deflection stays bounded for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {

@@ -127,8 +127,8 @@ pub(crate) struct Valves {
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Derivatives of the force after frequency-selective damping. `selective_by` contains those of its state. The three
-    /// variables are: the force before the element; w; the known part of the state.
+    /// Derivatives of the force after frequency-selective damping. `selective_by` contains those of its state. The
+    /// three variables are: the force before the element; w; the known part of the state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }

@@ -30,8 +30,8 @@ use core::cell::Cell;
 /// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
 /// b. A closed valve still passes a hundredth of the flow. A force against the stroke does not open the valve. The
 /// pressure F_h moves it. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt =
-/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass, so
-/// p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
+/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass,
+/// so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
