@@ -426,8 +426,8 @@ impl Axis {
         }
     }
 
-    /// Checks the whole axis. Values need a grid, and the start must lie inside the grid. The hysteresis must be at most
-    /// a quarter of the range of the grid.
+    /// Checks the whole axis. Values need a grid, and the start must lie inside the grid. The hysteresis must be at
+    /// most a quarter of the range of the grid.
     ///
     /// # Errors
     /// Returns the error and the parameter at fault.
@@ -471,8 +471,8 @@ impl Axis {
     /// differ.
     ///
     /// # Errors
-    /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a number
-    /// of sets other than that of the grid values, are errors too.
+    /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a
+    /// number of sets other than that of the grid values, are errors too.
     pub fn through(grid: &[f64], sets: &[Params]) -> Result<(Params, Axis), Fault> {
         let mut axis = Axis::NONE;
         axis.set_grid(grid)?;
