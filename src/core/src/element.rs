@@ -141,7 +141,7 @@ pub trait Force {
 
     /// Computes [`Force::force`], bitwise equal, if a few operations suffice; returns `None` otherwise.
     ///
-    /// This code suffices for most steps of most models, so the longer code rarely runs.
+    /// This short form suffices for most steps of most models, so [`Force::force`] rarely runs.
     #[inline(always)]
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
@@ -179,7 +179,7 @@ pub trait StatefulForce {
     }
     /// Computes force, state derivative and all partial derivatives at state `z`.
     fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
-    /// Computes the steady state at constant motion.
+    /// Computes the steady state z under constant motion.
     fn equilibrium(&self, at: &Motion) -> f64;
 
     /// Computes the steady state at motion `at` of an element that had state `_z` at displacement `_from`, m.

@@ -1,4 +1,4 @@
-//! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a fixed cost and without side
+//! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a bounded cost and without side
 //! effects.
 //!
 //! In every stage the velocity u of the internal mass solves one scalar equation. X and V are the known parts of the

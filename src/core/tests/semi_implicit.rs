@@ -92,8 +92,8 @@ fn cases() -> Vec<(String, Params)> {
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// With either displacement, the force lies within the extremes of the exact force from one and a half steps before to
-/// one and a half steps after.
+/// In both kinds of host, the force lies within the extremes of the exact force in a window around the step. The window
+/// begins one and a half steps before and ends one and a half steps after.
 ///
 /// The displacement in the host leads or lags by half a step, so the force may also lead or lag.
 #[test]

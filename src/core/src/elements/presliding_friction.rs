@@ -9,8 +9,9 @@ use crate::math::{max, min, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1). In this file, ζ is the relative deflection z/z_0.
+/// Presliding friction with the force F = F_c z/z_0, where dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
 ///
+/// z is the deflection of the contact; in this file, ζ is the relative deflection z/z_0.
 /// The force reverses within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the
 /// start; with a larger n it first deflects elastically. With an elastic return, a deflected contact does not slip
 /// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the

@@ -20,7 +20,7 @@ use crate::tables::{ForceLaw, Tables};
 /// all thirteen variables at once, the machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
-/// A number with its derivatives.
+/// Number with the derivatives of one evaluation.
 type Derivatived = Dual<DIRECTIONS>;
 
 /// State derivatives and forces at given states and a given oil velocity.
@@ -303,7 +303,7 @@ pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {
-        // The springs do not affect the oil.
+        // The side force acts on friction alone. No element of the hydraulic path depends on it.
         let side_force = 0.0;
         let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
         let mut held = states;

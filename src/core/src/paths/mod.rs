@@ -66,7 +66,7 @@ macro_rules! gathered {
             $(pub(crate) $law: T::Kept<$Law>,)*
             $(pub(crate) $hydraulic: T::Kept<$Hydraulic>,)*
             pub(crate) $late: $Late,
-            /// Indices of the states among the internal states.
+            /// Indices of the coupled states among the internal states.
             slots: Slots,
             /// Bit set of the elements that act in a stage.
             acting: u32,
@@ -303,7 +303,7 @@ impl<T: Tables> Paths<T> {
         self.acting
     }
 
-    /// Returns the indices of the states among the internal states.
+    /// Returns the indices of the coupled states among the internal states.
     #[inline(always)]
     pub(crate) fn slots(&self) -> &Slots {
         &self.slots
@@ -350,7 +350,7 @@ impl<T: Tables> Paths<T> {
         acting
     }
 
-    /// Assigns indices to the states of the elements that are on.
+    /// Assigns indices to the coupled states of the elements that are on.
     fn laid_out(&self) -> Slots {
         let mut on = [false; STATES];
         on[place::BUSHING] = self.has_bushing();

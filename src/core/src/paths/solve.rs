@@ -165,8 +165,10 @@ pub fn oil_velocity<Q: Equation>(
     }
 }
 
-/// Returns the middle of a bracket. If one end is infinite, the result is `next`, or after [`PATIENCE`] iterations a
-/// point beyond the finite end, about twice as far from rest if it lies on the same side.
+/// Returns the middle of a bracket. If one end is infinite, returns `next`.
+///
+/// From iteration [`PATIENCE`] on, returns a point beyond the finite end instead: its distance from that end is the
+/// distance of the end from rest.
 #[cold]
 #[inline(never)]
 fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {

@@ -13,7 +13,9 @@ use conductance::by_raised;
 pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
-/// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
+/// Lagging blow-off valve, which changes the force F of the FV curve to F_h, in three forms.
+///
+/// *Opening*: F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
 /// y is the valve's opening; S = ½ (1 + tanh) is its characteristic. The FV curve includes the steady opening y_∞. A
 /// valve whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in
@@ -85,8 +87,9 @@ const SOFT: f64 = 10.0;
 const LONG: f64 = 1.0;
 /// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
 const LEAKS: f64 = 0.01;
-/// Largest number of steps for F_h, and the relative size of the last step: the remaining error is about its square.
+/// Largest number of Newton steps or bisections for F_h.
 const STEPS: usize = 60;
+/// Relative size of the last Newton step for F_h; the remaining error is about its square.
 const CLOSE: f64 = 1e-7;
 /// Force, N, below which the lag of the valve is neglected.
 const NOTHING: f64 = 1e-9;

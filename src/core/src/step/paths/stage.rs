@@ -57,7 +57,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     pub(super) kept: u32,
     /// Whether the void counts as closed after the stage, even if rounding leaves a nonzero depth.
     pub(super) shuts: bool,
-    /// Derivative of the FV curve.
+    /// Derivative of the FV curve at the oil velocity.
     derivative: f64,
     at: Look,
     /// 1/(dR/dw).
