@@ -1,5 +1,6 @@
-//! The coupled states, which are those of the mass and of the elements in the force path: their fixed numbers, and
-//! their indices among the internal states.
+//! The coupled states: their fixed numbers, and their indices among the internal states.
+//!
+//! The coupled states are those of the internal mass and of the elements in the force path.
 
 use crate::parameter::Params;
 use crate::state::{MAX_INTERNAL, State};

@@ -31,8 +31,9 @@ const STRAIGHT: f64 = 1e-4;
 /// necessary only if the curve rises by half the bracket within a rounding error of the velocity.
 const HALVES: usize = 64;
 
-/// Smallest ratio of two derivatives at which [`oil_velocity`] accepts a linear last step: the exact derivative of R,
-/// divided by the one that the iteration uses.
+/// Smallest ratio of two derivatives at which [`oil_velocity`] accepts a linear last step.
+///
+/// It is the ratio of the exact derivative of R to the one that the iteration uses.
 const OWN: f64 = 0.5;
 
 /// R and its derivatives with respect to w and F_d.
