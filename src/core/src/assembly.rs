@@ -1,4 +1,4 @@
-//! The prepared elements of one model, and their sums by position in the model.
+//! The prepared elements of one model, and the sums of their forces by position in the model.
 
 use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
@@ -15,12 +15,12 @@ use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::{Owned, OwnedElement, Tables};
 
-/// Friction and position forces between the ends, or on the mass if the series compliance carries the whole force.
+/// Friction and preload: parallel to the damper, or on the mass if the series compliance carries the whole force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outer {
     /// Friction without internal state.
     pub friction: Response,
-    /// Position forces without internal state.
+    /// Preload: forces of the gas elements without internal state.
     pub preload: Response,
 }
 
@@ -29,9 +29,9 @@ impl Outer {
     pub const NONE: Outer = Outer { friction: Response::NONE, preload: Response::NONE };
 }
 
-/// Flag next to the bits of the elements: friction and preload act on the mass.
+/// Flag in the bit set of the elements that are on: friction and preload act on the mass.
 const CARRIES_WHOLE: u64 = 1 << 63;
-/// Flag next to the bits of the elements: an element with a state acts on the mass.
+/// Flag in the bit set of the elements that are on: an element with an internal state acts on the mass.
 const STATES_ON_MASS: u64 = 1 << 62;
 
 /// Expands the list of elements into their prepared set and the sums that the equations need.
@@ -239,7 +239,7 @@ macro_rules! assembled {
             }
 
             /// Sums friction and preload, wherever they act. Not inlined, because several copies of the code cost more
-            /// time. Only the plain step calls the two sums directly.
+            /// time. Only the plain step calls [`Elements::friction`] and [`Elements::preload`] directly.
             #[inline(never)]
             pub fn outer(&self, at: &Motion) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
@@ -273,7 +273,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the inner elements if all of them have a short form.
+            /// Sums the inner elements if all of them have a short form ([`Force::at_once`]).
             #[inline(always)]
             pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -289,7 +289,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the friction if all elements of it have a short form.
+            /// Sums the friction if all its elements have a short form ([`Force::at_once`]).
             #[inline(always)]
             pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -297,7 +297,7 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sums the position forces.
+            /// Sums the preload, which is the force of the gas elements without internal state.
             #[inline(always)]
             pub fn preload(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -305,7 +305,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the preload if all elements of it have a short form.
+            /// Sums the preload if all its elements have a short form ([`Force::at_once`]).
             #[inline(always)]
             pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -344,7 +344,8 @@ macro_rules! assembled {
                 self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
             }
 
-            /// Returns whether an element of the series path or the hydraulic path is on: see [`crate::paths`].
+            /// Returns whether an element of the series path or the hydraulic path is on, besides the FV curve and the
+            /// series compliance: see [`crate::paths`]. Also true if the series compliance carries the whole force.
             #[inline(always)]
             pub fn has_paths(&self) -> bool {
                 const PATHS: u64 = CARRIES_WHOLE | Paths::<Owned>::COUPLED;
@@ -382,7 +383,7 @@ macro_rules! assembled {
                 self.on & STATES_ON_MASS != 0
             }
 
-            /// Returns whether this element acts on the mass in this set.
+            /// Returns whether `element`, which has an internal state, acts on the mass in this model.
             #[inline(always)]
             pub fn has_on_mass(&self, element: &(impl StatefulForce + ?Sized)) -> bool {
                 self.carries_whole() && element.acts_on_mass()

@@ -1,8 +1,8 @@
 //! A non-decreasing curve through measured points: monotone cubic or linear, extrapolated linearly beyond its ends.
 //!
 //! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
-//! *resolvent* of an implicit step: the `u` that satisfies `a u + b f(u) = r` ([`Curve::solve`]). The solution is
-//! unique, because the curve never falls. The number of operations does not depend on the data.
+//! *resolvent* of an implicit step: the `u` that satisfies `a u + f(u) = r` ([`Curve::solve`]). The solution is unique,
+//! because the curve never falls. The number of operations has a small bound, whatever the data.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
@@ -11,8 +11,8 @@ use crate::math::{max, min, pair};
 pub const MAX_POINTS: usize = 63;
 /// Smallest distance between two points, m/s or m.
 ///
-/// No channel of a test rig resolves a smaller difference of velocity or displacement. With a smaller distance, its
-/// squares and cubes would give a derivative without valid digits.
+/// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece are
+/// divided by the distance and its square. With a smaller distance, its derivative would have no valid digits.
 pub const NEAREST: f64 = 1e-6;
 /// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
 ///
@@ -107,7 +107,7 @@ const BUCKETS: usize = 256;
 /// Number of points in one bucket above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
 
-/// Returns the bucket of `u`: whether it lies below 0, and its index outward from 0.
+/// Returns the bucket of `u`: whether `u` has a negative sign, and the index of the bucket outward from 0.
 ///
 /// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
 /// makes sixteen buckets per power of two, so the buckets are narrow where damper curves have knees. Rounding cannot
@@ -124,8 +124,8 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this fraction of its piece is the last one. The next step would be smaller than a
-/// rounding error.
+/// Fraction of a piece. A Householder step shorter than this fraction is the last one, because the remaining error is
+/// about its fourth power.
 const FEW: f64 = 1e-3;
 
 impl Curve {
@@ -305,7 +305,8 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // The loop is unrolled, so that its cost is fixed. Most tables have fewer than 16 points.
+        // The loop is unrolled, so that its cost is fixed. Most tables have fewer than 16 points and need only four
+        // comparisons.
         if self.count >= 16 {
             halve(32);
             halve(16);
@@ -416,7 +417,8 @@ impl Piece {
 /// Returns the derivatives of a cubic curve before and after its point `i`.
 ///
 /// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative of the parabola
-/// through zero and the next two points of its side, but at least 0. With one point it is the derivative of the line.
+/// through zero and the next two points of its side, but at least 0. If the side has only one point, it is the
+/// derivative of the line to that point.
 /// The limit of Fritsch and Butland, three times the chord, always holds: the derivative of a parabola through rising
 /// points is below twice the chord.
 pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
@@ -437,7 +439,7 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
 }
 
 /// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// The derivative is zero if the chords differ in sign, and one-sided at the ends.
+/// The derivative is zero if the chords differ in sign or one of them is level. It is one-sided at the ends.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -504,7 +506,7 @@ mod tests {
         let (plain, off) = (Interpolation::MonotoneCubic, u.map(|u| u + 1e-3));
         assert_eq!(derivatives(&u, &f, 2, Interpolation::CubicEachSide), derivatives(&u, &f, 2, plain));
         assert_eq!(derivatives(&off, &f, 3, Interpolation::CubicEachSide), derivatives(&off, &f, 3, plain));
-        // A side with zero derivative at zero keeps that derivative; the curve never falls.
+        // The parabola of the right side falls at zero, so its derivative is limited to 0.
         let level = Curve::new(&[-1.0, 0.0, 0.1, 0.2], &[-9.0, 0.0, 1.0, 50.0], Interpolation::CubicEachSide).unwrap();
         assert_eq!(level.evaluate(0.0).derivative, 0.0);
     }

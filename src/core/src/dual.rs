@@ -76,7 +76,7 @@ impl Real for f64 {
     }
 }
 
-/// A number with its derivatives in N directions.
+/// A number with its derivatives with respect to N variables (directions).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<const N: usize> {
     /// The number.
@@ -92,7 +92,7 @@ impl<const N: usize> Dual<N> {
         Dual { value, derivatives }
     }
 
-    /// Makes the independent variable of direction `direction`.
+    /// Makes an independent variable: its derivative in direction `direction` is 1, and all others are 0.
     #[inline(always)]
     pub fn along(value: f64, direction: usize) -> Dual<N> {
         let mut derivatives = [0.0; N];

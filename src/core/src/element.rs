@@ -86,8 +86,8 @@ pub struct EndState {
 }
 
 impl EndState {
-    /// Combines the response at the end of the step with the derivatives of z with respect to displacement and velocity
-    /// there.
+    /// Computes the total derivatives of the force from the response at the end of the step. `by_end` are the
+    /// derivatives of z with respect to displacement and velocity at the end.
     #[inline(always)]
     pub fn new(z: f64, by_end: [f64; 2], end: &StateResponse) -> EndState {
         let response = Response {
@@ -141,13 +141,13 @@ pub trait Force {
 
     /// Computes [`Force::force`], bitwise equal, if a few operations suffice; returns `None` otherwise.
     ///
-    /// This code suffices for most steps of most models, so the longer code rarely runs.
+    /// This short form suffices for most steps of most models, so [`Force::force`] rarely runs.
     #[inline(always)]
     fn at_once(&self, _: &Motion) -> Option<Response> {
         None
     }
 
-    /// Returns whether the force may be too nonlinear for one linearization per stage.
+    /// Returns whether the force may be too nonlinear for one linearization per stage of a step.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
@@ -179,10 +179,10 @@ pub trait StatefulForce {
     }
     /// Computes force, state derivative and all partial derivatives at state `z`.
     fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
-    /// Computes the steady state at constant motion.
+    /// Computes the steady state z under constant motion.
     fn equilibrium(&self, at: &Motion) -> f64;
 
-    /// Computes the steady state of an element that was in state `z` with its moving end at `from`.
+    /// Computes the steady state at motion `at` of an element that had state `_z` at displacement `_from`, m.
     ///
     /// It differs from [`StatefulForce::equilibrium`] if [`StatefulForce::is_path_dependent`] is true.
     fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
@@ -200,8 +200,8 @@ pub trait StatefulForce {
         false
     }
 
-    /// Computes state and force at the end of a motion of the mass that began at `_from`. Called only if
-    /// [`StatefulForce::acts_on_mass`] is true.
+    /// Computes state and force at the end of a motion of the internal mass that began at displacement `_from`, m.
+    /// Called only if [`StatefulForce::acts_on_mass`] is true.
     ///
     /// The caller chooses the two variables of the derivatives. The force must not decrease with the final
     /// displacement, so that a stage has a unique solution.
@@ -210,7 +210,7 @@ pub trait StatefulForce {
     }
 
     /// Computes state and force after the motion along a path, in closed form. The derivatives are undefined unless
-    /// requested.
+    /// `_derivatives` is true.
     ///
     /// Returns `None` if there is no closed form. The step then integrates the state derivative.
     fn propagate(&self, _path: &Path, _z: f64, _derivatives: bool) -> Option<EndState>

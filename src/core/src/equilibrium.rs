@@ -26,8 +26,8 @@ impl Model {
         self.equilibrium(input)
     }
 
-    /// Returns the steady state of a damper with a history: contacts at rest keep their deflection. If `input`
-    /// has no displacement, the displacement of `from` applies.
+    /// Returns the steady state of a damper that was in state `from`: friction contacts at rest keep their deflection.
+    /// If `input` has no displacement, the displacement of `from` applies.
     pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_from(from, input)
     }
@@ -37,10 +37,10 @@ impl Model {
         self.static_output_from(&self.steady_state(input), input)
     }
 
-    /// Returns the static output of a damper with a history.
+    /// Returns the static output of a damper that was in state `from`: see [`Model::steady_state_from`].
     ///
     /// At rest, the derivative with respect to velocity contains only elements that respond to velocity immediately. A
-    /// contact that keeps its deflection responds to displacement only.
+    /// friction contact that keeps its deflection responds to displacement only.
     pub fn static_output_from(&self, from: &State, input: &Input) -> Output {
         self.equilibrium_output_from(from, input)
     }

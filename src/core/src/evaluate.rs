@@ -136,8 +136,8 @@ fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &
     });
 }
 
-/// Computes force and state derivatives at a state. `rate.velocity` is 0, because `velocity` is the last input, not a
-/// state.
+/// Computes the output at a state, and the time derivatives of the states. The derivative of [`State::velocity`] is set
+/// to 0, because this number is the last input, not a state.
 pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) {
     evaluate_of(model, state, input)
 }

@@ -41,7 +41,7 @@ pub enum Reason {
     OutOfProportion,
     /// A limit must exceed another limit, but does not.
     Order,
-    /// The springs on the internal mass are stiffer than the series spring that drives it.
+    /// The springs on the internal mass are stiffer than the series spring that drives the mass.
     SofterThanInner,
     /// The elements that are on have more internal states than a [`crate::State`] can store.
     TooManyStates,

@@ -18,12 +18,12 @@ pub struct Input {
 }
 
 impl Input {
-    /// Makes an input with a velocity alone.
+    /// Makes an input with a velocity alone, without side force, at 20 °C.
     pub fn velocity(velocity: f64) -> Input {
         Input { displacement: None, velocity, side_force: 0.0, temperature: 20.0 }
     }
 
-    /// Makes an input with displacement and velocity.
+    /// Makes an input with displacement and velocity, without side force, at 20 °C.
     pub fn motion(displacement: f64, velocity: f64) -> Input {
         Input { displacement: Some(displacement), ..Input::velocity(velocity) }
     }

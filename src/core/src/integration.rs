@@ -23,7 +23,7 @@ pub struct Integration {
     cubic: bool,
     /// Rate, 1/s, that determines large numbers n of substeps: n is at least this rate times dt, minus ½.
     many_per_time: f64,
-    /// Frequency of a ringing mass, rad/s ([`RINGS`]); 0 if the mass is damped.
+    /// Frequency, rad/s, of a ringing (weakly damped) mass ([`RINGS`]); 0 if the mass does not ring.
     rings_at: f64,
     /// Frequency, rad/s, of a ringing mass whose energy is removed by steps too long to resolve it
     /// ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
@@ -55,19 +55,19 @@ const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 const EVEN: f64 = 0.4;
 const CUBIC: f64 = 0.12;
 
-/// Factors on these limits for elements of the force path, whose forces are nonlinear within a step.
+/// Factors on [`EVEN`] and [`CUBIC`] for elements of the force path, whose forces are nonlinear within a step.
 ///
 /// The factors were determined with the test matrix (core/tests/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for
 /// a void or several elements. `TURNS` is for a column whose stiffness changes with the sign of the force, `WHOLE` for
-/// friction that reverses behind the spring. A bushing has a smooth force and uses the fourth-order method with
-/// `RUBBER`.
+/// friction that reverses behind the spring. A bushing has a smooth force. It uses the fourth-order method, with n² ≥
+/// `RUBBER` f.
 const KNEE: f64 = 1.3;
 const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
 const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-/// Two substeps per millisecond, even with a soft spring, because several elements make the force nonlinear by
-/// themselves. With fewer substeps, the error of oil with air exceeds a thousandth at steps of 2 ms.
+/// Rate of two substeps per millisecond, 1/s. It applies even with a soft spring, because several elements make the
+/// force nonlinear by themselves. With fewer substeps, the error of oil with air exceeds a thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
 
 /// Overshoot L from which a mass counts as ringing. L is the ratio of √(k_s m) to the damping, relative to the default
@@ -87,7 +87,7 @@ const FOLLOWED: f64 = 1.0;
 /// Largest number of substeps of the automatic choice.
 const MOST_SUBSTEPS: u32 = 16;
 
-/// The methods, by order.
+/// Integration method of a substep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Five stages, order 4 (Hairer & Wanner, *Solving Ordinary Differential Equations II*, table IV.6.5).
@@ -183,7 +183,7 @@ impl Integration {
 
     /// Chooses the cheapest integration whose error is below a thousandth in a step of 1 ms.
     fn automatic(elements: &Elements, frequency: f64, swings: f64) -> Integration {
-        // Elements of the paths are equally nonlinear if the mass does not overshoot.
+        // Elements of the paths make the force nonlinear even if the mass does not overshoot, so L is at least 1.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
         let three = |times: f64| Integration::new(Method::ThreeStage, 0, even(times, frequency, swings), many);
@@ -312,7 +312,8 @@ fn is_beyond(angle: f64, substeps: u32) -> bool {
     angle > FOLLOWED * f64::from(substeps)
 }
 
-/// Computes n² per second by the limit [`EVEN`], times the factor of the elements.
+/// Computes [`Integration::per_time`] of the three-stage method: [`EVEN`] f L^1.6 per second, times the factor of the
+/// elements. `swings` is L.
 fn even(times: f64, frequency: f64, swings: f64) -> f64 {
     times * EVEN * frequency * libm::pow(swings, 1.6)
 }

@@ -37,8 +37,8 @@ impl<T: Tables> Model<T> {
 impl Model {
     /// Converts a state to this model's layout.
     ///
-    /// Each internal state moves to the new index of its element. An element that was off begins in equilibrium at the
-    /// moving end. A state without a layout counts as a state of this model.
+    /// Each internal state moves to the new index of its element. An element that was off begins in equilibrium with
+    /// the motion of the moving end. A state without a layout counts as a state of this model.
     #[cold]
     #[inline(never)]
     pub fn laid_out(&self, state: &State) -> State {

@@ -7,15 +7,16 @@ use crate::assembly::Elements;
 use crate::paths::place;
 use crate::state::MAX_INTERNAL;
 
-/// Bit that every layout contains, to detect uninitialized numbers. The bit exceeds every code of a kind, and a double
-/// represents it exactly.
+/// Bit that every layout contains, to detect uninitialized numbers. It is higher than the bits of all kinds of states,
+/// and a double represents it exactly.
 pub(crate) const MARK: u64 = 1 << 40;
-/// Number of kinds of path states. Two of the states have several kinds, one for each form of their element.
+/// Number of kinds of internal states in the force path. Some states have several kinds, because their quantity depends
+/// on the form of their element.
 const IN_PATHS: u32 = 11;
 
-/// Kind of the actuator's lag state in a family, above all others.
+/// Bit of the actuator's lag state in the layout of a family, above the bits of all elements.
 pub(crate) const LAG: u64 = 1 << 30;
-/// Kind of the actuator's hysteresis state: see [`LAG`].
+/// Bit of the actuator's hysteresis state in the layout of a family.
 pub(crate) const HYSTERESIS: u64 = 1 << 31;
 
 /// Adds the states of an actuator to a layout.

@@ -12,12 +12,14 @@
 //! F = F_s + F_friction(v_in) + F_gas                     [`elements`: the rest]
 //! ```
 //!
-//! Free play and bushing in the series compliance extend F_s; oil, air, voids and valves before the FV curve extend
-//! F_d: see [`paths`]. The compliance of an eye or a mount carries the whole force. The parameter `series_load` selects
-//! this case: friction and gas act on the mass, at x_m and v_m. F is then F_s plus the forces of the moving mass, the
-//! lagged polynomial and the stops.
+//! x_in and v_in are displacement and velocity of the moving end. The internal mass m has displacement x_m and velocity
+//! v_m. Free play and bushing in the series compliance extend F_s. Oil, air, voids and valves before the FV curve
+//! extend F_d: see [`paths`]. The compliance of an eye or a mount carries the whole force. The parameter `series_load`
+//! selects this case: friction and gas act on the mass, at x_m and v_m. F is then F_s plus the forces of the moving
+//! mass, the lagged polynomial and the stops.
 //!
-//! [`evaluate()`] returns force, state rates and partial derivatives at one instant; [`step()`] advances by one host step.
+//! The host is the simulation program that calls the damper. [`evaluate()`] returns force and state derivatives at one
+//! instant; [`step()`] advances by one step of the host.
 
 #![no_std]
 #![forbid(unsafe_code)]

@@ -1,4 +1,4 @@
-//! The list that adds the physical effects to the model.
+//! List of the elements of the model. Each element is one physical effect.
 //!
 //! A new effect is a new file with its equation, parameters, states and partial derivatives in `elements/`, and one
 //! line here. The block of the line defines the position of the effect in the model:

@@ -9,12 +9,13 @@ use crate::tables::{ForceLaw, Owned, Tables};
 
 use crate::{element, number};
 
-/// Largest displacement, m, up to which the springs on the mass must be softer than the series spring.
+/// Displacement magnitude, m, up to which the springs on the internal mass must not be stiffer than the series spring.
 const STROKE: f64 = 0.1;
-/// Number of positions on each side at which the springs' derivative is checked: one every half millimeter.
+/// Number of positions on each side of 0 at which [`Model::check`] compares the springs' derivative with the series
+/// stiffness: one every half millimeter.
 const PLACES: i32 = 200;
 
-/// Units of the internal states of parallel elements. All elements that are not listed have the unit "-".
+/// Units of the internal states of parallel elements. The state of an element that is not listed has the unit "-".
 const MEMORY_UNITS: [(Element, &str); 3] =
     [(element!("lagged_polynomial"), "N"), (element!("presliding_friction"), "m"), (element!("moving_mass"), "m/s")];
 
@@ -123,7 +124,8 @@ impl<T: Tables> Model<T> {
         self.integration
     }
 
-    /// Returns whether `velocity` lies inside the identified FV curve; outside, the curve is extrapolated linearly.
+    /// Returns whether `velocity` lies within the points of the FV curve; outside, the curve is extrapolated linearly.
+    /// A model without an FV curve covers every velocity.
     #[inline(always)]
     pub fn covers(&self, velocity: f64) -> bool {
         let (low, high) = self.elements.paths.fv_curve.range();

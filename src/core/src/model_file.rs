@@ -110,7 +110,7 @@ impl Problem {
     }
 }
 
-/// A name that is not in the table.
+/// Error for a name that is not in the parameter table.
 const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
 
 /// Beginning of the comment that announces the table after the damper.
@@ -313,7 +313,7 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
 
 /// Returns the name at fault in the file, if the error is about a name.
 ///
-/// This is the name of an unknown parameter or element, or of an element named twice.
+/// This is the name of an unknown parameter or element, of an element named twice, or of a line about the setting.
 ///
 /// The search uses bytes, because the text searches of the standard library can panic.
 pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
@@ -440,8 +440,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the values of a parameter for each setting. `varying` is the parameter's index among those that depend on
-    /// the setting.
+    /// Reads the values of a parameter for each setting. `varying` is the number of parameters that depend on the
+    /// setting so far, including this one but not the forces of the FV table.
     fn over_setting(
         &mut self,
         row: Row,
@@ -517,7 +517,7 @@ impl<'a> Reader<'a> {
         if index == settings { Ok(()) } else { Err(fault(Reason::SettingCount)) }
     }
 
-    /// Skips a value and the rest of its line.
+    /// Skips a list, or the rest of the line if the value is not a list.
     fn skip_value(&mut self) {
         let mut depth = 0i32;
         while let Some(c) = self.peek() {

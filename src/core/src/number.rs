@@ -6,7 +6,8 @@
 
 /// Number of 32-bit limbs that hold every intermediate integer: 19 digits times 2^1300.
 const LIMBS: usize = 48;
-/// Largest decimal exponent. Larger exponents are rejected, because no damper needs them.
+/// Largest decimal exponent of a number that is written as an integer times a power of ten. Larger exponents and those
+/// below −600 are rejected, because no damper needs them.
 const EXPONENT_BOUND: i32 = 300;
 
 /// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if `text` as a whole is not a number.
@@ -72,7 +73,7 @@ fn integer(text: &[u8]) -> Option<i32> {
 
 /// Computes mantissa · 10^exponent, rounded to nearest even.
 fn scale(mantissa: u64, exponent: i32) -> f64 {
-    // Numbers below the smallest normal number have no meaning for a damper.
+    // Numbers this small, below 1e-301, have no meaning for a damper.
     if mantissa == 0 || exponent < -EXPONENT_BOUND - 20 {
         return 0.0;
     }
@@ -196,7 +197,7 @@ mod tests {
             if value.is_finite() && value.abs() > 1e-280 && value.abs() < 1e280 {
                 same(&format!("{value:e}"));
             }
-            // Halfway cases, 2^53 plus an odd number, and numbers of ordinary magnitude.
+            // Numbers of ordinary magnitude, then integers above 2^53. The integers contain halfway cases.
             same(&format!("{}", (seed >> 10) as f64 * 1e-6));
             same(&format!("{}", seed >> 9));
         }

@@ -1,4 +1,4 @@
-//! The tables of a model that owns them.
+//! Implementation of [`Tables`] for a model that owns its tables.
 
 use crate::curve::{Above, Curve, Value};
 use crate::elements::fv_curve::FvCurve;

@@ -11,7 +11,7 @@ pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), F
     E::check(&params.view(place))
 }
 
-/// Prepares an element whose parameters passed [`checked`].
+/// Prepares an element whose parameters passed [`checked`], or switches it off if `on` is false.
 #[inline(never)]
 pub(crate) fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, place: usize) {
     if !on || element.set(&params.view(place)).is_err() {

@@ -1,9 +1,10 @@
 //! Check whether the numbers of a damper are in proportion to each other.
 //!
 //! Multiply all forces, stiffnesses, masses and heats by s, with lengths, speeds and times unchanged. The damper then
-//! moves as before with s times the force, because each term of every equation contains one force. The guarantees are
-//! tested within the bounds of passenger car dampers. They therefore hold for dampers of any size whose numbers are in
-//! proportion. A set is allowed if one factor s scales every size-dependent number into the bounds of a car.
+//! moves as before with s times the force, because each term of every equation contains one force. The tests show
+//! stability and passivity of the steps for all values within the bounds of passenger car dampers. Both therefore hold
+//! for dampers of any size whose numbers are in proportion. A parameter set is allowed if one factor s scales every
+//! size-dependent number into the bounds of a car.
 
 use crate::curve::STEEPEST;
 use crate::fault::{Fault, Reason};
@@ -16,8 +17,8 @@ use crate::parameter::{Params, table};
 /// Returns the number that is too large or too small compared with another.
 #[inline(never)]
 pub fn check(params: &Params) -> Result<(), Fault> {
-    // The smallest size that allows the large numbers, the largest size that allows the small numbers, and the rows
-    // that determine both.
+    // `least` is the smallest size at which no number is too large, `most` the largest at which none is too small. A
+    // size is the ratio to a car damper. `too_large` and `too_small` are the rows that determine them.
     let (mut least, mut most) = (0.0f64, f64::INFINITY);
     let (mut too_large, mut too_small) = (None, None);
     for row in table().filter(|row| row.parameter.grows && params.counts(row)) {

@@ -96,7 +96,7 @@ impl Parameter {
         }
     }
 
-    /// Makes a row with a list of numbers. Its bounds are wide enough for a damper of any size.
+    /// Makes a row with a list of numbers. `bounds` must allow a damper of any size, because they are not widened.
     pub const fn list(
         name: &'static str,
         unit: &'static str,
@@ -119,7 +119,7 @@ impl Parameter {
         }
     }
 
-    /// Returns the number of values of the parameter.
+    /// Returns the number of values for which a parameter set has memory: the capacity of a list, otherwise 1.
     pub(crate) const fn slots(&self) -> usize {
         match self.shape {
             Shape::List(capacity) => capacity,
@@ -149,7 +149,7 @@ pub struct Group {
     pub name: &'static str,
     /// Meaning of the group, for the documentation.
     pub meaning: &'static str,
-    /// Its rows.
+    /// Rows of the group.
     pub parameters: &'static [Parameter],
 }
 
@@ -157,6 +157,6 @@ pub struct Group {
 pub trait Describe {
     /// Meaning in one line.
     const MEANING: &'static str;
-    /// Its rows.
+    /// Rows of the element.
     const PARAMETERS: &'static [Parameter];
 }

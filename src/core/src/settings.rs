@@ -2,7 +2,7 @@
 
 use crate::schema::{Describe, Parameter};
 
-/// The last group of the table.
+/// Settings of the integration: the last group of the parameter table.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings;
 

@@ -40,7 +40,7 @@ impl State {
         reserved: 0.0,
     };
 
-    /// Returns whether every number is finite.
+    /// Returns whether displacements, velocities and internal states are finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         let mut sum = (self.displacement + self.velocity) + (self.mass_displacement + self.mass_velocity);

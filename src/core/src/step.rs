@@ -1,18 +1,18 @@
-//! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a fixed cost and without side
+//! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a bounded cost and without side
 //! effects.
 //!
-//! In every stage the internal velocity u solves one scalar equation. With the stage's known parts X, V of displacement
-//! and velocity and g = γh,
+//! In every stage the velocity u of the internal mass solves one scalar equation. X and V are the known parts of the
+//! mass's displacement and velocity in the stage. g is γh, with the length h of the substep:
 //!
 //! ```text
 //! x_m = X + g u,   m (u − V) = g [k_s (x_in − x_m) + c_s (v_in − u) − F_p(x_m) − F_d(u)]
-//! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + F_p') + g² (k_s + F_p'),
+//! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + ∂F_p/∂v) + g² (k_s + ∂F_p/∂x)
 //! ```
 //!
 //! The springs on the mass are linearized about the predicted x_m, because they are soft compared with k_s. A spring
 //! with a table or a higher power is linearized again about the solution if its tangent is too inaccurate there. The
 //! left side rises strictly with u, so the solution is unique for any stiffness. [`crate::curve::Curve::solve`] finds
-//! the solution in a fixed number of operations. All methods are L-stable and stiffly accurate.
+//! the solution with a bounded number of operations. All methods are L-stable and stiffly accurate.
 //!
 //! The cheap step is a separate method: see [`cheap`].
 
@@ -46,8 +46,8 @@ pub const LONG_STEP: f64 = 0.01;
 
 /// Advances `from` to the end of the step, where the host's input is `to`.
 ///
-/// Returns the new state and the force there, with its exact derivatives with respect to displacement and velocity of
-/// `to`.
+/// Returns the new state and the output there. The output contains the force and its exact derivatives with respect to
+/// displacement and velocity of `to`. If the output is not finite, returns `from` and [`Output::ZERO`].
 ///
 /// With `dt = 0`, the state does not change and the force is that of the damper at equilibrium. If the host gives only
 /// a velocity, the derivative with respect to velocity includes the effect of the integrated displacement.
@@ -93,8 +93,8 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-        // The result is always finite, because the solution has a closed form and the inputs have fourth powers without
-        // overflow.
+        // The result is finite for all inputs whose fourth powers do not overflow, because the solution has a closed
+        // form.
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, derivatives)

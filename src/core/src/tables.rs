@@ -37,9 +37,9 @@ pub trait Lookup: Copy + Debug {
 /// Conductance of a valve passage at one force.
 #[derive(Clone, Copy, Debug)]
 pub struct Conducted {
-    /// g.
+    /// Conductance g = W²/h, m²/(N s²), where W is the velocity at which the FV curve has the force h.
     pub g: f64,
-    /// dg/dh.
+    /// Derivative dg/dh.
     pub by_h: f64,
 }
 
@@ -60,7 +60,7 @@ pub trait Tables: Copy + Debug {
     type Spring: Lookup;
     /// The conductance of a lagging valve.
     type Conductance: Conduction;
-    /// A small element.
+    /// A small element `E`, owned by the model or borrowed from the family.
     type Kept<E: Copy + Debug + 'static>: Deref<Target = E> + Copy + Debug;
 }
 

@@ -1,4 +1,4 @@
-//! The guaranteed accuracy over the corners of the test matrix, compared with an independent reference.
+//! Tests of the guaranteed accuracy over the corners of the test matrix, by comparison with an independent reference.
 
 mod common;
 use common::*;

@@ -1,4 +1,4 @@
-//! The parallel elements with internal states, and the stops: behavior of each element.
+//! Tests of the parallel elements with internal states, and of the stops.
 
 mod common;
 use common::*;
@@ -99,7 +99,7 @@ fn a_gas_spring_pressed_beyond_its_volume_stays_finite_and_rises() {
     }
 }
 
-/// The force of a mass of 5 kg is within 6 % of M a.
+/// The root mean square error of the force of a mass of 5 kg is below 6 % of the largest M a.
 ///
 /// The motion goes up to 30 Hz, with host steps of 0.25 to 2 ms.
 #[test]
@@ -275,7 +275,7 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
     }
 }
 
-/// The internal states have the first free indices in the order of the list.
+/// The internal states have consecutive indices from 0, in the order of the element list.
 #[test]
 fn states_are_compact() {
     let model = only(&["moving_mass", "presliding_friction"], &[]);
@@ -306,7 +306,7 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
 
 /// With smooth elements, the step converges with the order of the method.
 ///
-/// The presliding law has a kink of |v| at every reversal. Between reversals, the order is 2.
+/// The presliding law has a kink of |v| at every reversal, so the motion of this test has none.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [

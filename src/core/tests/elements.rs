@@ -1,4 +1,4 @@
-//! Behavior of each element: symmetry, peaks, limits, and no effect when it is off.
+//! Tests of the elements: symmetry, peaks, limits, and no effect of an element that is off.
 
 mod common;
 use common::*;
@@ -96,7 +96,7 @@ proptest! {
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.steady_state(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
-        // The bypass flow is solved iteratively, to a ten-millionth of the velocity.
+        // The bypass flow is solved iteratively, so the two forces agree only to a millionth.
         let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
         let allowed = if grooved { 1e-6 } else { 1e-12 };
         prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));

@@ -1,10 +1,12 @@
-//! Test of the examples in the documentation, including those that must not compile. Cargo would run the examples after
-//! the count of skipped tests, so this test runs them instead (`doctest = false`).
+//! Test of the examples in the documentation, including those that must not compile.
+//!
+//! Cargo would run the examples after the test that counts the skipped tests. Therefore this test runs them
+//! instead (`doctest = false`).
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Returns the library of a crate that was compiled last. Cargo stores one library for each set of options.
+/// Returns the most recently compiled library of a crate. Cargo stores one library for each set of options.
 fn library(folder: &Path, name: &str) -> PathBuf {
     let prefix = format!("lib{name}-");
     let files = std::fs::read_dir(folder).expect("the folder of this test").map(|entry| entry.expect("an entry"));

@@ -14,13 +14,13 @@ use proptest::prelude::*;
 
 const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
 
-/// Scales the forces of the FV table with the setting: little near standstill, more at speed.
+/// Returns the forces of the FV table, increased in proportion to `size`: little near standstill, more at speed.
 fn forces(params: &Params, size: f64) -> Vec<f64> {
     let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     v.iter().zip(f).map(|(v, f)| f * (1.0 + size * (0.3 + v.abs() / (0.2 + v.abs())))).collect()
 }
 
-/// Makes an axis with unequal intervals, over which the forces and these numbers grow.
+/// Makes an axis over which the forces and `numbers` grow, by unequal amounts between the grid values.
 fn over(params: &Params, numbers: &[Number]) -> Axis {
     let mut axis = Axis::NONE;
     axis.set_grid(&GRID).unwrap();
@@ -299,7 +299,7 @@ fn what_stores_energy_is_told() {
     }
 }
 
-/// Makes a family with all parameters of an actuator.
+/// Makes an axis with all parameters of an actuator.
 fn moved(params: &Params) -> Axis {
     let mut axis = over(params, &[number!("gas_force"), number!("series_damping")]);
     for (index, value) in [0.4, 8e-3, 20e-3, 5e-3, 200.0, 100.0, 0.03].into_iter().enumerate() {

@@ -7,7 +7,7 @@ use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
 use dashpot_core::{list, number};
 
-/// A model with smooth elements of both force paths.
+/// Makes a model with smooth elements of both force paths.
 ///
 /// The damping uses the known part of the temperature. The resulting error is of first order but far below the other
 /// errors.
@@ -23,8 +23,8 @@ fn smooth_paths() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// A damper without kinks: a linear FV curve, a cubic spring, no dry friction. Its fast motion is slow enough that
-/// steps of a millisecond show their order.
+/// Makes a damper without kinks: a linear FV curve, a cubic spring, no dry friction. The oscillation of its internal
+/// mass is slow enough that steps of a millisecond show their order.
 fn smooth() -> Model {
     Model::new(&smooth_params()).unwrap()
 }

@@ -44,7 +44,7 @@ fn is_derivative(got: f64, f: impl Fn(f64) -> f64, widths: &[f64], near: impl Fn
     }
 }
 
-/// Returns models that contain every element and every form.
+/// Returns named parameter sets that together contain every element and every form.
 fn variants() -> Vec<(&'static str, Params)> {
     let base = Params::new();
     let with = |changes: &[(&str, f64)], on: &[&str]| {
@@ -108,7 +108,7 @@ fn input(x: Option<f64>, v: f64) -> Input {
     Input { displacement: x, velocity: v, side_force: 300.0, temperature: 20.0 }
 }
 
-/// Returns whether the motion is too close to a kink of a curve for differences to be meaningful.
+/// Returns whether a value is closer than `distance` to a kink, where differences have no meaning.
 ///
 /// Kinks are velocity 0, where the second derivatives jump, the knees of piecewise linear curves, and the points of
 /// tables.

@@ -133,7 +133,7 @@ fn column(params: &dashpot_core::Params, q: f64) -> f64 {
     low.copysign(q)
 }
 
-/// Interpolates linearly.
+/// Interpolates linearly between the points (u, f), and extrapolates beyond them.
 fn at(u: &[f64], f: &[f64], v: f64) -> f64 {
     let i = u.partition_point(|u| *u <= v).clamp(1, u.len() - 1);
     f[i - 1] + (f[i] - f[i - 1]) * (v - u[i - 1]) / (u[i] - u[i - 1])

@@ -1,4 +1,4 @@
-//! The elements of the series and the hydraulic path: behavior of each element.
+//! Tests of the elements of the series and the hydraulic path.
 
 mod common;
 use common::*;
@@ -9,7 +9,7 @@ use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
 use dashpot_core::{element, list, number};
 use std::f64::consts::TAU;
 
-/// Returns input and output at each step.
+/// Returns displacement, velocity and output at each step.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
     let (x, v) = motion(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
@@ -153,7 +153,7 @@ fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
 
 #[test]
 fn friction_in_a_bushing_loses_the_same_at_any_rate() {
-    // Energy lost in a deflection cycle with a fixed mass. The rate is ten times as high.
+    // Computes the energy lost in a deflection cycle with a fixed mass. The two cycles below differ in rate by ten.
     let loss = |frequency: f64| {
         let model = with(
             &["bushing"],
@@ -522,7 +522,8 @@ fn series_elements_without_series_are_refused_and_too_many_states_too() {
     assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
 }
 
-/// In the steady state, all state derivatives are zero. Excluded are moving masses and states that have no equilibrium.
+/// At rest, all state derivatives are zero. In steady motion, the internal mass moves with the moving end. Its internal
+/// states are then not checked, because some of them have no equilibrium.
 #[test]
 fn settled_states_rest() {
     for (name, params) in paths() {

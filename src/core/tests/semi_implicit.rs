@@ -1,7 +1,8 @@
-//! Hosts whose displacement is not the integral of their velocity.
+//! Tests of the elements in hosts whose displacement is not the integral of their velocity.
 //!
-//! They advance the displacement with the velocity at one end of the step: the new velocity (semi-implicit: MuJoCo's
-//! Euler, game engines) or the old velocity. Every element behaves as in a host that samples a motion.
+//! Such hosts advance the displacement with the velocity at one end of the step. This is the new velocity
+//! (semi-implicit: MuJoCo's Euler, game engines) or the old velocity. Every element must behave as in a host that
+//! samples a motion.
 
 mod common;
 use common::*;
@@ -70,7 +71,7 @@ fn a_constant_acceleration_gives_the_mass_to_the_slack() {
     }
 }
 
-/// Returns all elements and forms, alone and together.
+/// Returns named parameter sets with all elements and forms, alone and together.
 fn cases() -> Vec<(String, Params)> {
     let mut all: Vec<(String, Params)> = paths().into_iter().map(|(name, p)| (name.to_owned(), p)).collect();
     for name in dashpot_core::parameter::names() {
@@ -84,14 +85,15 @@ fn cases() -> Vec<(String, Params)> {
     all
 }
 
-/// Tolerance of the force for all elements except the spool without series compliance.
+/// Tolerance, relative to the largest force, for all elements except the spool without series compliance.
 ///
-/// The spool has the second tolerance, because it responds immediately to the mean velocity of the displacement. A lag
-/// of half a step changes its opening and thus the peak of the force.
+/// The spool has the tolerance `SPOOL_WITHIN`, because it responds immediately to the mean velocity of the
+/// displacement. A lag of half a step changes its opening and thus the peak of the force.
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// The force in such a host lies within the extremes of the exact force, one and a half steps before and after.
+/// In both kinds of host, the force lies within the extremes of the exact force in a window around the step. The window
+/// begins one and a half steps before and ends one and a half steps after.
 ///
 /// The displacement in the host leads or lags by half a step, so the force may also lead or lag.
 #[test]

@@ -8,7 +8,8 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Steps through `motion` and compares the force with an energy bound.
+/// Steps through `motion` and compares the deflection of the series spring with an energy bound. Then holds the end and
+/// compares the force with the static force.
 ///
 /// With H = m u²/2 + k_s e²/2 + ∫F_p, √H grows at most in proportion to the speed of the moving end. The deflection e
 /// is thus at most the length of the path, plus a part from the parallel spring and the FV curve's offset. The test

@@ -9,7 +9,8 @@ use dashpot_test_support::drawn;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
-/// Returns all bits of a state and an output.
+/// Returns the bits of the physical numbers of a state, and of all numbers of an output except stop force and oil
+/// temperature.
 fn bits(state: &State, output: &Output) -> Vec<u64> {
     let s = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
     let o = [
@@ -232,8 +233,8 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     }
 }
 
-/// With a groove, the force of a nearly closed valve rises so steeply that an earlier iteration for its state
-/// oscillated forever.
+/// With a groove, the force of a nearly closed valve rises steeply. An earlier iteration for the state of
+/// frequency-selective damping therefore oscillated forever.
 ///
 /// The static force was then 83 kN, although the valves had 0.3 kN.
 #[test]

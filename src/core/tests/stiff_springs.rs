@@ -1,7 +1,7 @@
-//! Derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
+//! Tests of the derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
 //!
-//! In such steps, the position about which a spring is linearized depends on the inputs. The tangent's derivative also
-//! depends on them.
+//! In such steps, the position about which a spring is linearized depends on the inputs. The stiffness of the tangent
+//! therefore also depends on them.
 
 mod common;
 use common::METHODS;

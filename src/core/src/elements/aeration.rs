@@ -6,9 +6,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// q(F) = F/k_o + d F/(|F| + F_a) for the oil column of `oil_compressibility`. If that element is off, k_o is 3e7 N/m.
+/// Air in the oil column, which deflects under a force F by q(F) = F/k_o + d F/(|F| + F_a).
 ///
-/// The air is in the chamber under pressure: d = d_a in rebound, r_a d_a in compression.
+/// k_o is the stiffness of `oil_compressibility`, or 3e7 N/m if that element is off. The air is in the chamber under
+/// pressure: d = d_a in rebound, r_a d_a in compression.
 #[derive(Clone, Copy, Debug)]
 pub struct Aeration {
     rebound: SoftGap,

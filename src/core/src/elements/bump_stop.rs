@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = −P(−x, −v): pushes the rod out; P is the law of [`EndStop`].
+/// Bump stop with the force F = −P(−x, −v), which pushes the rod out. P is the law of [`EndStop`].
 #[derive(Clone, Copy, Debug)]
 pub struct BumpStop(EndStop);
 

@@ -6,8 +6,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y with the force φ of the linear series spring.
+/// Rubber bushing with the force F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y.
 ///
+/// φ is the force of the linear series spring, and k_s its stiffness. At the deflection d_h, the hardened force is
+/// twice φ.
 /// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The relaxing
 /// branches below follow the deflection of the whole path.
 ///

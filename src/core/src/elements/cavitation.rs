@@ -9,10 +9,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// In one direction, the capped one, the oil transmits at most the cap C. There p = σ F_h, with σ = 1 for rebound and
-/// −1 for compression.
+/// Cavitation: in one direction, the capped one, the oil transmits at most the force C, the cap.
 ///
-/// Further stroke opens a void, whose depth e is measured along the stroke.
+/// p = σ F_h is the force in this direction, with σ = 1 for rebound and −1 for compression. Further stroke opens a
+/// void, whose depth e is measured along the stroke.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -69,9 +69,9 @@ const FREE: f64 = 10.0;
 /// Longest void at rest, m; no damper has such a stroke. Without this limit, a lasting force close to the cap would
 /// open a void of 10^12 m, which never closes.
 const LONGEST: f64 = 1.0;
-/// Largest number of steps for the void at the end of a stage, sufficient for pure bisection; and the relative
-/// tolerance.
+/// Largest number of steps for the void at the end of a stage, sufficient for pure bisection.
 const STEPS: usize = 80;
+/// Relative size of the last step for the void at the end of a stage.
 const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
@@ -247,7 +247,7 @@ impl Cavitation {
     }
 
     /// Returns the void under a lasting force, where the gas in it has expanded until the cap equals the force. Returns
-    /// 0 if no void opens, or if the gas cannot balance the force.
+    /// 0 if no void opens, if the gas cannot balance the force, or if the void would exceed [`LONGEST`].
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {

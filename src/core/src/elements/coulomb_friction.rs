@@ -6,7 +6,7 @@ use crate::math::tanh;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_s tanh(K v).
+/// Coulomb friction with the force F = F_s tanh(K v): F_s is the level, K the steepness of the change of sign.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction {
     level: f64,

@@ -7,11 +7,11 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)]. Between its contacts the eye moves freely by 2
-/// g.
+/// Free play with the deflection d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)].
 ///
-/// F_1 is the force in the middle of the gap, and d(0) = 0. The series damping is proportional to the current
-/// stiffness, so it vanishes in the gap.
+/// Between its contacts the eye moves freely by 2 g. k_s is the series stiffness, F_0 the force at which the gap is
+/// half closed, and F_1 the force in the middle of the gap. d(0) is 0. The series damping is proportional to the
+/// current stiffness, so it vanishes in the gap.
 #[derive(Clone, Copy, Debug)]
 pub struct FreePlay {
     gap: SoftGap,

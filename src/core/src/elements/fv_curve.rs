@@ -9,7 +9,7 @@ use crate::schema::kind::{Many, One};
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
 
-/// F_d(v): a table with monotone cubic or linear interpolation, or the piecewise-linear form with knees.
+/// F_d(v): a table with linear or one of two cubic interpolations, or the piecewise-linear form with knees.
 #[derive(Clone, Copy, Debug)]
 pub struct FvCurve(pub(crate) Curve);
 
@@ -143,7 +143,7 @@ fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     p.fault(row, reason)
 }
 
-/// Makes a fault of the derivatives and knees. The parameter bounds limit the derivatives, so the only other possible
+/// Makes a fault of the derivatives and knees. The bounds of the parameters limit the derivatives, so the only expected
 /// error is that two knees are too close.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
@@ -194,7 +194,7 @@ impl FvCurve {
         self.0.solve::<STEPS>(a, r)
     }
 
-    /// Returns the range of velocities in the table; beyond it the curve is extrapolated linearly.
+    /// Returns the first and the last velocity of the points; beyond them the curve is extrapolated linearly.
     pub fn range(&self) -> (f64, f64) {
         self.0.range()
     }

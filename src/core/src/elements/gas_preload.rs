@@ -5,7 +5,7 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = −F_gas: it pushes the rod out and is therefore negative, because tension is positive.
+/// Constant gas force F = −F_gas: it pushes the rod out and is therefore negative, because tension is positive.
 #[derive(Clone, Copy, Debug)]
 pub struct GasPreload {
     push: f64,

@@ -8,7 +8,10 @@ use crate::math::{max, power_inlined, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = k L (1 − p/p_0) with the gas volume V/V_0 = ξ = 1 + x/L. The constant part, −p_0 A_rod, is `gas_preload`.
+/// Gas spring with the force F = k L (1 − p/p_0) and the gas volume V/V_0 = ξ = 1 + x/L.
+///
+/// p, V and T are pressure, volume and temperature of the gas; the index 0 means at x = 0 and wall temperature. The
+/// constant part of the gas force, −p_0 A_rod with the area A_rod of the rod, is `gas_preload`.
 ///
 /// The state is z = p V^γ/(p_0 V_0^γ) − 1, which is constant in adiabatic motion. The gas temperature is θ = T/T_0 = (1
 /// + z) ξ^(1−γ). Heat through the wall, dT/dt = (T_0 − T)/τ at constant volume, gives dz/dt = (ξ^(γ−1) − 1 − z)/τ.
@@ -171,7 +174,7 @@ impl StatefulForce for GasSpring {
         true
     }
 
-    /// Exact for a target that is a cubic in time, like [`StatefulForce::propagate`].
+    /// Computes state and force after a motion of the mass, exactly for a target that is a cubic in time.
     fn propagate_on_mass(&self, from: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;
@@ -193,7 +196,7 @@ impl StatefulForce for GasSpring {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
-    /// Exact for a target that is a cubic in time.
+    /// Computes state and force after the path, exactly for a target that is a cubic in time.
     #[inline(always)]
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let h = path.length();
@@ -249,7 +252,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_a_step_are_those_of_differences() {
-        // The gas reaches the wall temperature within the step, and the rod displaces a third of the gas volume.
+        // The thermal time is two thirds of the step, and the rod displaces a third of the gas volume.
         let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {

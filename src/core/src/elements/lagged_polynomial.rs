@@ -9,7 +9,7 @@ use crate::schema::kind::One;
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
 
-/// T(|v|) dy/dt + y = Σ a_k v^k, F = y.
+/// Lagged polynomial with the force F = y and the state equation T(|v|) dy/dt + y = Σ a_k v^k.
 ///
 /// The time constant ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`. According
 /// to the thesis, a jump instead of the ramp makes the model unstable.
@@ -134,7 +134,8 @@ impl StatefulForce for LaggedPolynomial {
         self.polynomial(at.velocity).0
     }
 
-    /// Exact in each part of the step, for its mean rate and for the parabola through its target values.
+    /// Computes state and force after the path, in [`PARTS`] parts. The solution is exact for the mean rate of each
+    /// part and the parabola through its target values.
     ///
     /// For any change of the time constant, y stays between its start value and its target values. (A Runge–Kutta
     /// method that is stable for every constant rate may be unstable for a rate that changes a thousandfold.)

@@ -11,7 +11,7 @@ use crate::math::{pair, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = M (v − z)/τ, dz/dt = (v − z)/τ.
+/// Moving mass with the force F = M (v − z)/τ and the state equation dz/dt = (v − z)/τ.
 ///
 /// Hosts give displacement and velocity but no acceleration. Therefore a stiff damper M/τ drives the mass, which has
 /// the velocity z. This damper only dissipates energy, and the force lags that of an ideal mass by τ.
@@ -126,7 +126,7 @@ impl StatefulForce for MovingMass {
         at.velocity
     }
 
-    /// Exact for the quadratic velocity of [`MovingMass::velocity`].
+    /// Computes state and force after the path, exactly for the quadratic velocity of [`MovingMass::velocity`].
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();

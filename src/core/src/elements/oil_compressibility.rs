@@ -6,8 +6,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h. The velocity w at the valves is the piston velocity u minus the
-/// deflection rate of the oil column.
+/// Compressible oil column with the equations F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h.
+///
+/// q is the deflection of the column, and k_o its stiffness. The velocity w at the valves is the piston velocity u
+/// minus the deflection rate of the oil column.
 ///
 /// ℓ is the length of the column relative to that at x = 0. The rebound chamber becomes shorter with extension: ℓ = 1 −
 /// λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression
@@ -142,7 +144,7 @@ impl OilCompressibility {
         length
     }
 
-    /// Computes s.
+    /// Computes s, the part of the piston stroke that the oil absorbs.
     #[inline(always)]
     pub(crate) fn taken_up<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x);

@@ -8,8 +8,9 @@ use crate::schema::kind::{Many, One};
 use crate::schema::{Describe, Own, Parameter, View};
 use crate::tables::{Lookup, Owned, Tables};
 
-/// F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x). The thesis tries one term at a time and chooses the
-/// quadratic one.
+/// Parallel spring with the force F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x).
+///
+/// The thesis tries one term at a time and chooses the quadratic one.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {
     /// For each power of |x|: the coefficients in F_p / x and in F_p', so that both are evaluated in parallel.

@@ -9,8 +9,9 @@ use crate::math::{max, min, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_c z/z_0, dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
+/// Presliding friction with the force F = F_c z/z_0, where dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
 ///
+/// z is the deflection of the contact; in this file, ζ is the relative deflection z/z_0.
 /// The force reverses within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the
 /// start; with a larger n it first deflects elastically. With an elastic return, a deflected contact does not slip
 /// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the
@@ -90,14 +91,14 @@ const FAST: f64 = 1e6;
 /// distance.
 const NEAR: f64 = 1e-3;
 
-/// Computes ζ^exponent for ζ ≥ 0.
+/// Computes ζ^exponent for ζ ≥ 0; ζ is `size`.
 fn raised<R: Real>(size: R, exponent: f64) -> R {
     let at = size.value();
     let value = if at > 0.0 { power(at, exponent) } else { 0.0 };
     size.chain(value, if at > 0.0 { exponent * value / at } else { 0.0 })
 }
 
-/// Solves dζ/dσ = r − c ζ over the slip σ.
+/// Solves dζ/dσ = r − c ζ over the slip σ from the initial ζ `bent`, and returns the final ζ. `decay` is c.
 fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
     let through = decay * slip;
     // (1 − e^−cσ)/cσ: the effective fraction of the slip.
@@ -112,6 +113,7 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 impl PreslidingFriction {
     /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
     ///
+    /// `bent` is the initial ζ. r is the ratio of displacement to slip: ±1, or less where the contact creeps.
     /// ζ never crosses its steady state, so the deflection stays bounded for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
@@ -157,7 +159,7 @@ impl PreslidingFriction {
         bent
     }
 
-    /// Propagates the state over a stretch of the path in one direction.
+    /// Computes ζ after a stretch of the path in one direction.
     ///
     /// The arguments are the displacement over the stretch, the velocities at its start, middle and end, and its
     /// duration.
@@ -173,7 +175,7 @@ impl PreslidingFriction {
         self.creeps(bent, moved, velocity, time)
     }
 
-    /// Propagates the state over a stretch in which creep matters.
+    /// Computes ζ after a stretch in which creep matters.
     #[inline(never)]
     fn creeps<R: Real>(&self, bent: R, moved: R, [first, middle, last]: [R; 3], time: R) -> R {
         // Integrate by Simpson's rule.
@@ -203,7 +205,7 @@ impl PreslidingFriction {
         self.turns(travel, bent)
     }
 
-    /// Propagates the state over a motion that may reverse, one stretch after the other.
+    /// Computes ζ after a motion that may reverse, one stretch after the other.
     #[inline(never)]
     fn turns<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let velocity = travel.velocity();
@@ -272,7 +274,7 @@ impl StatefulForce for PreslidingFriction {
         }
     }
 
-    /// Computes state and force at the end of the path. The result is exact for the exponent n = 1.
+    /// Computes state and force at the end of the path. The result is exact for the exponent n = 1 without creep.
     ///
     /// With displacement instead of time as the variable, the law of the contact depends on its own state alone. Only
     /// the reversals of the path inside the step matter.

@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = P(x, v): pulls the rod in; P is the law of [`EndStop`].
+/// Rebound stop with the force F = P(x, v), which pulls the rod in. P is the law of [`EndStop`].
 #[derive(Clone, Copy, Debug)]
 pub struct ReboundStop(EndStop);
 

@@ -5,7 +5,9 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F_s = k_s (x_in − x_m) + c_s (v_in − v_m); m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
+/// Series spring and damper with the force F_s = k_s (x_in − x_m) + c_s (v_in − v_m), and the internal mass m.
+///
+/// The mass moves by m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
 ///
 /// In the thesis, friction and gas are parallel to the whole damper and move with the moving end. The compliance of an
 /// eye or a mount, however, carries the whole force. Friction and gas then act on the mass, and F_s is the total force.

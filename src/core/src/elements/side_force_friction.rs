@@ -6,7 +6,9 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = k_avg |F_side| tanh(K v).
+/// Side-force friction with the force F = k_avg |F_side| tanh(K v).
+///
+/// k_avg is the friction coefficient, K the steepness of the change of sign.
 #[derive(Clone, Copy, Debug)]
 pub struct SideForceFriction {
     coefficient: f64,

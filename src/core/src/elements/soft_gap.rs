@@ -2,8 +2,9 @@
 
 use crate::dual::Real;
 
-/// d(F) = F/k + g F/(|F| + F_0). At large forces, the deflection is that of the spring plus g on either side; the law
-/// is softest at F = 0.
+/// Spring and soft gap with the deflection d(F) = F/k + g F/(|F| + F_0).
+///
+/// At large forces, the deflection is that of the spring plus g on either side; the law is softest at F = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct SoftGap {
     /// g, m.

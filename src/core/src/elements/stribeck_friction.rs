@@ -118,7 +118,7 @@ impl Prepare for StribeckFriction {
     }
 }
 
-/// e^-40 is a hundredth of a rounding error of 1.
+/// Exponent x from which on e^-x is negligible: e^-40 is 4e-18, a small part of the rounding error of 1.
 const BELOW_ROUNDING: f64 = 40.0;
 
 impl StribeckFriction {
@@ -182,8 +182,7 @@ fn far_above(coulomb: f64, v: f64) -> Response {
     Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }
 }
 
-/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)². A separate function from the
-/// faster case.
+/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)².
 #[inline(always)]
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);

@@ -6,8 +6,9 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// The laminar part of F_d is multiplied by the viscosity relative to that at T_0, exp(−α (T − T_0)/(1 + κ (T − T_0))).
+/// Temperature fade of the laminar part of F_d, by the factor exp(−α (T − T_0)/(1 + κ (T − T_0))).
 ///
+/// The factor is the viscosity of the oil relative to that at T_0.
 /// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
 /// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
 /// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt

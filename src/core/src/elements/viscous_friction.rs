@@ -5,8 +5,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// F = F_v v|v|, odd in v. Equation 3.5 of the thesis has v² without a sign. In compression that force would drive the
-/// motion instead of resisting it.
+/// Viscous friction with the force F = F_v v|v|, odd in v.
+///
+/// Equation 3.5 of the thesis has v² without a sign. In compression that force would drive the motion instead of
+/// resisting it.
 #[derive(Clone, Copy, Debug)]
 pub struct ViscousFriction {
     coefficient: f64,

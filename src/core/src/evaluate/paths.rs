@@ -20,7 +20,7 @@ use crate::tables::{ForceLaw, Tables};
 /// all thirteen variables at once, the machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
-/// A number with its derivatives.
+/// Number with the derivatives of one evaluation.
 type Derivatived = Dual<DIRECTIONS>;
 
 /// State derivatives and forces at given states and a given oil velocity.
@@ -286,13 +286,13 @@ impl Instant {
     }
 }
 
-/// Largest number of iterations for states and force at equilibrium, and number of the first iterations with full
-/// steps.
-///
-/// After `DRAWN` iterations the state of the selective damping is bracketed. With a groove, the force of a nearly
-/// closed valve rises so steeply that the state overshoots by more in every iteration. A lagging valve would move the
-/// bracket in every iteration, so models with such a valve use no bracket.
+/// Largest number of iterations for states and force at equilibrium.
 const TOGETHER: usize = 200;
+/// Number of iterations after which the state of the frequency-selective damping is bracketed.
+///
+/// With a bypass groove, the force of a nearly closed valve rises steeply. Without the bracket, the state overshoots by
+/// more in every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use
+/// no bracket.
 const DRAWN: usize = 40;
 
 /// Computes the states and the hydraulic force at equilibrium, where voids and valves no longer move.
@@ -303,7 +303,7 @@ pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {
-        // The springs do not affect the oil.
+        // The side force acts on friction alone. No element of the hydraulic path depends on it.
         let side_force = 0.0;
         let around = Around { x: Dual::constant(x), v: Dual::constant(v), side_force, temperature };
         let mut held = states;

@@ -32,9 +32,9 @@ pub struct Actuator {
 /// State of the valve's setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
-    /// y.
+    /// y, the setting behind the lag.
     pub lagged: f64,
-    /// z.
+    /// z, the state of the hysteresis, from −1 to 1.
     pub turned: f64,
 }
 
@@ -43,9 +43,9 @@ pub struct Stand {
 pub struct Rates {
     /// dy/dt and dz/dt.
     pub rate: [f64; 2],
-    /// Derivatives of dy/dt over y and over u.
+    /// Derivatives of dy/dt with respect to y and u.
     pub lagged_by: [f64; 2],
-    /// Derivatives of dz/dt over y, z and u.
+    /// Derivatives of dz/dt with respect to y, z and u.
     pub turned_by: [f64; 3],
 }
 
@@ -73,12 +73,13 @@ impl Actuator {
         stand.lagged - self.hysteresis * stand.turned
     }
 
-    /// Returns the steady state under a constant u. The hysteresis depends on the change of y since the state `from`.
+    /// Returns the steady state under a constant u, the command after the dead time. The hysteresis depends on the
+    /// change of y since the state `from`.
     pub fn at_rest(&self, from: &Stand, u: f64) -> Stand {
         Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
     }
 
-    /// Advances by a step in which u is constant. Exact.
+    /// Advances by a step in which u, the command after the dead time, is constant. The result is exact.
     pub fn advance(&self, from: &Stand, u: f64, dt: f64) -> Stand {
         let way = u - from.lagged;
         let falls = usize::from(way < 0.0);
@@ -101,7 +102,7 @@ impl Actuator {
         Stand { lagged: u - left.copysign(way), turned: self.turned(from.turned, moved) }
     }
 
-    /// Computes z after a change `moved` of y. Exact.
+    /// Computes z exactly after a change `moved` of y in one direction.
     #[inline(always)]
     fn turned(&self, z: f64, moved: f64) -> f64 {
         if self.hysteresis == 0.0 {

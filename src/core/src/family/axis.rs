@@ -18,7 +18,7 @@ const LARGEST: f64 = 1e9;
 /// Smallest interval of the grid relative to its range. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
-/// A number of the axis that is not a parameter of the damper.
+/// Description of a number of the axis that is not a parameter of the damper, such as a time constant of the actuator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
     /// Name in model files and in C.
@@ -35,7 +35,7 @@ const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meani
     Entry { name, unit, bounds, meaning }
 }
 
-/// The numbers of an axis, in the order of [`Axis::number`].
+/// Descriptions of the numbers of an axis, in the order of [`Axis::number`].
 pub const ENTRIES: [Entry; 7] = [
     entry(
         "setting_start",
@@ -120,7 +120,7 @@ fn of_the_axis(reason: Reason) -> Fault {
     Fault { parameter: NO_PARAMETER, reason }
 }
 
-/// Returns the bytes of a text, up to its zero.
+/// Returns the bytes of a text up to its first zero byte.
 fn text(bytes: &[u8]) -> &[u8] {
     let end = bytes.iter().position(|byte| *byte == 0).unwrap_or(bytes.len());
     bytes.get(..end).unwrap_or(&[])
@@ -181,20 +181,20 @@ impl Axis {
     }
 
     /// Returns the name of the setting, such as current; empty if none is given.
-    // Inline, so that the library does not contain this function: see below.
+    // Inline, so that the library does not contain this function: see `name_bytes`.
     #[inline]
     pub fn name(&self) -> &str {
         core::str::from_utf8(self.name_bytes()).unwrap_or("")
     }
 
-    /// Returns the name in bytes. The text form is not in the library, because the UTF-8 check of the standard library
+    /// Returns the name in bytes. [`Axis::name`] is not in the library, because the UTF-8 check of the standard library
     /// can panic.
     pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
 
     /// Returns the unit of the setting, such as A; empty if none is given.
-    // Inline, so that the library does not contain it: see below.
+    // Inline, so that the library does not contain this function: see `name_bytes`.
     #[inline]
     pub fn unit(&self) -> &str {
         core::str::from_utf8(self.unit_bytes()).unwrap_or("")
@@ -426,8 +426,8 @@ impl Axis {
         }
     }
 
-    /// Checks the whole axis. Values need a grid, the start must lie inside the grid, and the hysteresis must be small
-    /// enough.
+    /// Checks the whole axis. Values need a grid, and the start must lie inside the grid. The hysteresis must be at
+    /// most a quarter of the range of the grid.
     ///
     /// # Errors
     /// Returns the error and the parameter at fault.
@@ -471,7 +471,8 @@ impl Axis {
     /// differ.
     ///
     /// # Errors
-    /// Returns an error for sets that differ in a value that cannot depend on the setting.
+    /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a
+    /// number of sets other than that of the grid values, are errors too.
     pub fn through(grid: &[f64], sets: &[Params]) -> Result<(Params, Axis), Fault> {
         let mut axis = Axis::NONE;
         axis.set_grid(grid)?;

@@ -6,7 +6,7 @@
 //! | file | content |
 //! |---|---|
 //! | [`axis`] | data from the user: the grid, the values over it, the actuator |
-//! | [`interpolation`] | between the grid values: monotone cubics; no force decreases with velocity |
+//! | [`interpolation`] | monotone cubics between the grid values, limited so that no force decreases with velocity |
 //! | [`actuator`] | from the commanded to the actual setting |
 //! | [`delay`] | the dead time of the actuator |
 //! | [`section`] | the tables of a damper at one setting, borrowed from the family |

@@ -56,9 +56,9 @@ impl Interpolated {
 enum Fv {
     /// The curve does not depend on the setting, or there is no curve.
     Same,
-    /// The forces of its table depend on the setting.
+    /// The forces of the curve's table depend on the setting.
     Forces,
-    /// Its derivatives and knees depend on the setting.
+    /// The derivatives and knees of the piecewise-linear curve depend on the setting.
     Knees,
 }
 
@@ -392,7 +392,7 @@ impl Family {
         }
     }
 
-    /// Returns the setting that the host commands, clamped to the grid.
+    /// Returns the setting that the host commands, or else the start setting, clamped to the grid.
     #[inline(always)]
     fn command(&self, setting: Option<f64>) -> f64 {
         let (low, high) = self.range();
@@ -528,7 +528,7 @@ impl Family {
     /// command at its end. The command is constant during the step. Without `derivatives`, the derivatives of the
     /// output have no meaning.
     ///
-    /// Returns false and changes nothing if the force is not finite.
+    /// Returns false and changes nothing if a number of the new state or of the output is not finite.
     ///
     /// The damper is evaluated at the actual setting at the end of the step. With `dt = 0` the output is the
     /// equilibrium force at the command, and the state does not change.
@@ -592,7 +592,7 @@ impl Family {
         done
     }
 
-    /// Returns the actuator's states and the dead-time buffer after a step.
+    /// Returns the actuator's states and the dead-time buffer after a step. The buffer is `None` if it does not change.
     #[inline(always)]
     fn moved(&self, state: &State, delay: &Delay, command: f64, dt: f64) -> (Stand, Option<Delay>) {
         let stand = if self.actuator.has_lag() { self.stand(state) } else { Stand { lagged: command, turned: 0.0 } };
@@ -608,7 +608,7 @@ impl Family {
     }
 
     /// Computes the total derivative of the force at the end of a step with respect to the actual setting there. With
-    /// `dt = 0`, the result is the derivative of the equilibrium force.
+    /// `dt = 0`, the result is the derivative of the equilibrium force. Returns `None` if a force is not finite.
     #[inline(never)]
     pub fn d_force_d_setting(
         &self,

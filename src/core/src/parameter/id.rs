@@ -14,17 +14,17 @@ use crate::parameter::row::{Row, find};
 use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
 use crate::schema::{Group, Parameter};
 
-/// A row of the table whose value has the kind `K`.
+/// Identifier of a row of the table whose value has the kind `K`.
 #[derive(Clone, Copy)]
 pub struct Id<K> {
     row: Row,
     kind: PhantomData<K>,
 }
 
-/// A number or a choice of the table.
+/// Identifier of a row that contains one number or a choice.
 pub type Number = Id<One>;
 
-/// A list of the table.
+/// Identifier of a row that contains a list.
 pub type List = Id<Many>;
 
 impl<K: Kind> Id<K> {
@@ -101,7 +101,7 @@ impl Number {
     }
 }
 
-/// A name that is not in the table.
+/// Error for a name that is not in the table.
 const UNKNOWN: Fault = Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName };
 
 /// Rejects a row whose value has another kind.
@@ -145,7 +145,7 @@ impl<K> fmt::Display for Id<K> {
     }
 }
 
-/// An element of the model.
+/// Identifier of an element of the model.
 #[derive(Clone, Copy)]
 pub struct Element {
     place: usize,

@@ -14,7 +14,7 @@ pub const COUNT: usize = {
     n
 };
 
-/// Number of values in a full parameter set.
+/// Number of values in a full parameter set, with every list at its capacity. A slot is an index of a value.
 pub const SLOTS: usize = {
     let (mut n, mut g) = (0, 0);
     while g < GROUPS.len() {
@@ -85,10 +85,10 @@ impl Iterator for Rows {
 pub struct Row {
     /// Index in the table.
     pub index: usize,
-    /// Index of its group in [`GROUPS`].
+    /// Index of the row's group in [`GROUPS`].
     pub group: usize,
     pub(crate) slot: usize,
-    /// The row itself.
+    /// Name, unit, bounds, default and meaning.
     pub parameter: &'static Parameter,
 }
 

@@ -25,7 +25,7 @@ impl Params {
     /// A set without values, which the caller must fill completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
-    /// Returns the defaults of the table, with the elements of the thesis's model on.
+    /// Returns the defaults of the table, with the elements of the thesis cited in [`crate`] on.
     pub fn new() -> Params {
         let mut params = Params::BLANK;
         params.set_defaults();
@@ -73,7 +73,7 @@ impl Params {
         View::new(first, self.lengths.get(first..).unwrap_or(&[]), self.values.get(slot..).unwrap_or(&[]))
     }
 
-    /// Returns the values in these slots.
+    /// Returns the values in `count` slots from slot `from` on.
     pub(crate) fn slots(&self, from: usize, count: usize) -> &[f64] {
         self.values.get(from..).and_then(|tail| tail.get(..count)).unwrap_or(&[])
     }
@@ -138,13 +138,14 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
-    /// Returns whether a parameter affects the damper. It must belong to the integration or to an element that is on,
-    /// and to the chosen form.
+    /// Returns whether a parameter affects the damper. It must belong to the integration or to an element that is on. A
+    /// parameter of one form also requires that this form is chosen.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }
 
-    /// Returns whether a parameter belongs to the chosen form, even if its element is off.
+    /// Returns whether a parameter belongs to the chosen form of its element, even if the element is off. A parameter
+    /// without a form belongs to all.
     pub fn is_of_form(&self, row: &Row) -> bool {
         row.parameter.form.is_none_or(|(choice, words)| {
             let chosen = table().find(|other| other.group == row.group && other.parameter.name == choice);

@@ -24,11 +24,12 @@ pub(crate) enum Bends {
     Little,
     /// A bushing alone.
     Smoothly,
-    /// A knee: free play, a symmetric oil column, position or frequency dependence, or a valve with play or mass alone.
+    /// A knee: free play, a symmetric oil column, position or frequency dependence, or a valve with play alone.
     Knee,
-    /// A void, air, or several elements.
+    /// A void, air, a valve with mass, or several elements.
     Several,
-    /// A column whose stiffness changes with the sign of the force, or a column together with other elements.
+    /// An oil column whose stiffness changes with the sign of the force. Also a column without a void together with an
+    /// element other than air.
     Turning,
     /// Friction that reverses behind the series spring.
     Whole,

@@ -10,7 +10,7 @@ use crate::elements::soft_gap::SoftGap;
 use crate::tables::Tables;
 use core::cell::Cell;
 
-/// Inputs of the path at one instant.
+/// Inputs of the hydraulic path at one instant, in SI units; the temperature is in °C.
 #[derive(Clone, Copy, Debug)]
 pub struct Around<R> {
     /// Displacement of the moving end.
@@ -23,26 +23,28 @@ pub struct Around<R> {
     pub temperature: f64,
 }
 
-/// The force of the valves and the targets of their states.
+/// Force of the valves, the target of the state of frequency-selective damping, and the valve's state derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<R> {
-    /// F_h.
+    /// F_h, the force of the valves, N.
     pub force: R,
     /// Value toward which the state of frequency-selective damping relaxes.
     pub selective_target: R,
     /// Force relative to that at standstill, without the lag of the valve.
     pub before_valve: R,
-    /// Time derivatives of the valve's position and velocity.
+    /// Time derivatives of the two states of the valve; 0 without a valve, and the second one 0 without mass.
     pub valve_rates: [R; 2],
 }
 
-/// Leakage past the valves, N s/m, with an oil column. It makes the velocity unique where the FV curve is horizontal.
-/// The value is far below any measurable leakage.
+/// Resistance, N s/m, added to the FV curve if there is an oil column. It makes the velocity unique where the curve is
+/// horizontal.
+/// The value is far too small to be measured.
 const LEAKAGE: f64 = 0.01;
 
-/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w).
+/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). s are the factors of position and temperature.
+/// N are the lagging valve and frequency-selective damping.
 ///
-/// `standing` is the FV curve's force at standstill. No flow causes it, so it is not scaled.
+/// `standing` is the FV curve's force at standstill. No flow causes it, so s and N do not change it.
 #[inline(always)]
 pub fn flow<R: Real>(
     e: &Paths<impl Tables>,
@@ -76,7 +78,7 @@ pub fn flow<R: Real>(
     Flow { force, selective_target, before_valve, valve_rates }
 }
 
-/// The factors s of a stage. They do not depend on the unknowns of the stage.
+/// The factors s on F_d in a stage, for position and temperature. They do not depend on the unknowns of the stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors {
     /// Factors for the compression and the rebound stroke, with their derivatives with respect to displacement.
@@ -103,7 +105,8 @@ impl Factors {
 
 /// The valve force after an implicit stage, with the derivatives of each of the three effects in series.
 ///
-/// The effects are the factors s of F_d, the lagging valve, and frequency-selective damping.
+/// The effects are, in this order: the position and temperature factors of F_d; the lagging valve; frequency-selective
+/// damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
     /// F_h.
@@ -117,15 +120,15 @@ pub(crate) struct Valves {
     pub by_w: f64,
     /// Derivatives of s F_d with respect to F_d, displacement and temperature rise.
     scaled_by: [f64; 3],
-    /// Derivatives of the force after the lagging valve, and of the valve's position.
+    /// Derivatives of the force after the lagging valve. `valve_by` contains those of the valve's position.
     ///
     /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at the
     /// two velocities `read`.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
-    /// Derivatives of the force after frequency-selective damping, and of the state of this element. The three variables
-    /// are: the force before the element; w; the known state.
+    /// Derivatives of the force after frequency-selective damping. `selective_by` contains those of its state. The
+    /// three variables are: the force before the element; w; the known part of the state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }
@@ -166,10 +169,11 @@ impl Valves {
         selective_by: [0.0; 3],
     };
 
-    /// Computes the valve force from the `known` states and the force and velocity of the current iteration.
+    /// Computes the valve force from the `known` parts of the states and the force and velocity of the current
+    /// iteration.
     ///
-    /// `since` is the step factor of a lagging valve, as `g` is that of the other states. `raised` is the factor by
-    /// which the valve increased the force in the previous solution. `leaks` is true with an oil column.
+    /// In the stage, `g` is the factor of the state derivatives; `since` is that of a lagging valve. `raised` is the
+    /// factor by which the valve increased the force in the previous solution. `leaks` is true with an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
         e: &Paths<impl Tables>,
@@ -232,8 +236,8 @@ impl Valves {
         valves
     }
 
-    /// Returns the derivatives of three results: the force, the valve's position, and the state of frequency-selective
-    /// damping.
+    /// Returns the derivatives in the direction `by` of three results: the force, the valve's position, and the state
+    /// of frequency-selective damping.
     #[inline(always)]
     pub fn along<const ON: u32>(&self, e: &Paths<impl Tables>, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
@@ -272,7 +276,7 @@ fn column(e: &Paths<impl Tables>, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
-/// Computes the deflection q(F_h).
+/// Computes the deflection q of the oil column under the force F_h.
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     let (air, compliance) = column(e, force.value());
@@ -288,7 +292,7 @@ pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// Computes the force F_h = φ_o(q) and the deflection q of a column in a given state.
+/// Computes the force F_h = φ_o(q) and the deflection q of an oil column in a given state.
 #[inline(always)]
 pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
@@ -332,6 +336,7 @@ impl Column {
     /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)
     /// ```
     ///
+    /// q is the deflection, s the absorbed part of the piston stroke. Q and S are the known parts of these states.
     /// The last kind has two chambers. Its equation is the stage of ds/dt = u − w + v ∂s/∂x. The last term is
     /// discretized as s(x) − s(X), where the moving end goes `from` X to x.
     #[inline(always)]

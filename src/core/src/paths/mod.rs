@@ -8,12 +8,18 @@
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! φ is the elastic law. χ is the closed fraction of the free play's contacts, 1 without free play. b is the flow that
-//! bypasses the valves. ℓ is the length of the oil column, 1 in the middle of the stroke. If the series path carries
-//! the whole force, the forces of friction and gas act on the mass in addition to F_p.
+//! u is the velocity of the internal mass. φ is the elastic law. χ is the closed fraction of the free play's contacts,
+//! 1 without free play. k_1 z and k_2 y are the forces of the relaxing springs of a bushing.
 //!
-//! With no element of either path on, φ is linear, w = u and F_h = F_d(u). The plain step of [`mod@crate::step`] and the
-//! short formulas of [`mod@crate::evaluate`] then apply, and no code of this module runs.
+//! w is the velocity of the oil through the valves, as a piston velocity, and b the flow that bypasses them. s are the
+//! factors of position and temperature. N are the lagging valve and frequency-selective damping. q is the deflection of
+//! the oil column, φ_o its force law, and ℓ its length, 1 at x = 0. e is the depth of the cavitation void. σ is 1 if
+//! the void opens in rebound, −1 in compression.
+//!
+//! If the series path carries the whole force, the forces of friction and gas act on the mass in addition to F_p.
+//!
+//! With only the FV curve and the series compliance on, φ is linear, w = u and F_h = F_d(u). The plain step of
+//! [`mod@crate::step`] and the short formulas of [`mod@crate::evaluate`] then apply, and no code of this module runs.
 
 pub mod acting;
 pub mod bits;
@@ -60,7 +66,7 @@ macro_rules! gathered {
             $(pub(crate) $law: T::Kept<$Law>,)*
             $(pub(crate) $hydraulic: T::Kept<$Hydraulic>,)*
             pub(crate) $late: $Late,
-            /// Indices of the states among the internal states.
+            /// Indices of the coupled states among the internal states.
             slots: Slots,
             /// Bit set of the elements that act in a stage.
             acting: u32,
@@ -82,10 +88,10 @@ macro_rules! gathered {
                 }
             };
 
-            /// Elements other than the FV curve and the series compliance. If one of them is on, the plain step does
-            /// not apply.
+            /// Bits of the elements of the paths other than the FV curve and the series compliance. If one of them is
+            /// on, the plain step does not apply.
             pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
-            /// The series compliance.
+            /// Bit of the series compliance in the set of elements that are on.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
 
             /// Checks the parameters of each element that is on, element by element.
@@ -297,7 +303,7 @@ impl<T: Tables> Paths<T> {
         self.acting
     }
 
-    /// Returns the indices of the states among the internal states.
+    /// Returns the indices of the coupled states among the internal states.
     #[inline(always)]
     pub(crate) fn slots(&self) -> &Slots {
         &self.slots
@@ -315,7 +321,7 @@ impl Paths {
 }
 
 impl<T: Tables> Paths<T> {
-    /// Returns the elements that are on, as bits.
+    /// Computes the elements that act in a stage: bits of [`bits`].
     fn bits(&self) -> u32 {
         let mut acting = 0;
         for (bit, on) in [
@@ -344,7 +350,7 @@ impl<T: Tables> Paths<T> {
         acting
     }
 
-    /// Assigns indices to the states of the elements that are on.
+    /// Assigns indices to the coupled states of the elements that are on.
     fn laid_out(&self) -> Slots {
         let mut on = [false; STATES];
         on[place::BUSHING] = self.has_bushing();
@@ -358,7 +364,7 @@ impl<T: Tables> Paths<T> {
         Slots::new(on)
     }
 
-    /// Returns name and unit of the internal state with the number `place`.
+    /// Returns name and unit of the coupled state with the number `place` (see [`place`]).
     pub fn state_name(&self, place: usize) -> (&'static str, &'static str) {
         match place {
             place::X => ("internal_mass", "m"),

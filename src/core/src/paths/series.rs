@@ -18,7 +18,7 @@ pub struct Frame<R> {
 }
 
 impl<R: Real> Frame<R> {
-    /// Returns the parameters of the model, as constants.
+    /// Returns k_s, c_s and m of the model, with zero derivatives.
     #[inline(always)]
     pub fn new(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
@@ -26,7 +26,7 @@ impl<R: Real> Frame<R> {
     }
 }
 
-/// Computes the elastic force φ, its derivative φ', and the closed fraction χ of the contact, from 0 to 1.
+/// Computes the elastic force φ, its derivative φ', and the closed fraction χ of the free play's contact, from 0 to 1.
 #[inline(always)]
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
@@ -76,7 +76,8 @@ impl Derivatived {
     };
 }
 
-/// Computes the force of the series path in a stage, with its derivatives.
+/// Computes the force of the series path in a stage, with its derivatives. `relaxing` is (k_1 z + k_2 y)/k_s of a
+/// bushing.
 #[inline(always)]
 pub(crate) fn with_derivatives<const ON: u32>(
     e: &Paths<impl Tables>,
@@ -109,13 +110,13 @@ pub(crate) fn with_derivatives<const ON: u32>(
     s
 }
 
-/// Computes the elastic force and its derivative for the equilibrium.
+/// Computes the elastic force of the series path and its derivative, N and N/m, for the equilibrium.
 pub fn static_force(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
     let (force, derivative, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
     (force, derivative)
 }
 
-/// Returns the largest deflection of the path under a force.
+/// Returns an upper bound of the deflection of the series path under a force.
 pub fn furthest(e: &Paths<impl Tables>, force: f64) -> f64 {
     let gap = if e.has_free_play() { e.free_play.furthest() } else { 0.0 };
     force.abs() / e.series_compliance.stiffness + gap

@@ -1,4 +1,6 @@
 //! The coupled states: their fixed numbers, and their indices among the internal states.
+//!
+//! The coupled states are those of the internal mass and of the elements in the force path.
 
 use crate::parameter::Params;
 use crate::state::{MAX_INTERNAL, State};
@@ -57,13 +59,14 @@ impl Slots {
         slots
     }
 
-    /// Returns the number of internal states.
+    /// Returns the number of coupled states that have an index among the internal states.
     #[inline(always)]
     pub fn count(&self) -> usize {
         self.count as usize
     }
 
-    /// Returns the index of a coupled state, if it has one.
+    /// Returns the index of a coupled state in [`State::internal`]. `None` if its element is off, and for the states of
+    /// the mass.
     #[inline(always)]
     pub fn slot(&self, place: usize) -> Option<usize> {
         match self.slots.get(place) {
@@ -72,7 +75,7 @@ impl Slots {
         }
     }
 
-    /// Reads the states of the paths; 0 for a missing state.
+    /// Reads the coupled states from a state; 0 for a coupled state whose element is off.
     pub fn read(&self, state: &State) -> [f64; STATES] {
         let mut states = [0.0; STATES];
         for (place, value) in states.iter_mut().enumerate() {
@@ -85,7 +88,7 @@ impl Slots {
         states
     }
 
-    /// Writes the states of the paths to a state.
+    /// Writes the coupled states to a state.
     pub fn write(&self, states: &[f64; STATES], state: &mut State) {
         for (place, value) in states.iter().enumerate() {
             match place {
@@ -100,7 +103,7 @@ impl Slots {
         }
     }
 
-    /// Returns the index of a coupled state in [`crate::Partials`].
+    /// Returns the index of a coupled state in [`crate::Partials`]; `None` if its element is off.
     pub fn index(&self, place: usize) -> Option<usize> {
         match place {
             place::X | place::U => Some(place),

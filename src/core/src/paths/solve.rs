@@ -10,17 +10,18 @@ pub const ITERATIONS: usize = 96;
 /// Number of Householder steps inside a piece of the FV curve. The iterations correct the error of these steps.
 const STEPS: usize = 2;
 
-/// Relative step size up to which a Newton step is used, and the largest number of iterations with Newton steps.
-///
-/// After that number, the steps probably oscillate, so every other iteration bisects the bracket.
+/// Relative step size up to which a Newton step is used; for a larger step, the FV curve is solved with all its knees.
 const NEAR: f64 = 1e-2;
+/// Largest number of iterations with Newton steps. After it, the steps probably oscillate, so every other iteration
+/// bisects the bracket.
 const PATIENCE: usize = 12;
 /// Number of iterations after which a step across standstill ends at standstill.
 const REST: usize = 3;
-/// Relative step below which Newton's method converges quadratically.
+/// Relative step size below which Newton's method is assumed to converge quadratically.
 const SETTLED: f64 = 1e-4;
 
-/// Largest R at which a linear last step is accepted. R is expressed as a relative change of the mass's velocity.
+/// Largest residual R at which [`oil_velocity`] accepts a linear last step. R is divided by ∂R/∂w and is relative to
+/// the oil velocity.
 ///
 /// With a steep curve and soft oil, a small step in w is a large step of the mass. A linear step across a knee would
 /// then cause a large error.
@@ -30,8 +31,9 @@ const STRAIGHT: f64 = 1e-4;
 /// necessary only if the curve rises by half the bracket within a rounding error of the velocity.
 const HALVES: usize = 64;
 
-/// Smallest ratio of the exact derivative of the equation to the derivative used, at which a linear last step is
-/// accepted.
+/// Smallest ratio of two derivatives at which [`oil_velocity`] accepts a linear last step.
+///
+/// It is the ratio of the exact derivative of R to the one that the iteration uses.
 const OWN: f64 = 0.5;
 
 /// R and its derivatives with respect to w and F_d.
@@ -85,8 +87,9 @@ struct End {
     curve: f64,
 }
 
-/// Finds w from a guess in at most `rounds` iterations ([`ITERATIONS`]). With 0 iterations, the guess is the solution.
+/// Finds the oil velocity w with R(w, F_d(w)) = 0 from a guess. With 0 `rounds`, the guess is the solution.
 ///
+/// `rounds` is the largest number of iterations, usually [`ITERATIONS`].
 /// `seen` receives the further results of the last evaluation of R. `tolerance` is the relative size of the last step.
 /// The remaining error is about the square of this step.
 ///
@@ -143,7 +146,8 @@ pub fn oil_velocity<Q: Equation>(
         let newton = w + step;
         let mut next = newton;
         let a = by_w / by_curve;
-        // Far from the solution, the curve itself is solved. Near it, the error of that solution exceeds the error of a Newton step.
+        // Far from the solution, the linearized equation is solved with the whole FV curve. Near the solution, a Newton
+        // step has a smaller error than `solve`.
         if round >= PATIENCE || size > NEAR * scale {
             (next, _) = e.fv_curve.solve::<STEPS>(a, a * w + curve.value - r.value / by_curve);
         }
@@ -162,7 +166,10 @@ pub fn oil_velocity<Q: Equation>(
     }
 }
 
-/// Returns the middle of a bracket. If one end is infinite, returns a point twice as far from rest as the finite end.
+/// Returns the middle of a bracket. If one end is infinite, returns `next`.
+///
+/// From iteration [`PATIENCE`] on, returns a point beyond the finite end instead: its distance from that end is the
+/// distance of the end from rest.
 #[cold]
 #[inline(never)]
 fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round: usize) -> f64 {

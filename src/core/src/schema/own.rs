@@ -85,7 +85,7 @@ macro_rules! own {
 }
 pub(crate) use own;
 
-/// View of the element `E` on its own rows of a parameter set, for its preparation.
+/// Rows of the element `E` in a parameter set, from which the element is prepared.
 pub struct View<'a, E> {
     /// Index of the element's first row in the table, for faults.
     first: usize,

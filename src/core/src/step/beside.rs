@@ -167,8 +167,8 @@ mod tests {
         (Method::Fourth, 4),
     ];
 
-    /// Returns the state, with its derivatives, after a motion of 4 ms from 3 mm to the given displacement and
-    /// velocity.
+    /// Returns a state that starts at 3 mm after a motion of 4 ms, with its derivatives. The motion leads from 1 mm and
+    /// 0.4 m/s to the given displacement and velocity.
     fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
         let to = Input { displacement: Some(x), ..Input::motion(x, v) };
         let path = Path::new(1e-3, 0.4, &to, 4e-3);

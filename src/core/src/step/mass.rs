@@ -275,7 +275,7 @@ pub(super) fn move_mass_at_once<T: Tables, const MAY_BEND: bool>(
     Substep::new(drive, 0.0, 1.0, true, mass).written_out::<MAY_BEND>(method, follow)
 }
 
-/// Moves the internal mass along the path.
+/// Moves the internal mass along the path in all substeps of a step.
 #[inline(always)]
 pub(super) fn move_mass<T: Tables>(
     method: &Tableau,

@@ -3,13 +3,14 @@
 //! Every stage is one scalar equation in the oil velocity w at the valves:
 //!
 //! ```text
-//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + (s(x − g v, q) − S)/g + σ (e − E)/g
+//! F_h = N(s F_d(w)),   q = q(F_h),   e − g ė(F_h, e) = E,   u = w + b + (s(x_0, q) − S)/g + σ (e − E)/g
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, S, E. The equation is solved to rounding accuracy (see [`crate::paths::solve`]),
-//! so its derivatives are those of the implicit function. The temperature changes slowly, so the damping in a stage
-//! uses the known part of the temperature.
+//! with the stage's known parts X, V, S, E of x_m, u, s and e. x_0 is the displacement of the moving end before the
+//! stage. The equation is solved to rounding accuracy (see [`crate::paths::solve`]), so its derivatives are those of
+//! the implicit function. The temperature changes slowly, so the damping in a stage uses the known part of the
+//! temperature.
 
 mod on_mass;
 mod stage;
@@ -59,7 +60,8 @@ struct Known<'a> {
     on_mass: MassStart,
 }
 
-/// Displacement X of the moving end before a stage. A column that counts stroke changes by s(x) − s(X).
+/// Displacement X of the moving end before a stage. The state s of an oil column that counts stroke changes by s(x) −
+/// s(X).
 ///
 /// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
 /// changes by the exact stroke of the step, independent of the velocities at the stages. With X = x − g v, the cheapest
@@ -538,7 +540,7 @@ impl<T: Tables> Substep<'_, T> {
         }
     }
 
-    /// [`Substep::run`], compiled once for all callers.
+    /// Runs [`Substep::run`], compiled once for all callers.
     #[inline(never)]
     fn run_apart<const ON: u32>(
         &self,

@@ -5,7 +5,7 @@ use crate::element::{Motion, Response};
 use crate::math::{max, min};
 use crate::tables::Tables;
 
-/// Deflection of the series spring, m, beyond which the springs on the mass are linear.
+/// Deflection of the series spring, m, beyond which the force of the springs on the mass is extrapolated linearly.
 pub(super) const REACH: f64 = 0.05;
 
 /// Clamps a position to the reach of the series spring about the moving end.

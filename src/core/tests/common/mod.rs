@@ -37,7 +37,7 @@ pub const HYDRAULICS: [&str; 7] = [
     "valve_hysteresis",
 ];
 
-/// Returns models with every element of the coupled paths, alone and together.
+/// Returns named parameter sets with every element of the force path, alone and together.
 pub fn paths() -> Vec<(&'static str, Params)> {
     let of = |on: &[&str], changes: &[(&str, f64)]| {
         let mut p = params(changes);
@@ -285,8 +285,9 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 /// Draws a random parameter set that the table and the elements allow.
 ///
-/// Each number is uniform between its bounds, or uniform by decade if the bounds span decades. The elements that are on
-/// and the integration are also random.
+/// Each number is uniform by decade between its bounds. If the lower bound is not positive, the decades begin at a
+/// billionth of the upper bound. One number in twenty is its lower bound. The elements that are on and the integration
+/// are also random.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);

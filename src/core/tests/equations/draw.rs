@@ -28,7 +28,8 @@ enum Span {
     Else(f64, f64),
 }
 
-/// Numbers whose default does not indicate their magnitude, and numbers with an effect only far from their default.
+/// Distributions of the numbers whose default does not indicate their magnitude, or that have an effect only far from
+/// the default.
 const SPANS: &[(&str, Span)] = &[
     ("fv_rebound_v2", Span::Decade(0.3, 2.0)),
     ("fv_rebound_v1", Span::Decade(0.02, 0.25)),
@@ -73,7 +74,7 @@ const SPANS: &[(&str, Span)] = &[
     ("rebound_stop_damping", Span::Perhaps(100.0, 2e4)),
 ];
 
-/// Largest factor between each other number and its default.
+/// Largest factor between a number without an entry in [`SPANS`] and its default.
 const AROUND: f64 = 5.0;
 
 fn value(r: &mut Random, number: Number) -> f64 {
@@ -103,7 +104,7 @@ fn value(r: &mut Random, number: Number) -> f64 {
     })
 }
 
-/// The points of a curve.
+/// Abscissae and forces of the points of a curve.
 type Points = (Vec<f64>, Vec<f64>);
 
 /// Draws points that do not decrease. Zero lies between the first and the last point.
@@ -122,7 +123,7 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// Moves a point of a curve to velocity 0 and force 0.
+/// Moves one point of a curve to abscissa 0 and force 0, and shifts the forces of the other points accordingly.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];

@@ -7,7 +7,7 @@ use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use std::fmt::Debug;
 
-/// A constant of the page, by section and name.
+/// Section and name of a constant on the page of equations.
 pub type Constant = (String, String);
 
 /// A case to compute, with an optional factor on one of the constants.

@@ -9,7 +9,7 @@ pub fn states<'a>(model: &'a Model, state: &'a State) -> impl Iterator<Item = (&
     (0..model.states()).zip(values).map(|(i, value)| (model.state_name(i).expect("a state").0, value))
 }
 
-/// Returns kind, name and value of every number.
+/// Returns kind, name and value of every number of a case: force components, state derivatives and steady state.
 pub fn answers(case: &Case) -> Vec<(&'static str, &'static str, f64)> {
     let (output, rates) = evaluate(&case.model, &case.state, &case.input);
     let parts = [

@@ -34,7 +34,7 @@ const ROUNDING: f64 = 1e-13;
 /// Distance from the longest void at rest, m, within which a rounding error decides whether a void remains.
 const LIMIT: f64 = 1e-9;
 
-/// Returns whether two numbers of the same kind agree.
+/// Returns whether two numbers of the same kind agree. `share` is the relative tolerance.
 fn agree(kind: &str, one: f64, other: f64, share: f64) -> bool {
     let size = one.abs().max(other.abs());
     (one - other).abs() <= if kind == "settled" { share * size + ROUNDING } else { share * (size + 1.0) }

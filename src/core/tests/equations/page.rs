@@ -3,7 +3,7 @@
 use crate::exchange::Constant;
 use std::path::{Path, PathBuf};
 
-/// Returns the path of the page.
+/// Returns the path of the page of equations.
 pub fn path() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src/equations.md")
 }

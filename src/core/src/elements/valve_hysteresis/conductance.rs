@@ -6,10 +6,12 @@ use crate::tables::{Conducted as At, Conduction, ForceLaw};
 const LEVEL: f64 = 5.0;
 /// Squared velocity, m²/s², that keeps g above zero where the FV curve has zero velocity.
 const LEAST: f64 = 1e-12;
-/// Number of Householder steps for W. Their time matters little, because they run only when a model is prepared.
+/// Number of Householder steps for W. Most of them run when a model is prepared, where their time matters little. They
+/// also run beyond the table, and in the steps of a family whose FV curve or valve depends on the setting.
 const STEPS: usize = 8;
-/// Number of nodes per power of two, and number of bits of a number below those that count the nodes.
+/// Number of nodes per power of two.
 const PER_OCTAVE: usize = 16;
+/// Number of low bits of a force, as a double, below the bits that count the nodes.
 const BEHIND: u32 = 48;
 /// Number of powers of two that the table covers, from the opening force on. Beyond it g is computed from the FV curve
 /// itself.
@@ -27,7 +29,7 @@ pub struct Conductance {
     strokes: [[At; PLACES + 1]; 2],
 }
 
-/// Computes the velocity W at which the FV curve has the force h on a stroke.
+/// Computes the velocity W at which the FV curve has the force h on a stroke, and the derivative of the curve there.
 #[inline(always)]
 fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
@@ -84,7 +86,7 @@ fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
 
 /// Computes the value that a table from the force `opens` on would give at h, without building the table.
 ///
-/// Used for an FV curve that changes from step to step.
+/// Used for an FV curve or a valve that changes from step to step with the setting of a family.
 pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
     let first = opens.to_bits() >> BEHIND;
     let Some((interval, s)) = interval_of(first, h) else { return exact(curve, h, stroke) };

@@ -13,7 +13,9 @@ use conductance::by_raised;
 pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
-/// F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
+/// Lagging blow-off valve, which changes the force F of the FV curve to F_h, in three forms.
+///
+/// *Opening*: F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
 /// y is the valve's opening; S = ½ (1 + tanh) is its characteristic. The FV curve includes the steady opening y_∞. A
 /// valve whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in
@@ -30,8 +32,8 @@ use core::cell::Cell;
 /// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
 /// b. A closed valve still passes a hundredth of the flow. A force against the stroke does not open the valve. The
 /// pressure F_h moves it. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt =
-/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). A spool has mass, so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p =
-/// F_h.
+/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass,
+/// so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
@@ -78,16 +80,18 @@ struct Passage {
 
 /// Largest number of iterations for the opening and its feedback.
 const ITERATIONS: usize = 4;
-/// P_0, N.
+/// P_0, N: width over which ⟨y⟩ of the play begins smoothly.
 const SOFT: f64 = 10.0;
-/// Length of a substep, relative to τ, from which on the state with play is computed directly for each stage.
+/// Length of a substep, relative to τ, above which each stage computes the state with play directly from the start of
+/// the substep.
 const LONG: f64 = 1.0;
 /// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
 const LEAKS: f64 = 0.01;
-/// Largest number of steps for F_h, and the relative size of the last step: the remaining error is about its square.
+/// Largest number of Newton steps or bisections for F_h.
 const STEPS: usize = 60;
+/// Relative size of the last Newton step for F_h; the remaining error is about its square.
 const CLOSE: f64 = 1e-7;
-/// Force, N, below which the lag is neglected.
+/// Force, N, below which the lag of the valve is neglected.
 const NOTHING: f64 = 1e-9;
 /// Smallest deviation of the valve from its steady position, relative to the force. A smaller difference is a rounding
 /// error.

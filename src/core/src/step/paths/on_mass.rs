@@ -16,15 +16,15 @@ use crate::tables::Tables;
 /// Largest number of elements with a state that act on the mass: presliding friction and the gas spring.
 pub(super) const MOST: usize = 2;
 
-/// States of these elements.
+/// States of the elements with a state that act on the mass, in their order.
 pub(super) type States = [f64; MOST];
 
-/// Final state and force of each of these elements.
+/// Final state and force of each element with a state that acts on the mass.
 type Ends = [[Dual<2>; 2]; MOST];
 
 const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
 
-/// Forces of these elements in a stage, and their states after it.
+/// Forces, in a stage, of the elements with a state that act on the mass, and their states after the stage.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassForces {
     /// End states and forces, with derivatives with respect to the final displacement of the mass and the initial
@@ -35,11 +35,12 @@ pub(super) struct MassForces {
     by_start: Ends,
 }
 
-/// Initial values of these elements, and the time since the start of the substep.
+/// Values at the start of a substep, for the elements with a state that act on the mass.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassStart {
     /// Displacement and velocity of the mass at the start of the substep.
     pub mass: [f64; 2],
+    /// States of the elements at the start of the substep.
     pub states: States,
     /// Time from the start of the substep to the stage, s.
     pub time: f64,
@@ -68,7 +69,7 @@ impl MassStart {
 }
 
 impl MassForces {
-    /// No element with a state acts on the mass.
+    /// Zero forces and states, for a model in which no element with a state acts on the mass.
     pub(super) const NONE: MassForces = MassForces { ends: NO_ENDS, by_start: NO_ENDS };
 
     /// Propagates the elements over a motion of the mass to `end`.
@@ -79,7 +80,7 @@ impl MassForces {
         MassForces { ends, by_start: NO_ENDS }
     }
 
-    /// Computes the derivatives with respect to the start.
+    /// Computes the derivatives with respect to displacement and velocity of the mass at the start of the substep.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
@@ -119,8 +120,8 @@ impl MassForces {
         self.along(1, start, states).into_iter().sum()
     }
 
-    /// Returns the derivatives of the states in that direction; the final displacement of the mass has the derivative
-    /// `end`.
+    /// Returns the derivatives of the final states in a direction of initial displacement, velocity and states. The
+    /// final displacement of the mass has the derivative `end`.
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
         let mut along = self.along(0, start, states);
@@ -142,7 +143,7 @@ impl MassForces {
     }
 }
 
-/// Reads the states of these elements.
+/// Reads the states of the elements that act on the mass from the internal states.
 pub(super) fn read(elements: &Elements<impl Tables>, internal: &[f64; MAX_INTERNAL]) -> States {
     let mut states = [0.0; MOST];
     elements.visit_stateful(&mut MassVisitor {
@@ -156,7 +157,7 @@ pub(super) fn read(elements: &Elements<impl Tables>, internal: &[f64; MAX_INTERN
     states
 }
 
-/// Writes the states of these elements back to the internal states.
+/// Writes the states of the elements that act on the mass back to the internal states.
 pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal: &mut [f64; MAX_INTERNAL]) {
     elements.visit_stateful(&mut MassVisitor {
         next: 0,

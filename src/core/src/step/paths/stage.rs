@@ -57,7 +57,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     pub(super) kept: u32,
     /// Whether the void counts as closed after the stage, even if rounding leaves a nonzero depth.
     pub(super) shuts: bool,
-    /// Derivative of the FV curve.
+    /// Derivative of the FV curve at the oil velocity.
     derivative: f64,
     at: Look,
     /// 1/(dR/dw).
@@ -207,10 +207,10 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
 
     /// Evaluates the equation again at the solution, for the derivatives.
     ///
-    /// The derivatives of the last evaluation belong to a point one Newton step away. With a strongly nonlinear force,
-    /// as of a bushing or a void with expanding gas, the weights of the method amplify this error. The error then
-    /// reaches a hundredth of the derivative of the step. No other element is so nonlinear within a Newton step. States
-    /// and forces do not change.
+    /// The derivatives of the last evaluation belong to a point one Newton step away. Strongly nonlinear forces are
+    /// those of a bushing, a void with expanding gas, and elements with a state on the mass. With such a force, the
+    /// weights of the method amplify the error of the derivatives. It then reaches a hundredth of the derivative of the
+    /// step. No other element is so nonlinear within a Newton step. States and forces do not change.
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
