@@ -109,7 +109,8 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
 /// channel is dropped if the other motion channel can replace it. Few equal samples are only a rounded peak if other
 /// tests go further. `reach` is the range of the motion over all tests of the campaign.
 ///
-/// # Errors [`RecordError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.
+/// # Errors
+/// [`RecordError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.
 pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {

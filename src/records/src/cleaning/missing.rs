@@ -11,7 +11,8 @@ use dashpot_messages::Sentence;
 ///
 /// Interpolates missing values of side force and temperature, which are slow and often logged at a lower rate.
 ///
-/// # Errors [`RecordError::Missing`] if too many rows, or too many in succession, lack a value.
+/// # Errors
+/// [`RecordError::Missing`] if too many rows, or too many in succession, lack a value.
 pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();
