@@ -620,7 +620,7 @@ mod tests {
                 samples.force.iter_mut().for_each(|f| *f *= 1e-4);
                 std::mem::swap(x, &mut samples.force);
             }
-            // With a stated unit, the check of single files does not reject the tests.
+            // The stated unit confirms the headings, so `swapped_columns::refuse` does not reject the test first.
             let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
             motions.push(cleaning::repair(samples, &options).unwrap());
         }
