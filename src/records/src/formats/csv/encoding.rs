@@ -1,4 +1,4 @@
-//! The character encoding of a text file.
+//! Decodes the character encodings of text files.
 
 use std::borrow::Cow;
 

@@ -15,7 +15,7 @@ pub(super) struct Start {
     pub offset: usize,
     pub delimiter: u8,
     pub header: Vec<String>,
-    /// Whether that line is the header.
+    /// Whether the line `index` is the header.
     pub headed: bool,
     /// Whether the header is a comment line, a form that numerical programs write.
     pub commented: bool,
@@ -28,7 +28,7 @@ impl Start {
 }
 
 /// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
-/// begins with the first row of numbers.
+/// begins with the first row of numbers. The second value is the first line that is not a comment.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
