@@ -232,7 +232,7 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = f64::NAN);
     let unit = text("unit_string").or_else(|| text("NI_UnitDescription")).unwrap_or_default();
     let step = number("wf_increment").filter(|s| s.is_finite() && *s > 0.0);
-    // A waveform without a start time has the start time 0.
+    // A waveform without a start time has the start time 0, in 1904. A time before 1970 therefore counts as unknown.
     let begins = match object.properties.get("wf_start_time") {
         Some(Property::Time(seconds)) => Some(*seconds).filter(|seconds| *seconds > 0.0),
         _ => None,
