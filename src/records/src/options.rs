@@ -88,8 +88,8 @@ pub struct Options {
     pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
-    /// Setting of the damper, for tests without a setting channel and without a setting in their names
-    /// (`campaign.toml`).
+    /// Rules for the setting of the damper by test names (`campaign.toml`). They have precedence over setting channels
+    /// and over settings in the names.
     pub settings: SettingRules,
     /// Files and tests to leave out, by name. `*` matches any text (`--exclude`).
     pub exclude: Vec<String>,

@@ -1,5 +1,5 @@
-//! Applies the user's corrections of the sensors: zeros, gains, signs and a delay of the force. No other module applies
-//! them.
+//! Applies the user's corrections of the sensors to a test: zeros, gains, signs and a delay of the force. A mass on the
+//! load cell is only stored here, and `cleaning::finish` corrects its inertia force.
 
 use super::{Motion, cycles};
 use crate::data::record::Note;
