@@ -34,7 +34,7 @@ fn seconds() -> f64 {
     used.map_or_else(|| START.elapsed().as_secs_f64(), |ticks| ticks / 100.0)
 }
 
-/// Loads a file within the time limit. Returns the message if the file is rejected.
+/// Loads a file and checks the time limit. Returns the number of records, or the message if the file is rejected.
 fn answer(path: &Path) -> Result<usize, String> {
     let begin = seconds();
     let mut options = Options::default();
@@ -108,7 +108,7 @@ fn small_files_never_cost_more_than_a_gibibyte_and_ten_seconds() {
     known();
 }
 
-/// Loads known files of this kind, if they are available.
+/// Loads the known costly files of `shared/data/hostile`, if that folder is available.
 fn known() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/hostile");
     let Ok(entries) = std::fs::read_dir(&data) else {
@@ -193,14 +193,14 @@ mod mdf {
     use super::rejected;
     use std::path::Path;
 
-    /// A file of consecutive blocks.
+    /// An MDF 4 file under construction: consecutive blocks.
     struct File(Vec<u8>);
 
     impl File {
         fn new() -> File {
             let mut bytes = vec![0; 64];
             bytes[..16].copy_from_slice(b"MDF     4.10    ");
-            // The header block comes first. Its link to the first group is inserted at the end.
+            // The header block comes first. `done` inserts its link to the first data group.
             let mut file = File(bytes);
             file.put(b"HD", &[0; 6], &[0; 32]);
             file
@@ -499,14 +499,14 @@ fn tdms(folder: &Path) {
         }
         out
     };
-    // Segments that refer to the long list of channels of an earlier segment.
+    // Many segments refer to the long list of channels of an earlier segment.
     let first = segment(0b1110, &objects(16_000, 1), &[]);
     let again = segment(0b1000, &[], &[]);
     rejected(folder, "segments.tdms", &[first.clone(), again.repeat(300_000)].concat());
-    // Segments of which each lists all objects again.
+    // Each segment lists all objects again.
     let named = segment(0b1010, &objects(16_000, 1)[..], &[]);
     rejected(folder, "objects.tdms", &[first, named.repeat(12)].concat());
-    // All channels are without values except for one with a byte, in chunks of one byte.
+    // Of 16 000 channels, only one has values. Each chunk consists of one byte.
     let mut meta = objects(16_000, 0);
     let last = meta.len() - 12;
     meta[last..last + 8].copy_from_slice(&1_u64.to_le_bytes());
