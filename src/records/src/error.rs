@@ -28,7 +28,7 @@ fn size(bytes: u64) -> String {
 /// The location that a message refers to: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// The file.
+    /// Path of the file.
     pub file: PathBuf,
     /// Sheet or test within the file, if the file contains several.
     pub part: Option<String>,

@@ -1,4 +1,4 @@
-//! Statistics of lists of numbers.
+//! Functions for numbers: limits, numbers in texts, and statistics of lists.
 
 /// Limits a value to an interval. If the limits are in the wrong order, the upper limit has precedence, whereas `clamp`
 /// would panic.

@@ -61,8 +61,8 @@ pub struct Options {
     pub columns: BTreeMap<Channel, String>,
     /// Channels that are not read, even if the file has a column for them (`--ignore velocity`).
     pub ignore: BTreeSet<Channel>,
-    /// Positive direction of the files after the sign reversals below (`--positive`). If `None`, it is estimated from
-    /// the data.
+    /// Positive direction of the files after the reversals by `flip_force` and `flip_motion` (`--positive`). If `None`,
+    /// it is estimated from the data.
     pub positive: Option<Positive>,
     /// Whether the sign of the force is reversed (`--flip force`).
     pub flip_force: bool,

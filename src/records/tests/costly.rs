@@ -121,7 +121,7 @@ fn known() {
 }
 
 fn texts(folder: &Path) {
-    // Rows of a damper on a sine, ten mebibytes in total.
+    // These rows of a damper on a sine have ten mebibytes in total.
     let rows: String = (0..560_000_u32)
         .map(|i| {
             let t = 0.001 * f64::from(i);
@@ -135,7 +135,7 @@ fn texts(folder: &Path) {
     let _ = answer(&folder.join("short.csv"));
     rejected(folder, "line.csv", "a,".repeat(5 << 20).as_bytes());
     rejected(folder, "quotes.csv", "\"a\"\"".repeat(5 << 19).as_bytes());
-    // One header with many keys and one with many names. The reader compares each key with each name.
+    // The header has many keys, and the heading has many names. The reader would compare each key with each name.
     let head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\n\nChannels\t2\n";
     let keys = "k\tv\n".repeat(400_000);
     let names = "n\t".repeat(400_000);
@@ -144,7 +144,7 @@ fn texts(folder: &Path) {
         "keys.lvm",
         format!("{head}{keys}***End_of_Header***\nX_Value\tx_mm\tF_N\t{names}\n0\t1\t2\n").as_bytes(),
     );
-    // A long note, which would be stored with each of many tests.
+    // The long name of a column gives a long note, which would be stored with each of many tests.
     let tests: String = (0..300_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let columns = "c".repeat(20_000);
     rejected(folder, "notes.csv", format!("test,time_s,x_mm,F_N,{columns}\n{tests}").as_bytes());
@@ -407,7 +407,7 @@ mod hdf5 {
         };
         let message = rejected(folder, "tree.mat", &file(1, |at| chunked(1000, 100, false, at, dag)));
         assert!(message.contains("twice to the same node"), "{message}");
-        // One chunk of zeros is used at hundreds of positions.
+        // One chunk of zeros is used at thousands of positions.
         let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
         std::io::Write::write_all(&mut packer, &vec![0; 32 << 20]).unwrap();
         let packed = packer.finish().unwrap();
@@ -416,7 +416,7 @@ mod hdf5 {
             [node(0, packed.len() as u32, &[first + length; 3000]), packed.clone()].concat()
         };
         rejected(folder, "chunk.mat", &file(1, |at| chunked(1000, 4 << 20, true, at, many)));
-        // Thousands of names refer to one data set. Another data set was never written.
+        // Thousands of names refer to one data set. In the second file, a data set was never written.
         let set = |at: u64| -> Vec<u8> {
             let [shape, number] = doubles(1 << 20);
             let layout = |data: u64| (8, [&[3, 1][..], &data.to_le_bytes(), &(8_u64 << 20).to_le_bytes()].concat());

@@ -134,7 +134,7 @@ fn exports_of_loggers_with_names_of_sensors_and_rates_below_the_heading() {
     check_text("catman, English", "d.txt", &english);
     let sensors = "Zeit;Weg/AI 1;Kraft/AI 2\ns;mm;N\nZeitkanal;LVDT 1;U9B\n".to_owned() + &comma(&plain(";"));
     check_text("sensors below units", "d.csv", &sensors);
-    // A longer text is not a table.
+    // Six lines of text below the heading are too many for labels, so the file is rejected.
     let text = "Time [s],x [mm],F [N]\n".to_owned() + &"some,more,text\n".repeat(6) + &plain(",");
     assert!(read("d.csv", text.as_bytes(), &Options::default()).unwrap_err().contains("'some' is no number"));
 }

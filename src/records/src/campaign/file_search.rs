@@ -1,4 +1,4 @@
-//! The search for the record files of a campaign.
+//! Searches folders for the record files of a campaign.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -33,7 +33,7 @@ pub(super) struct Found {
     pub excluded: Excluded,
 }
 
-/// The files and tests that the patterns exclude.
+/// Patterns of the option `exclude` that match a name, and the number of files and tests that they exclude.
 #[derive(Default)]
 pub(super) struct Excluded {
     pub patterns: BTreeSet<String>,
@@ -73,7 +73,7 @@ pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) 
     Ok(found)
 }
 
-/// The search for the files of a campaign.
+/// State of the search for the files of a campaign.
 struct Search<'a> {
     given: &'a Options,
     found: &'a mut Found,

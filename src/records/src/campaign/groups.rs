@@ -66,7 +66,7 @@ pub enum GroupError {
     /// No test matches the pattern.
     #[error("--group {pattern:?} matches no test; the first is called {first:?}")]
     NoMatch {
-        /// The pattern.
+        /// The pattern of the option `--group`.
         pattern: String,
         /// Name of the first test.
         first: String,
@@ -74,7 +74,7 @@ pub enum GroupError {
     /// The list names none of the tests.
     #[error("--group {list}: the list gives no test of the data a group; the first is called {first:?}")]
     NotListed {
-        /// The list.
+        /// The list and its column, as in the option `--group`.
         list: String,
         /// Name of the first test.
         first: String,

@@ -544,7 +544,7 @@ mod tests {
             assert!(campaign.sign.is_stated && campaign.sign.positive == crate::Positive::Compression);
             assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
         }
-        // The command line has precedence.
+        // The option of the command line has precedence over the profile.
         let options = Options { positive: Some(crate::Positive::Rebound), ..Options::default() };
         assert_eq!(load_folder(&folder, &options).unwrap().sign.positive, crate::Positive::Rebound);
         // The profiles of two folders contradict each other.

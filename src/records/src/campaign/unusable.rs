@@ -211,7 +211,8 @@ mod tests {
         );
         assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
-        // Two tests lack a time column and two have one. Either pair may be at fault, so the campaign is rejected.
+        // Two tests have a constant time, and two have a valid time. Either pair may be at fault, so the campaign is
+        // rejected.
         let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
         // Short tests never count as a systematic fault.

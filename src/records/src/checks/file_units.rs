@@ -25,9 +25,9 @@ use std::collections::{BTreeMap, HashMap};
 /// Units and options with which a test was read.
 #[derive(Debug)]
 pub(crate) struct Reading<'a> {
-    /// The units in which its channels were read.
+    /// Units in which the channels of the test were read.
     pub units: Vec<(Channel, Unit)>,
-    /// The user's options for its file.
+    /// The user's options for the file of the test.
     pub options: &'a Options,
 }
 
@@ -51,7 +51,7 @@ impl Seen<'_> {
 /// Another unit that the file of a test may use.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 struct Slip {
-    /// Root mean square residual with that unit, as a natural logarithm of the force ratio.
+    /// Root mean square residual with the unit `likely`, as a natural logarithm of the force ratio.
     left: f64,
     channel: Channel,
     written: Unit,

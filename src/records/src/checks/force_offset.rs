@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 /// Mean force of the two directions, N, with the index of its test, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
-/// Deviation of a test from the others.
+/// Deviation of the mean force of a test from that of the others.
 struct Beside {
     /// Median over the velocities of the difference, N, between the mean force of the two directions of the test and of
     /// the others. `scatter` is the median absolute deviation from it.
@@ -33,7 +33,7 @@ struct Beside {
     farthest: f64,
     /// Largest acceptable deviation, N.
     allowed: f64,
-    /// Force of the test and typical force of the others at the middle velocity, N.
+    /// Mean force of the two directions of the test and of the others at the middle velocity level, N.
     forces: (f64, f64),
 }
 

@@ -120,8 +120,9 @@ mod tests {
     use super::*;
     use crate::quantities::setting_value::Setting;
 
-    /// Makes a campaign of a damper with a damping force at 1 m/s and a friction, N, tested at several amplitudes, m,
-    /// and peak speeds, m/s. `slip` multiplies time, motion and force to imitate wrong units.
+    /// Makes a campaign of a damper, tested at several amplitudes, m, and peak speeds, m/s. `force` is the damping
+    /// force at 1 m/s, N, and `friction` is the friction, N. `slip` multiplies time, motion and force to imitate wrong
+    /// units.
     fn campaign(force: f64, friction: f64, tests: &[(f64, f64)], slip: [f64; 3]) -> Vec<Record> {
         tests
             .iter()

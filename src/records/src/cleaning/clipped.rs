@@ -300,8 +300,8 @@ mod tests {
         }
     }
 
-    /// A velocity with plateaus, recorded without noise. If the displacement confirms the plateaus, they stay. A larger
-    /// displacement shows that the plateaus are clipped.
+    /// Checks that the plateaus of a velocity stay if the displacement confirms them. If the displacement goes further,
+    /// the plateaus count as clipped. The velocity is recorded without noise.
     #[test]
     fn a_plateau_that_the_displacement_confirms_is_no_clipping() {
         let (rate, frequency, speed) = (1000.0, 5.0, 0.05);

@@ -179,7 +179,8 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// Returns the median of a quantity and its relative tolerance, which is from `least` to [`TOLERANCE`]`.1`.
+/// Returns the median of a quantity and its relative tolerance, which is at least `least` and at most the upper limit
+/// of [`TOLERANCE`].
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());

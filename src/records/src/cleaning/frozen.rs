@@ -66,7 +66,8 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
     for run in values.chunk_by(|a, b| a == b) {
         let end = start + run.len();
         if run.len() >= RUN {
-            // The other channel may still change in the first samples after a stop.
+            // The other channel may still change in the first samples after a stop, so the first tenth of the run is
+            // left out.
             let inner = &other[start + run.len() / 10..end];
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);

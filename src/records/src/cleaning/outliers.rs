@@ -126,9 +126,9 @@ mod tests {
         assert!((a - b).abs() < 2e-4, "{a} {b}");
     }
 
-    /// Checks that three effects of a damper are no spikes: friction that reverses within a sample, break-away peaks of
-    /// one and a half times the friction, and a blow-off knee. The test covers several sampling rates, with and without
-    /// noise.
+    /// Checks that effects of a damper do not count as spikes. The effects are friction that reverses within a sample,
+    /// break-away peaks of one and a half times the friction, and a blow-off knee. The test covers several sampling
+    /// rates, with and without noise.
     #[test]
     fn reversals_break_away_and_knees_stay() {
         for per_cycle in [20, 47, 200, 1000] {

@@ -38,7 +38,7 @@ const TIME: &str = "Time [s]";
 /// Conversion of crank angles to times.
 #[derive(Debug, Clone)]
 pub(crate) struct Crank {
-    /// The column of the crank angle.
+    /// Index of the column with the crank angle.
     pub index: usize,
     /// Speed, revolutions per minute.
     pub rpm: f64,

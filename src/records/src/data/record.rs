@@ -30,7 +30,7 @@ pub struct Record {
     /// Part, serial number, tester and rig, if the file states them.
     #[serde(default, skip_serializing_if = "TestMetadata::is_empty")]
     pub about: TestMetadata,
-    /// Setting of the damper, if a channel or the name of the test states it.
+    /// Setting of the damper, if a rule of the user, a channel, or the name of the test states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
     /// Signal of a setting that changes within the test, if a channel records it. [`Record::setting`] is then `None`.
@@ -93,7 +93,7 @@ pub struct Record {
 /// Positive direction that was used for reading a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counted {
-    /// The direction.
+    /// Positive direction of force and motion in the file.
     pub positive: Positive,
     /// Whether the user stated the direction. Otherwise it was estimated.
     pub is_stated: bool,

@@ -37,7 +37,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
-            // Chart sheets have no cells.
+            // Chart sheets have no cells, so they are skipped.
             Err(calamine::XlsxError::WorksheetNotFound(_) | calamine::XlsxError::NotAWorksheet(_)) => continue,
             Err(error) => return Err(wrong(error)),
         };

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::data::complete_motion::Motion;
 use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
 
-/// The delay of the force channel that the records show.
+/// Delay of the force channel, as the records of a campaign show it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Delay {
     /// Delay of the force relative to the motion, s, in addition to the delay that the user stated.

@@ -300,7 +300,7 @@ mod tests {
 
     #[test]
     fn channels_of_a_matrix_are_named_by_the_user() {
-        // Time, displacement and force, as columns and as rows.
+        // The matrix contains time, displacement and force, as columns or as rows.
         for (size, values, what) in [
             ([4, 3], [0.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 20.0, 30.0, 40.0], "column"),
             ([3, 4], [0.0, 5.0, 10.0, 1.0, 6.0, 20.0, 2.0, 7.0, 30.0, 3.0, 8.0, 40.0], "row"),

@@ -19,7 +19,7 @@ pub(super) struct Mdf<'a> {
     pub budget: &'a Budget,
 }
 
-/// One block.
+/// A block of an MDF 4 file.
 pub(super) struct Block<'a> {
     /// Identification of two letters.
     pub id: &'a [u8],

@@ -10,7 +10,8 @@ const MOST: usize = 1 << 14;
 /// Memory of an object or a property in addition to its name, bytes. It is also the work of finding the object or
 /// property.
 const OBJECT: u64 = 256;
-/// Flags of a segment.
+/// Flags of a segment: it has metadata, a new list of objects, raw data, interleaved values, big-endian numbers, or raw
+/// data of a DAQmx device.
 const META: u32 = 1 << 1;
 const NEW_LIST: u32 = 1 << 2;
 const RAW: u32 = 1 << 3;
