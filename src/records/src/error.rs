@@ -28,7 +28,7 @@ fn size(bytes: u64) -> String {
 /// The location that a message refers to: a file, and the sheet or test within it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// The file.
+    /// Path of the file.
     pub file: PathBuf,
     /// Sheet or test within the file, if the file contains several.
     pub part: Option<String>,
@@ -66,7 +66,7 @@ pub struct FilesUnit {
     pub at: (f64, f64),
     /// The closest velocity of the other tests, m/s, and their damping force at that velocity, N.
     pub expected: (f64, f64),
-    /// The channel.
+    /// Channel whose unit likely differs.
     pub channel: Channel,
     /// The unit in which the channel was read.
     pub written: Unit,
@@ -641,7 +641,7 @@ impl RecordError {
     }
 
     /// Returns the sentence for a file or test that the campaign leaves out. The sentence requires no action of the
-    /// user.
+    /// user, so it omits the list of supported headings.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

@@ -6,7 +6,7 @@ use std::path::Path;
 pub const EXTENSIONS: [&str; 16] =
     ["csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim"];
 
-/// Returns whether the extension of a file in a folder is that of a record.
+/// Returns whether the extension of a path is that of a record.
 pub fn is_record_name(path: &Path) -> bool {
     EXTENSIONS.contains(&extension(path).as_str())
 }

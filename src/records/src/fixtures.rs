@@ -107,7 +107,8 @@ impl Default for SineTest {
     }
 }
 
-/// Damper force. Damping 1500 N s/m in rebound and 800 N s/m in compression, friction 40 N, gas spring 200 N/m.
+/// Returns the force of a damper, N. The damping is 1500 N s/m in rebound and 800 N s/m in compression, the friction
+/// 40 N, and the gas spring 200 N/m.
 pub(crate) fn damper_force(x: f64, v: f64) -> f64 {
     let damping = if v > 0.0 { 1500.0 } else { 800.0 };
     damping * v + 40.0 * libm::tanh(v / 0.002) + 200.0 * x

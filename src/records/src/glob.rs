@@ -2,7 +2,8 @@
 
 use wildmatch::WildMatch;
 
-/// Returns whether a name matches a pattern. For every pattern, the computing time is proportional to both lengths.
+/// Returns whether a name matches a pattern. For every pattern, the computing time is at most proportional to the
+/// product of both lengths.
 pub fn matches(pattern: &str, name: &str) -> bool {
     WildMatch::new(pattern).matches(name)
 }

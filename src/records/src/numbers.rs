@@ -1,4 +1,4 @@
-//! Statistics of lists of numbers.
+//! Functions for numbers: limits, numbers in texts, and statistics of lists.
 
 /// Limits a value to an interval. If the limits are in the wrong order, the upper limit has precedence, whereas `clamp`
 /// would panic.
@@ -42,7 +42,8 @@ pub(crate) fn range(values: &[f64]) -> f64 {
 pub(crate) fn sample_time(time: &[f64]) -> f64 {
     median(&mut time.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>())
 }
-/// Returns the resolution of a channel: the smallest nonzero difference of neighboring samples.
+/// Returns the resolution of a channel: the smallest nonzero difference of neighboring samples, or 0 for a constant
+/// channel.
 pub(crate) fn quantum(values: &[f64]) -> f64 {
     let smallest = values.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
     if smallest.is_finite() { smallest } else { 0.0 }

@@ -1,4 +1,4 @@
-//! Statements of the user about the records.
+//! Options of the user for reading records.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::str::FromStr;
@@ -61,12 +61,12 @@ pub struct Options {
     pub columns: BTreeMap<Channel, String>,
     /// Channels that are not read, even if the file has a column for them (`--ignore velocity`).
     pub ignore: BTreeSet<Channel>,
-    /// Positive direction of the files after the sign reversals below (`--positive`). If `None`, it is estimated from
-    /// the data.
+    /// Positive direction of the files after the reversals by `flip_force` and `flip_motion` (`--positive`). If `None`,
+    /// it is estimated from the data.
     pub positive: Option<Positive>,
-    /// Reverse the sign of the force (`--flip force`).
+    /// Whether the sign of the force is reversed (`--flip force`).
     pub flip_force: bool,
-    /// Reverse the sign of displacement and velocity (`--flip motion`).
+    /// Whether the sign of displacement and velocity is reversed (`--flip motion`).
     pub flip_motion: bool,
     /// Sampling rate of files without a time column, 1/s (`--sample-rate`).
     pub sample_rate_hz: Option<f64>,
@@ -78,7 +78,8 @@ pub struct Options {
     pub delay_s: f64,
     /// Reading of the force channel at zero force, N, in the file's direction (`--force-zero`).
     pub force_zero_n: f64,
-    /// Reading of the displacement channel at the desired zero, m, in the file's direction (`--displacement-zero`).
+    /// Reading of the displacement channel at the position that shall be zero, m, in the file's direction
+    /// (`--displacement-zero`).
     pub displacement_zero_m: f64,
     /// Factor on the force, applied after the zero is subtracted (`--gain`).
     pub gain: f64,
@@ -87,14 +88,14 @@ pub struct Options {
     pub gains: BTreeMap<Channel, f64>,
     /// Mass between load cell and damper that moves with the damper's end, kg (`--rig-mass`): eye, clamp, joint.
     pub rig_mass_kg: f64,
-    /// Setting of the damper, for tests without a setting channel and without a setting in their names
-    /// (`campaign.toml`).
+    /// Rules for the setting of the damper by test names (`campaign.toml`). They have precedence over setting channels
+    /// and over settings in the names.
     pub settings: SettingRules,
     /// Files and tests to leave out, by name. `*` matches any text (`--exclude`).
     pub exclude: Vec<String>,
-    /// Read the records in the subfolders of a folder as tests of the same campaign (`--subfolders`).
+    /// Whether the records in the subfolders of a folder are read as tests of the same campaign (`--subfolders`).
     pub subfolders: bool,
-    /// Reject faulty tests and files that are not records, instead of leaving them out (`--strict`).
+    /// Whether faulty tests and files that are not records are errors, instead of being left out (`--strict`).
     pub strict: bool,
 }
 

@@ -61,7 +61,8 @@ pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
     if metadata.len() > largest {
         return Err(too_large(metadata.len()));
     }
-    // A file may grow while it is read, and some files state no size.
+    // A file may grow while it is read, and some files state no size. The size is therefore checked again after
+    // reading.
     let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
     File::open(file).map_err(unreadable)?.take(largest + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > largest {
@@ -146,7 +147,7 @@ impl Budget {
         self.work(bytes)
     }
 
-    /// Returns memory that was in use temporarily.
+    /// Returns memory that was in use temporarily to the budget.
     pub fn free(&self, bytes: u64) {
         self.0.memory.fetch_add(bytes, Relaxed);
     }

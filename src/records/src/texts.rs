@@ -4,7 +4,7 @@ use crate::messages::phrases::TEMPLATES;
 use crate::quantities::setting_value;
 use dashpot_messages::Template;
 
-/// What a direction, a missing channel, or the end of a record is called.
+/// Words for directions, missing channels and the end of a record in messages.
 const WORDS: [&str; 8] = [
     "rebound",
     "compression",
@@ -16,12 +16,12 @@ const WORDS: [&str; 8] = [
     "nothing",
 ];
 
-/// Every message.
+/// Returns the templates of all messages.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Every word that stands in a message.
+/// Returns all words that are inserted into messages.
 pub fn words() -> impl Iterator<Item = &'static str> {
     WORDS.into_iter().chain(setting_value::NAMES)
 }

@@ -15,8 +15,8 @@ pub(crate) mod date_agreement {
     /// Test: `dates_decide_only_where_one_reading_lies_much_closer_together`.
     pub(crate) const CLOSER: f64 = 5.0;
 
-    /// Smallest time span of a campaign, s, in the wrong order of day and month. With day and month exchanged, the
-    /// tests of a campaign are scattered over the year.
+    /// Smallest time span of the tests, s, in one order of day and month at which this order counts as wrong. With day
+    /// and month exchanged, the tests of a campaign are scattered over the year.
     ///
     /// Test: `tests_of_one_campaign_lie_close_together`.
     pub(crate) const APART: f64 = 20.0 * 86_400.0;
@@ -56,8 +56,8 @@ pub(crate) mod consistency {
 
     /// Acceptable phase shift of a velocity relative to the displacement, rad.
     ///
-    /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. Half a sample is less
-    /// than twice that shift.
+    /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. The limit is twice that
+    /// shift. At 200 samples per cycle, it exceeds half a sample.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_PHASE: f64 = 0.02;
@@ -87,13 +87,13 @@ pub(crate) mod delay {
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const TELLING: f64 = 0.02;
 
-    /// Number of samples to which a test is decimated.
+    /// Smallest number of samples that remain of a longer test after decimation.
     ///
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const SAMPLES: usize = 1500;
 
-    /// Nodes of the FV curve on one side, relative to the highest velocity. They are dense near zero, where friction
-    /// reverses.
+    /// Nodes of the FV curve for one sign of velocity, relative to the highest velocity. They are dense near zero,
+    /// where friction reverses.
     ///
     /// Test: `nodes_of_the_curve_join`.
     pub(crate) const NODES: [f64; 7] = [0.015, 0.03, 0.06, 0.12, 0.25, 0.5, 1.0];
@@ -144,7 +144,8 @@ pub(crate) mod derivative {
 
 /// Constants of `signal/noise.rs`.
 pub(crate) mod noise {
-    /// Smallest number of samples for a noise estimate from sample differences.
+    /// Smallest number of samples for a noise estimate from sample differences. It is also the smallest number of
+    /// deviations for an estimate from repeated cycles.
     ///
     /// Test: `without_cycles_differences_of_samples_serve`.
     pub(crate) const FEWEST: usize = 12;
@@ -288,18 +289,19 @@ pub(crate) mod file_units {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
 
-    /// Mean force of the two directions, N, above which the zero of the load cell cannot be the only cause. The other
-    /// cause is gas.
+    /// Acceptable deviation of a test from the others in the mean force of the two directions, N. A shifted zero of the
+    /// load cell causes such a deviation.
     ///
     /// Test: none.
     pub(crate) const CELL_OFFSET: f64 = 15.0;
 
-    /// Smallest ratio of the mean force of the two directions to its scatter between tests.
+    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter of this mean force between
+    /// tests.
     ///
     /// Test: none.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
-    /// Smallest ratio of a test's stroke to that of the others for a comparison of all forces.
+    /// Smallest ratio of a test's amplitude to that of some other test at which their forces are comparable.
     ///
     /// Mounts, oil compressibility and free play absorb a fraction of short strokes.
     ///
@@ -330,23 +332,23 @@ pub(crate) mod plausibility {
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LARGEST_FORCE: f64 = 2e5;
 
-    /// Force range, N, that at least one test of every damper exceeds. Even the dampers of toys and drawers reach a
-    /// newton.
+    /// Force range, N, that at least one test of every damper exceeds. Otherwise, the campaign is rejected. Even the
+    /// dampers of toys and drawers reach a newton.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LEAST_FORCE: f64 = 0.05;
 
-    /// Amplitude, m. If every test has a smaller amplitude, a unit is likely wrong.
+    /// Amplitude of the largest test, m, below which a note doubts the unit.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_AMPLITUDE: f64 = 2e-4;
 
-    /// Peak velocity, m/s. If every test has a lower peak velocity, a unit is likely wrong.
+    /// Peak velocity of the fastest test, m/s, below which a note doubts the units.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_SPEED: f64 = 6e-3;
 
-    /// Peak-to-peak force, N. If every test has a smaller force, a unit is likely wrong.
+    /// Peak-to-peak force of the strongest test, N, below which a note doubts the unit.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_FORCE: f64 = 20.0;
@@ -397,7 +399,7 @@ pub(crate) mod sign {
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const PRIOR_RATIO: f64 = 0.6;
 
-    /// Standard deviation of the logarithm of that ratio between dampers.
+    /// Standard deviation between dampers of the logarithm of the ratio of the force in rebound to that in compression.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const RATIO_SCATTER: f64 = 0.5;
@@ -452,8 +454,8 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAKEST: f64 = 10.0;
 
-    /// Force of the strongest test, N, above which the unit counts as correct. The smallest dampers reach twice that
-    /// force.
+    /// Half the force range of the strongest test, N, above which the unit counts as correct. The smallest dampers
+    /// reach twice that force.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAK: f64 = 8.0;
@@ -581,7 +583,7 @@ pub(crate) mod order {
     /// Test: `a_row_far_out_of_its_place_is_another_block`.
     pub(crate) const REACH: usize = 10;
 
-    /// Largest fraction of rows from an earlier run in the buffer of a logger.
+    /// Largest fraction of rows from an earlier run in the buffer of a logger at which these rows are removed.
     ///
     /// More rows may be a separate test.
     ///
@@ -675,14 +677,14 @@ pub(crate) mod rests {
 
 /// Constants of `cleaning/cycles.rs`.
 pub(crate) mod cycles {
-    /// Limits of the tolerance of stroke and period about their medians. Within the limits, the tolerance follows from
-    /// the scatter of most cycles.
+    /// Limits of the relative tolerance of stroke and period about their medians. Within the limits, the tolerance
+    /// follows from the scatter of most cycles.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const TOLERANCE: (f64, f64) = (0.03, 0.15);
 
-    /// Tolerance of the first and the last cycle after refinement of the crossings. The end of a run-up causes only a
-    /// small deviation.
+    /// Smallest relative tolerance of stroke and period of the first and the last cycle after refinement of the
+    /// crossings. The end of a run-up causes only a small deviation.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const END_TOLERANCE: f64 = 0.003;
@@ -743,7 +745,7 @@ pub(crate) mod gaps {
     /// Test: none.
     pub(crate) const AROUND: usize = 15;
 
-    /// Largest ratio of the range of an interrupted piece to the strokes of the cycles.
+    /// Largest ratio of the range of an interrupted piece to the largest stroke of the cycles.
     ///
     /// Test: none.
     pub(crate) const BEYOND: f64 = 1.1;
@@ -879,7 +881,7 @@ pub(crate) mod cleaning {
 
 /// Constants of `cleaning/frozen.rs`.
 pub(crate) mod frozen {
-    /// Smallest number of consecutive equal samples at which a channel counts as frozen.
+    /// Smallest number of consecutive equal samples at which a channel may count as frozen.
     ///
     /// Test: `clipped_force_samples_are_left_out`.
     pub(crate) const RUN: usize = 30;
@@ -948,7 +950,7 @@ pub(crate) mod lvm {
 
 /// Constants of `formats/mdf/mod.rs`.
 pub(crate) mod mdf {
-    /// Smallest common time of force and motion, relative to the shorter of the two.
+    /// Smallest common time of force and motion, relative to the shorter of the two, at which their groups are joined.
     ///
     /// Test: `force_and_motion_of_two_rates_are_joined_at_the_slower_times`.
     pub(crate) const TOGETHER: f64 = 0.5;

@@ -34,7 +34,7 @@ fn seconds() -> f64 {
     used.map_or_else(|| START.elapsed().as_secs_f64(), |ticks| ticks / 100.0)
 }
 
-/// Loads a file within the time limit. Returns the message if the file is rejected.
+/// Loads a file and checks the time limit. Returns the number of records, or the message if the file is rejected.
 fn answer(path: &Path) -> Result<usize, String> {
     let begin = seconds();
     let mut options = Options::default();
@@ -108,7 +108,7 @@ fn small_files_never_cost_more_than_a_gibibyte_and_ten_seconds() {
     known();
 }
 
-/// Loads known files of this kind, if they are available.
+/// Loads the known costly files of `shared/data/hostile`, if that folder is available.
 fn known() {
     let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/hostile");
     let Ok(entries) = std::fs::read_dir(&data) else {
@@ -121,7 +121,7 @@ fn known() {
 }
 
 fn texts(folder: &Path) {
-    // Rows of a damper on a sine, ten mebibytes in total.
+    // These rows of a damper on a sine have ten mebibytes in total.
     let rows: String = (0..560_000_u32)
         .map(|i| {
             let t = 0.001 * f64::from(i);
@@ -135,7 +135,7 @@ fn texts(folder: &Path) {
     let _ = answer(&folder.join("short.csv"));
     rejected(folder, "line.csv", "a,".repeat(5 << 20).as_bytes());
     rejected(folder, "quotes.csv", "\"a\"\"".repeat(5 << 19).as_bytes());
-    // One header with many keys and one with many names. The reader compares each key with each name.
+    // The header has many keys, and the heading has many names. The reader would compare each key with each name.
     let head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\n\nChannels\t2\n";
     let keys = "k\tv\n".repeat(400_000);
     let names = "n\t".repeat(400_000);
@@ -144,7 +144,7 @@ fn texts(folder: &Path) {
         "keys.lvm",
         format!("{head}{keys}***End_of_Header***\nX_Value\tx_mm\tF_N\t{names}\n0\t1\t2\n").as_bytes(),
     );
-    // A long note, which would be stored with each of many tests.
+    // The long name of a column gives a long note, which would be stored with each of many tests.
     let tests: String = (0..300_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let columns = "c".repeat(20_000);
     rejected(folder, "notes.csv", format!("test,time_s,x_mm,F_N,{columns}\n{tests}").as_bytes());
@@ -193,14 +193,14 @@ mod mdf {
     use super::rejected;
     use std::path::Path;
 
-    /// A file of consecutive blocks.
+    /// An MDF 4 file under construction: consecutive blocks.
     struct File(Vec<u8>);
 
     impl File {
         fn new() -> File {
             let mut bytes = vec![0; 64];
             bytes[..16].copy_from_slice(b"MDF     4.10    ");
-            // The header block comes first. Its link to the first group is inserted at the end.
+            // The header block comes first. `done` inserts its link to the first data group.
             let mut file = File(bytes);
             file.put(b"HD", &[0; 6], &[0; 32]);
             file
@@ -407,7 +407,7 @@ mod hdf5 {
         };
         let message = rejected(folder, "tree.mat", &file(1, |at| chunked(1000, 100, false, at, dag)));
         assert!(message.contains("twice to the same node"), "{message}");
-        // One chunk of zeros is used at hundreds of positions.
+        // One chunk of zeros is used at thousands of positions.
         let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
         std::io::Write::write_all(&mut packer, &vec![0; 32 << 20]).unwrap();
         let packed = packer.finish().unwrap();
@@ -416,7 +416,7 @@ mod hdf5 {
             [node(0, packed.len() as u32, &[first + length; 3000]), packed.clone()].concat()
         };
         rejected(folder, "chunk.mat", &file(1, |at| chunked(1000, 4 << 20, true, at, many)));
-        // Thousands of names refer to one data set. Another data set was never written.
+        // Thousands of names refer to one data set. In the second file, a data set was never written.
         let set = |at: u64| -> Vec<u8> {
             let [shape, number] = doubles(1 << 20);
             let layout = |data: u64| (8, [&[3, 1][..], &data.to_le_bytes(), &(8_u64 << 20).to_le_bytes()].concat());
@@ -499,14 +499,14 @@ fn tdms(folder: &Path) {
         }
         out
     };
-    // Segments that refer to the long list of channels of an earlier segment.
+    // Many segments refer to the long list of channels of an earlier segment.
     let first = segment(0b1110, &objects(16_000, 1), &[]);
     let again = segment(0b1000, &[], &[]);
     rejected(folder, "segments.tdms", &[first.clone(), again.repeat(300_000)].concat());
-    // Segments of which each lists all objects again.
+    // Each segment lists all objects again.
     let named = segment(0b1010, &objects(16_000, 1)[..], &[]);
     rejected(folder, "objects.tdms", &[first, named.repeat(12)].concat());
-    // All channels are without values except for one with a byte, in chunks of one byte.
+    // Of 16 000 channels, only one has values. Each chunk consists of one byte.
     let mut meta = objects(16_000, 0);
     let last = meta.len() - 12;
     meta[last..last + 8].copy_from_slice(&1_u64.to_le_bytes());

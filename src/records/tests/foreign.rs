@@ -20,8 +20,8 @@ fn check(name: &str, tolerance: f64) {
     assert!((record.amplitude - 0.020).abs() < 2e-5, "{name}: {} m", record.amplitude);
     let w = 2.0 * TAU;
     for i in 0..record.time.len() {
-        // Compute the magnitude of the velocity from the displacement, and its sign from the derived velocity. The
-        // records must have this relation.
+        // The true velocity has the magnitude that follows from the displacement, and the sign of the record's
+        // velocity.
         let x = record.displacement[i] / 0.020;
         let v_true = (0.020 * w * (1.0 - (x * x).min(1.0)).sqrt()).copysign(record.velocity[i]);
         // Near the ends of the stroke, the square root is sensitive to the last digit of the displacement.
@@ -75,6 +75,7 @@ fn when_a_file_says_the_test_began_is_read() {
         let from = seconds(made).unwrap();
         assert!(at(name).is_some_and(|t| (from..from + 1.0).contains(&t)), "{name}: {:?}", at(name));
     }
-    // An MDF 3 file without a start time states the earliest time of its format. A TDMS time channel has no start time.
+    // An MDF 3 file without a start time states the earliest time that its format can contain. A TDMS time channel has
+    // no start time.
     assert_eq!([at("plain.mdf"), at("time.tdms")], [None, None]);
 }

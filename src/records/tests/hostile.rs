@@ -2,7 +2,7 @@
 //!
 //! If a reader requests more memory, a signal ends this process, and the test fails.
 
-#[allow(dead_code)] // texts are damaged elsewhere
+#[allow(dead_code)] // other tests use the functions that damage texts
 #[path = "../../../tests/hostile.rs"]
 mod damage;
 
@@ -246,7 +246,7 @@ fn thousands_of_damaged_files_and_known_bombs_are_read_or_refused() {
 }
 
 fn bombs(folder: &Path) {
-    // This sheet unpacks to gigabytes.
+    // This sheet unpacks to about 350 MB, from a file below 10 MiB.
     let mut parts = workbook();
     let cells = "<row><c><v>1</v></c><c><v>2</v></c><c><v>3</v></c></row>".repeat(6 << 20).into_bytes();
     let sheet = String::from_utf8(parts[5].1.clone()).unwrap();
@@ -257,7 +257,8 @@ fn bombs(folder: &Path) {
     drop(parts);
     assert!(bomb.len() < 10 << 20);
     assert!(answer(folder, "bomb.xlsx", &bomb).unwrap_err().contains("unpacks to more"));
-    // The workbook announces strings that do not exist, and has a cell at the end of the largest possible sheet.
+    // The first workbook announces strings that do not exist. The second has a cell at the end of the largest possible
+    // sheet.
     let mut parts = workbook();
     parts[4].1 = String::from_utf8(parts[4].1.clone())
         .unwrap()
@@ -273,8 +274,8 @@ fn bombs(folder: &Path) {
     let bomb = mat(&[zeros], true);
     assert!(bomb.len() < 1 << 20);
     assert!(answer(folder, "bomb.mat", &bomb).unwrap_err().contains("unpacks to more"));
-    // Files with hundreds of thousands of tests with one row each, with as many columns, and with rows that are all
-    // equal.
+    // These files have hundreds of thousands of tests with one row each, more than a million columns, and thousands of
+    // equal periods.
     let names: String = (0..450_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let refused = answer(folder, "names.csv", format!("test,time_s,x_mm,F_N\n{names}").as_bytes()).unwrap_err();
     assert!(refused.contains("only 1 usable") && refused.len() < 1000, "{refused}");

@@ -1,5 +1,5 @@
-//! Situations that users reported, as synthetic inputs. They are in `../shared/data/reports`, where the README states
-//! the correct results.
+//! Situations that users reported, as synthetic inputs. The inputs are in `../shared/data/reports`, where the README
+//! states the correct results.
 
 use dashpot_records::{Campaign, Options, PeakOptions, Positive, Unit, load, peak_clicks, read_peaks};
 use dashpot_test_support::reported;
@@ -69,7 +69,7 @@ fn a_late_velocity_is_not_used() {
     };
     let campaign = smoothed("Smoothed_Velocity");
     assert!(told(&campaign).contains("'Smoothed_Velocity [mm/s]' comes"), "{}", told(&campaign));
-    // The record's velocity is derived from the displacement, whichever displacement column the user selects.
+    // The record's velocity is derived from the displacement, although the user selected a velocity column.
     let without =
         load(&[path.clone()], &Options { ignore: ["velocity".parse().unwrap()].into(), ..Options::default() }, &|_| ())
             .unwrap();
@@ -129,7 +129,7 @@ fn a_table_of_clicks_gives_a_curve_a_click() {
     assert!(
         (fastest.velocity_m_s - 0.254).abs() < 1e-9 && (fastest.force_n - Unit::PoundForce.to_si(140.0)).abs() < 1e-9
     );
-    // The table is rejected as a record, and the message states the alternative.
+    // The table is rejected as a record, and the message names the command that reads it.
     let message = load(&[file], &Options::default(), &|_| ()).unwrap_err().to_string();
     assert!(message.contains("dashpot import peaks"), "{message}");
 }
@@ -163,7 +163,7 @@ fn a_staircase_of_speeds_is_a_test_a_speed() {
         for (speed, wanted) in speeds.iter().zip([10.0, 20.0, 30.0, 50.0, 75.0, 100.0, 150.0]) {
             assert!((speed / wanted - 1.0).abs() < 0.05, "{name}: {speeds:?}");
         }
-        // There is no standstill, so the direction is uncertain, and a note reports the uncertainty.
+        // The motion has no standstill, so the direction may be uncertain. A note then reports the uncertainty.
         let unsure = campaign.notes.iter().any(|note| note.kind == "sign_unsure");
         assert!(unsure == (campaign.sign.confidence < 0.8), "{name}: {:?}", campaign.sign);
         // Half the force jump at the turning points of the slowest test is mostly friction.

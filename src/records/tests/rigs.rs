@@ -1,4 +1,4 @@
-//! Texts with the layouts of rigs, testing machines and loggers.
+//! Text files with the layouts of test rigs, testing machines and loggers.
 //!
 //! All contain the same motion and force, so all must give the same data.
 
@@ -19,7 +19,7 @@ fn truth(sample: usize) -> (f64, f64, f64) {
     (t, AMPLITUDE * libm::sin(TAU * FREQUENCY * t), f)
 }
 
-/// Writes rows of a file from time in s, displacement in mm and force in N.
+/// Formats the rows of a file. `row` receives the number of the sample, time in s, displacement in mm and force in N.
 fn rows(row: impl Fn(usize, f64, f64, f64) -> String) -> String {
     (0..SAMPLES)
         .map(|k| {
@@ -33,7 +33,7 @@ fn comma(text: &str) -> String {
     text.replace('.', ",")
 }
 
-/// Writes rows with a delimiter and decimal points.
+/// Formats rows of time in s, displacement in mm and force in N with a delimiter and decimal points.
 fn plain(delimiter: &str) -> String {
     rows(|_, t, x, f| format!("{t:.4}{delimiter}{x:.5}{delimiter}{f:.4}"))
 }
@@ -45,7 +45,7 @@ fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Campaign, String>
     load(&[folder.path().to_owned()], options, &|_| ()).map_err(|e| e.to_string())
 }
 
-/// Reads a file and compares it with the truth.
+/// Reads a file and compares its record with the motion and force of `truth`.
 fn check(what: &str, name: &str, bytes: &[u8], options: &Options) -> Campaign {
     let campaign = read(name, bytes, options).unwrap_or_else(|e| panic!("{what}: {e}"));
     assert_eq!(campaign.records.len(), 1, "{what}");
@@ -60,7 +60,7 @@ fn check(what: &str, name: &str, bytes: &[u8], options: &Options) -> Campaign {
         };
         let speed = AMPLITUDE * TAU * FREQUENCY * libm::cos(phase);
         let wanted = if speed > 0.0 { 4000.0 } else { 2000.0 } * speed / (1.0 + speed.abs()) - 90.0;
-        // Near the ends of the stroke, the displacement hardly determines the phase.
+        // Near the ends of the stroke, a small error of the displacement changes the computed phase strongly.
         if (x / AMPLITUDE).abs() < 0.95 {
             worst = worst.max((f - wanted).abs());
         }
@@ -134,7 +134,7 @@ fn exports_of_loggers_with_names_of_sensors_and_rates_below_the_heading() {
     check_text("catman, English", "d.txt", &english);
     let sensors = "Zeit;Weg/AI 1;Kraft/AI 2\ns;mm;N\nZeitkanal;LVDT 1;U9B\n".to_owned() + &comma(&plain(";"));
     check_text("sensors below units", "d.csv", &sensors);
-    // A longer text is not a table.
+    // Six lines of text below the heading are too many for labels, so the file is rejected.
     let text = "Time [s],x [mm],F [N]\n".to_owned() + &"some,more,text\n".repeat(6) + &plain(",");
     assert!(read("d.csv", text.as_bytes(), &Options::default()).unwrap_err().contains("'some' is no number"));
 }

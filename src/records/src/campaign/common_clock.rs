@@ -9,8 +9,9 @@ use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
 use dashpot_messages::Sentence;
 use std::cmp::Ordering;
 
-/// Sets the campaign clock of every record and adds a note about success or failure. Records that already share a clock
-/// keep it.
+/// Sets [`Record::clock_s`] of every record, so that all records lie on one clock. Adds a note that states success or
+/// why there is no common clock. Changes nothing if fewer than two records exist, if no record states its start, or if
+/// the records already share a clock.
 pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     let bearing = records.iter().filter(|record| record.begins.is_some()).count();
     if bearing == 0 || records.len() < 2 || apart(records.iter().filter_map(Record::span).collect()) {
@@ -32,7 +33,8 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     if dated > 0 && dated < records.len() || last - first > if dated > 0 { WITH_DATE } else { WITHOUT_DATE } {
         return notes.push(not(phrases::TOO_FAR_APART.into()));
     }
-    // A file that states whole seconds may have begun up to one second later.
+    // A test whose start is stated in whole seconds may have begun up to one second later. An overlap of up to one
+    // second is therefore accepted.
     let is_whole = records.iter().all(|record| record.begins.is_some_and(|s| s.fract() == 0.0));
     let later = if is_whole { 1.0 } else { 0.0 };
     if !apart(spans.iter().map(|(from, to)| (from + later, *to)).collect()) {
@@ -51,7 +53,8 @@ pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
     notes.push(Note { kind: "clock", text });
 }
 
-/// Returns whether no two of the spans overlap.
+/// Returns whether there are at least two spans and no two of them overlap. A span is start and end, s. Overlaps up to
+/// 1e-9 s count as rounding errors.
 pub fn apart(mut spans: Vec<(f64, f64)>) -> bool {
     spans.sort_by(|a, b| a.0.total_cmp(&b.0));
     spans.len() > 1 && spans.windows(2).all(|w| w[0].1 <= w[1].0 + 1e-9)

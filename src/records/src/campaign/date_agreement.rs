@@ -4,9 +4,9 @@
 //! precedence, is:
 //!
 //! - the user's statement,
-//! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign,
+//! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign if they agree,
 //! - the number format of the file,
-//! - the order that puts the tests close together, else the order of the format.
+//! - the order that puts the tests close together, else the usual order for the separator of the date.
 //!
 //! A note reports an order from the last item, which is an assumption.
 
@@ -21,7 +21,8 @@ use crate::tuning::date_agreement::{APART, CLOSER};
 use dashpot_messages::{Sentence, Template};
 use std::collections::BTreeSet;
 
-/// Determines the order of the dates of all tests and adds a note about assumed orders.
+/// Determines the order of day and month in the dates of all tests and corrects their start times. Adds a note if an
+/// order is assumed.
 pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
     let orders: BTreeSet<DateOrder> = tests.iter().filter_map(|(_, test)| test.dates.decided).collect();
     let of_all = orders.first().copied().filter(|_| orders.len() == 1);
@@ -70,8 +71,8 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Reads tests from files that have the given lines above their tables. Returns the days on which the tests began
-    /// and the notes about dates.
+    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order by the
+    /// number format. Returns the days on which the tests began and the notes about dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()

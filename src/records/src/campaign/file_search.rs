@@ -1,4 +1,4 @@
-//! The search for the record files of a campaign.
+//! Searches folders for the record files of a campaign.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -18,11 +18,12 @@ use dashpot_messages::Sentence;
 pub(super) struct File {
     pub path: PathBuf,
     pub options: Arc<Options>,
-    /// Prefix of the names of the tests in the file: its subfolder, followed by a slash.
+    /// Prefix of the names of the tests in the file: path of its folder below the searched folder, with a final slash.
+    /// It is empty for a file of the searched folder itself.
     pub within: String,
 }
 
-/// The result of the search.
+/// Result of [`find`].
 pub(super) struct Found {
     pub files: Vec<File>,
     /// Folders with a profile, and the options of the profile.
@@ -32,7 +33,7 @@ pub(super) struct Found {
     pub excluded: Excluded,
 }
 
-/// The files and tests that the patterns exclude.
+/// Patterns of the option `exclude` that match a name, and the number of files and tests that they exclude.
 #[derive(Default)]
 pub(super) struct Excluded {
     pub patterns: BTreeSet<String>,
@@ -40,7 +41,8 @@ pub(super) struct Excluded {
 }
 
 impl Excluded {
-    /// Returns whether a pattern excludes a file or test by its name, and counts it.
+    /// Returns whether an `exclude` pattern of the options matches the name of a file or test. Counts a match and
+    /// stores its patterns.
     pub fn takes(&mut self, options: &Options, name: &str) -> bool {
         let matching: Vec<&String> = options.exclude.iter().filter(|p| glob::matches(p, name)).collect();
         self.count += usize::from(!matching.is_empty());
@@ -49,7 +51,8 @@ impl Excluded {
     }
 }
 
-/// Returns the record files of the paths, including those in folders, and adds notes.
+/// Finds the record files of the paths: the files themselves and the files in the folders. Adds notes about profiles
+/// and ignored files.
 pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<Found, RecordError> {
     if paths.is_empty() {
         return Err(RecordError::NoPaths);
@@ -70,7 +73,7 @@ pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) 
     Ok(found)
 }
 
-/// The search for the files of a campaign.
+/// State of the search for the files of a campaign.
 struct Search<'a> {
     given: &'a Options,
     found: &'a mut Found,
@@ -82,7 +85,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Returns the options of a folder: those of its own profile, else those of the parent folder.
+    /// Returns the options of a folder: the given options, completed by the folder's own profile. Without a profile,
+    /// the options of the parent folder apply.
     fn options(&mut self, folder: &Path, above: Option<&Arc<Options>>) -> Result<Arc<Options>, RecordError> {
         if let Some(known) = self.known.get(folder) {
             return Ok(known.clone());
@@ -164,11 +168,12 @@ impl Below {
     }
 }
 
-/// Depth of the search for records, in folders. Campaigns are one or two folders deep. A link to a parent folder would
-/// make an unlimited search endless.
+/// Number of folder levels below a subfolder in which [`records_below`] searches for records. Campaigns are one or two
+/// folders deep. The limit ends the search if a link points to a parent folder.
 const DEEPEST: usize = 4;
 
-/// Counts the files in a folder and its subfolders that are records by their extensions. Ignores unreadable folders.
+/// Counts the files in a folder and in up to `deep` levels of subfolders that are records by their extensions. Ignores
+/// unreadable folders.
 fn records_below(folder: &Path, deep: usize) -> usize {
     let Ok(within) = std::fs::read_dir(folder) else { return 0 };
     let count = |path: &Path| match () {
@@ -179,7 +184,7 @@ fn records_below(folder: &Path, deep: usize) -> usize {
     within.filter_map(Result::ok).map(|entry| count(&entry.path())).sum()
 }
 
-/// Returns whether the search skips a file: a hidden file, or the lock file of an open workbook.
+/// Returns whether the search skips a file or folder by its name: a hidden one, or the lock file of an open workbook.
 fn is_passed_over(name: &str) -> bool {
     name.starts_with('.') || name.starts_with("~$")
 }
@@ -200,12 +205,12 @@ fn entries(
     let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // There is no message about a profile that was read.
+        // A profile that was read has its own note, so it is not reported as ignored.
         if is_passed_over(&name) || (has_profile && name == profile::FILE) {
             continue;
         }
         if entry.is_dir() {
-            // Another message reports a subfolder with records.
+            // The caller reads the subfolders with records or reports them, so they are not reported as ignored.
             if records_below(&entry, DEEPEST) == 0 {
                 ignored.push(name);
             } else {

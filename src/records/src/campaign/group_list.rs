@@ -1,6 +1,6 @@
-//! A laboratory's list that states gas pressure, clicks or serial number for each test or damper folder.
+//! A laboratory's list that states the gas pressure, clicks or serial number of each test or damper folder.
 //!
-//! `dashpot diagnose --group tests.csv:clicks`.
+//! The list and its column are an option of the command: `dashpot diagnose --group tests.csv:clicks`.
 
 use crate::columns::delimiter;
 use crate::data::record::Record;
@@ -9,49 +9,49 @@ use crate::source::read_small_text;
 use ::csv::{ReaderBuilder, Trim};
 use std::path::{Path, PathBuf};
 
-/// Reason for which a list is rejected.
+/// Reason for which a [`GroupList`] is rejected.
 #[derive(Debug, thiserror::Error)]
 pub enum ListError {
     /// The file cannot be opened.
     #[error("--group: {file}")]
     Unreadable {
-        /// Path.
+        /// Path of the list.
         file: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// The file is not a table.
     #[error("{file}")]
     Table {
-        /// Path.
+        /// Path of the list.
         file: PathBuf,
-        /// The reader's error, with the line.
+        /// Error of the crate `csv`, with the line.
         source: ::csv::Error,
     },
-    /// The list has no such column.
+    /// No column after the first has the requested heading.
     #[error("{file}: there is no column {column:?} behind the first, which names the tests; the columns are {}", columns.join(", "))]
     NoColumn {
-        /// Path.
+        /// Path of the list.
         file: PathBuf,
-        /// The requested column.
+        /// The requested heading.
         column: String,
-        /// The columns of the list.
+        /// Headings of all columns of the list.
         columns: Vec<String>,
     },
-    /// The column has no entries.
+    /// No line has both a name in the first column and an entry in the requested column.
     #[error("{file}: no line has a test in the first column and something under {column:?}")]
     Empty {
-        /// Path.
+        /// Path of the list.
         file: PathBuf,
-        /// The requested column.
+        /// The requested heading.
         column: String,
     },
-    /// The list contains folders and an entry that is not a folder.
+    /// Some entries of the first column are folders, but another one is not.
     #[error("{file}: line {line}: {of:?} is no folder, as others of the first column are")]
     NoFolder {
-        /// Path.
+        /// Path of the list.
         file: PathBuf,
-        /// The line.
+        /// Number of the line with the entry that is not a folder.
         line: usize,
         /// The entry that is not a folder.
         of: String,
@@ -66,7 +66,7 @@ struct Entry {
     group: String,
 }
 
-/// A list with one selected column.
+/// A laboratory's list, reduced to its first column and the selected column of groups.
 #[derive(Debug)]
 pub struct GroupList {
     path: PathBuf,
@@ -137,7 +137,8 @@ impl GroupList {
         Err(ListError::NoFolder { file: self.path.clone(), line, of })
     }
 
-    /// Returns the group of a record, from the first line that names the record.
+    /// Returns the group of a record, from the first line that names the record. Returns `None` if no line names it or
+    /// the line has no group.
     pub fn group_of(&self, record: &Record) -> Option<&str> {
         let entry = self.entries.iter().find(|e| e.names(record))?;
         (!entry.group.is_empty()).then_some(entry.group.as_str())
@@ -149,14 +150,14 @@ impl GroupList {
         without.map(|e| format!("{} (line {})", e.of, e.line)).collect()
     }
 
-    /// Formats the list and the column, as in the option.
+    /// Formats the list and the column as in the option `--group`.
     pub fn describe(&self) -> String {
         format!("{}:{}", self.path.display(), self.column)
     }
 }
 
 impl Entry {
-    /// Returns whether the entry names a record, by the name of the test or of its file.
+    /// Returns whether the entry names a record: by the name of its test, by a pattern, or by the name of its file.
     fn names(&self, record: &Record) -> bool {
         let of = self.of.replace('\\', "/");
         let file = of.rsplit('/').next().unwrap_or(&of);

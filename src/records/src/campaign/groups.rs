@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 pub struct Group {
     /// Name of the group: the folder's name, the match of `{}` in the test names, or the entry in the list's column.
     pub name: String,
-    /// Its records.
+    /// Records of the group.
     pub records: Vec<Record>,
 }
 
@@ -25,13 +25,13 @@ pub struct Group {
 pub struct Split {
     /// The groups.
     pub groups: Vec<Group>,
-    /// Tests or folders without a group.
+    /// Names of the tests or folders without a group.
     pub left_aside: Vec<String>,
     /// Lines of a list that name none of the tests.
     pub without_test: Vec<String>,
     /// Files and tests that could not be used.
     pub unusable: Vec<Unusable>,
-    /// Every file read.
+    /// Paths of all files that were read.
     pub files: Vec<PathBuf>,
     /// Notes about campaigns as a whole.
     pub notes: Vec<Note>,
@@ -40,21 +40,21 @@ pub struct Split {
 /// Reason for which data cannot be split into groups.
 #[derive(Debug, thiserror::Error)]
 pub enum GroupError {
-    /// The option has none of the three forms.
+    /// The option `--group` is none of the word `folders`, a pattern, or a list with a column.
     #[error(
         "--group takes the word folders, a pattern of the tests' names with {PLACE} once where the group stands and * for anything, such as \
          '*_c{PLACE}_*', or a list with a column, such as tests.csv:clicks; it is {by:?}"
     )]
     NoWay {
-        /// The given option.
+        /// The given value of the option.
         by: String,
     },
     /// The folder cannot be read.
     #[error("{folder}")]
     Folder {
-        /// The path.
+        /// Path of the folder.
         folder: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// The data contain no folder of a damper.
@@ -66,7 +66,7 @@ pub enum GroupError {
     /// No test matches the pattern.
     #[error("--group {pattern:?} matches no test; the first is called {first:?}")]
     NoMatch {
-        /// The pattern.
+        /// The pattern of the option `--group`.
         pattern: String,
         /// Name of the first test.
         first: String,
@@ -74,7 +74,7 @@ pub enum GroupError {
     /// The list names none of the tests.
     #[error("--group {list}: the list gives no test of the data a group; the first is called {first:?}")]
     NotListed {
-        /// The list.
+        /// The list and its column, as in the option `--group`.
         list: String,
         /// Name of the first test.
         first: String,
@@ -93,17 +93,17 @@ pub type Read<'a> = dyn Fn(&[PathBuf]) -> Result<Campaign, RecordError> + 'a;
 /// Placeholder for the name of the group in a pattern.
 const PLACE: &str = "{}";
 
-/// Splits the data into groups.
+/// Splits the data of a laboratory into groups, each of one damper or setting.
 ///
 /// The groups are the folders in the data (`folders`), parts of the test names (a pattern with `{}`), or entries of a
 /// list's column (`FILE.csv:COLUMN`).
 ///
-/// `read` reads the files of one campaign. If all groups and their `reference` come from one rig, they have one common
-/// positive direction.
+/// `read` reads the files of one campaign. The groups and their `reference` come from one rig, so uncertain positive
+/// directions are adapted to the most certain one.
 ///
 /// # Errors
-/// A pattern without `{}`, data without folders, a list without the column or without any of the tests, or records that
-/// cannot be read.
+/// An option of another form, unreadable folders or records, data without folders, or an invalid list. Also a pattern
+/// or list that matches no test.
 pub fn split(
     data: &[PathBuf],
     by: &str,
@@ -128,7 +128,7 @@ pub fn split(
     Ok(split)
 }
 
-/// Returns the folders in the data, sorted by path.
+/// Returns the subfolders of the data paths, sorted by path.
 fn folders_in(data: &[PathBuf]) -> Result<Vec<PathBuf>, GroupError> {
     let mut folders: Vec<PathBuf> = Vec::new();
     for path in data {
@@ -182,7 +182,7 @@ fn by_folders(data: &[PathBuf], read: &Read<'_>, reference: Option<&mut Campaign
     Ok(split)
 }
 
-/// Reads each folder as one campaign. Gives all campaigns one common positive direction.
+/// Reads each folder as one campaign. Adapts uncertain positive directions to the most certain one.
 fn read_each<'a>(
     folders: impl Iterator<Item = &'a PathBuf>,
     read: &Read<'_>,
@@ -234,7 +234,7 @@ fn by_list(
         groups.entry((*group).to_owned()).or_default().extend(records);
     }
     if !folders.is_empty() {
-        // The list may be in another folder and contain other paths of the same folders.
+        // The list and the data may name one folder by different paths, so canonical paths are compared.
         let place = |p: &Path| p.canonicalize().unwrap_or_else(|_| p.to_owned());
         let listed: Vec<PathBuf> = folders.iter().map(|(folder, _)| place(folder)).collect();
         let others = folders_in(data)?.into_iter().filter(|p| !listed.contains(&place(p)));

@@ -4,7 +4,7 @@ use crate::Campaign;
 use crate::Record;
 use crate::glob;
 
-/// Reason for which the patterns are rejected.
+/// Reason for which the patterns of `--hold-out` are rejected.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HoldOutError {
     /// Every test matches, so none remains.
@@ -30,7 +30,8 @@ pub fn matches(record: &Record, patterns: &[String]) -> bool {
     patterns.iter().any(|p| glob::matches(p, &record.name))
 }
 
-/// Returns for each record whether the patterns exclude it. `purpose` completes the message "leaves no test to ...".
+/// Returns for each record whether the patterns exclude it. `purpose` completes the message "--hold-out leaves no test
+/// to ...".
 ///
 /// # Errors
 /// A pattern matches no test, or all tests are excluded.
@@ -53,7 +54,7 @@ pub fn select_hold_out(
     }
 }
 
-/// Returns the tests that the fit uses.
+/// Returns the records that no pattern excludes, which a fit uses.
 ///
 /// # Errors
 /// The errors of [`select_hold_out`].

@@ -35,7 +35,7 @@ pub struct Campaign {
     pub records: Vec<Record>,
     /// Positive direction of the files, and the confidence in it.
     pub sign: SignFinding,
-    /// Delay of the force, if significant. The records are not shifted by it.
+    /// Delay of the force relative to the motion, if significant. The records are not shifted by it.
     pub delay: Option<Delay>,
     /// Notes about the campaign as a whole.
     pub notes: Vec<Note>,
@@ -47,7 +47,7 @@ pub struct Campaign {
 }
 
 impl Campaign {
-    /// Adds the unusable files and tests of another campaign that is compared with this one.
+    /// Adds the unusable files and tests of another campaign that is compared with this one, with notes about them.
     pub fn also_without(&mut self, others: Vec<Unusable>) {
         self.notes.extend(unusable::notes(&others));
         self.unusable.extend(others);
@@ -79,17 +79,17 @@ impl Campaign {
 /// Progress of loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Steps done.
+    /// Number of finished steps: each file is read in one step, and each test is cleaned in one.
     pub done: usize,
-    /// Total number of steps. It may grow if files contain several tests.
+    /// Total number of steps. Each file that is read adds a step for each of its tests.
     pub total: usize,
 }
 
 /// Loads files and folders as one campaign.
 ///
 /// A folder means all record files directly in it. With [`Options::subfolders`] it includes the record files in its
-/// subfolders. `campaign.toml` in a records folder supplies the entries that `options` lack. A note reports faulty
-/// tests and files that are not records, and the campaign leaves them out, unless [`Options::strict`] is set.
+/// subfolders. `campaign.toml` in a records folder supplies the entries that `options` lack. The campaign leaves out
+/// faulty tests and files that are not records, and notes report them. With [`Options::strict`] they are errors.
 /// `progress` is called from several threads, once per finished step. The result does not depend on the number of
 /// threads.
 ///
@@ -117,7 +117,7 @@ pub fn load(
             tests
         })
         .collect();
-    // If the folder contains no readable record, the records are in its subfolders.
+    // If no file is readable but subfolders contain records, the user likely means the subfolders.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
@@ -223,9 +223,8 @@ fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_i
 /// Kinds of test notes that concern the file or its division into tests.
 const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "changing_setting"];
 
-/// Moves the notes about files and their division into tests to the front of the campaign's notes.
-///
-/// The campaign has one such note for each file.
+/// Copies the notes about files and their division into tests to the front of the campaign's notes. Equal notes of one
+/// file appear once.
 fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
@@ -240,8 +239,9 @@ fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
     notes.splice(0..0, told);
 }
 
-/// Returns the options of the campaign as a whole: the given options, and the common positive direction of the
-/// profiles.
+/// Returns the options of the campaign as a whole: the given options, completed by the profile if there is only one.
+/// With several profiles, only their common positive direction is added. It is an error if the profiles state different
+/// directions and the given options state none.
 fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, RecordError> {
     let mut whole = options.clone();
     if let [(_, only)] = folders {
@@ -281,10 +281,10 @@ impl<'a> Counter<'a> {
     }
 }
 
-/// Numbers records with equal names, which occur in different files, so that every name is unique.
+/// Appends a number to repeated names of records from different files, so that every name is unique.
 fn unique_names(records: &mut [Record]) {
     let mut taken: HashSet<String> = HashSet::with_capacity(records.len());
-    // For each name, the next number to try.
+    // Next number to try, by name.
     let mut next: HashMap<String, usize> = HashMap::new();
     for record in records {
         if taken.contains(&record.name) {
@@ -486,7 +486,7 @@ mod tests {
             let without = Options { exclude: vec!["sine/*".into()], ..deep.clone() };
             assert_eq!(names(&load_folder(&folder, &without).unwrap()), ["tri/slow/a"]);
         }
-        // If the folder contains records of its own, a note mentions the subfolders, and a profile may include them.
+        // If the folder contains records of its own, a note mentions the subfolders. A profile can include them.
         let folder = folder(&[("own.csv", &sine(3.0))]);
         tests(&folder);
         let campaign = load_folder(&folder, &Options::default()).unwrap();
@@ -544,7 +544,7 @@ mod tests {
             assert!(campaign.sign.is_stated && campaign.sign.positive == crate::Positive::Compression);
             assert!(campaign.notes.iter().any(|n| n.kind == "profile" && n.text.to_string().contains("campaign.toml")));
         }
-        // The command line has precedence.
+        // The option of the command line has precedence over the profile.
         let options = Options { positive: Some(crate::Positive::Rebound), ..Options::default() };
         assert_eq!(load_folder(&folder, &options).unwrap().sign.positive, crate::Positive::Rebound);
         // The profiles of two folders contradict each other.

@@ -1,4 +1,4 @@
-//! Campaigns of records: their files and options, loading, and groups of campaigns.
+//! Campaigns of records: their files and options, their loading, and groups of campaigns.
 
 pub(crate) mod common_clock;
 mod date_agreement;

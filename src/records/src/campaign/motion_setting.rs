@@ -10,13 +10,13 @@ use crate::quantities::setting_value::{Setting, SettingRules};
 pub enum SettingSource {
     /// A column of the file: its heading, and the channel that was assigned to it.
     Column(String, Channel),
-    /// The name of the file.
+    /// The name of the test, from the name of the file.
     Name {
         /// Whether the number is certainly a setting. A whole number with a single letter, such as 2A, may be the
         /// number of the motion instead.
         is_sure: bool,
     },
-    /// `campaign.toml` in the file's folder.
+    /// The user's rules, from the entry `settings` of `campaign.toml` in the file's folder.
     Profile,
 }
 
@@ -34,8 +34,9 @@ pub struct MotionSetting {
 }
 
 impl MotionSetting {
-    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Removes
-    /// the setting columns from the samples.
+    /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Returns
+    /// `None` if none of them states a setting. Unless the rules state it, removes the setting columns from the
+    /// samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();
         let constant = |setting: Setting, source| MotionSetting {

@@ -12,18 +12,18 @@ use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::SettingRules;
 use crate::source;
 
-/// Name of the file.
+/// Name of the profile file.
 pub const FILE: &str = "campaign.toml";
-/// Largest profile, bytes. A profile has one line for each entry, so a larger file is not a profile.
+/// Largest size of a profile, bytes. A profile has one line for each entry, so a larger file is not a profile.
 const LARGEST: u64 = 1 << 20;
-/// First entry of the file.
+/// Value of the entry `format` in every profile.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
 /// The entries of the profile file. Missing entries are determined from the records.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
-    /// [`FORMAT`].
+    /// Format of the file: always [`FORMAT`].
     pub format: String,
     /// Positive direction of the files: rebound or compression.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -46,10 +46,10 @@ pub struct Profile {
     /// Reading of the force channel at zero force, N.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_zero_n: f64,
-    /// Reading of the displacement channel at the desired zero, m.
+    /// Reading of the displacement channel at the position that shall be zero, m.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub displacement_zero_m: f64,
-    /// Factor on the force.
+    /// Calibration factor on the force.
     #[serde(default = "one", skip_serializing_if = "is_one")]
     pub gain: f64,
     /// Mass between load cell and damper that moves with the damper's end, kg.
@@ -84,17 +84,17 @@ pub struct Profile {
     pub settings: BTreeMap<String, f64>,
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde passes a reference
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde passes a reference
 fn is_false(value: &bool) -> bool {
     !value
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks so
+#[allow(clippy::trivially_copy_pass_by_ref)] // serde passes a reference
 fn is_one(value: &f64) -> bool {
     *value == 1.0
 }
@@ -104,11 +104,11 @@ fn one() -> f64 {
 }
 
 impl Profile {
-    /// Reads the profile of a folder. Returns `None` if there is no file, or if the file describes the measurement of a
-    /// virtual campaign.
+    /// Reads the profile of a folder. Returns `None` if the file is missing or empty, or if it describes the
+    /// measurement of a virtual campaign.
     ///
     /// # Errors
-    /// The file cannot be read, or has an entry that is not understood.
+    /// The file cannot be read, is too large, lacks the entry `format`, or has an invalid entry.
     pub fn read(folder: &Path) -> Result<Option<Profile>, RecordError> {
         let file = folder.join(FILE);
         let text = match source::text(&file, LARGEST) {
@@ -123,7 +123,8 @@ impl Profile {
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
         match table.get("format").and_then(toml::Value::as_str) {
             Some(FORMAT) => {}
-            // The description that the virtual rig writes contains no entries for reading.
+            // This format belongs to the description that the virtual rig writes. It has no entries for reading
+            // records.
             Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
             _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),
         }
@@ -165,7 +166,7 @@ impl Profile {
     /// Converts the profile to options.
     ///
     /// # Errors
-    /// A message about a channel, unit or number that is not understood.
+    /// A message about an invalid channel, unit, direction, date order or number.
     pub fn options(&self) -> Result<Options, String> {
         let mut options = Options {
             positive: self.positive.as_deref().map(str::parse::<Positive>).transpose()?,
@@ -213,14 +214,14 @@ impl Profile {
         Ok(options)
     }
 
-    /// Returns the text of the file.
+    /// Formats the profile as the text of `campaign.toml`.
     pub fn text(&self) -> String {
         let rows = toml::to_string(self).unwrap_or_default();
         format!("# What is known about the records in this folder; every verb of dashpot obeys it.\n{rows}")
     }
 }
 
-/// Returns the folder whose profile applies to a path.
+/// Returns the folder whose profile applies to a path: the path itself if it is a folder, else the folder of the file.
 pub fn folder_of(path: &Path) -> PathBuf {
     if path.is_dir() {
         return path.to_owned();

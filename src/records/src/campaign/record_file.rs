@@ -1,4 +1,4 @@
-//! The choice of the reader for a record file.
+//! Selection of the reader for a record file.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::options::Options;
 use crate::peaks::table;
 use crate::source::Source;
 
-/// Reads the tests of one file. The extension selects the reader.
+/// Reads the tests of one file. The extension selects the reader. For `.dat`, the content decides between MDF and text.
 pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let ending = extension(file);
@@ -23,7 +23,7 @@ pub(super) fn read_file(file: &Path, options: &Options) -> Result<Vec<Samples>, 
         return Err(RecordError::NotRead { file: file.into(), is, instead });
     }
     let read = match ending.as_str() {
-        // Many loggers write MDF files with this extension, and many rigs write text files.
+        // Many loggers write MDF files with the extension `.dat`, and many rigs write text files with it.
         "dat" if mdf::is_one(&source.bytes) => mdf::read(source, &name, options),
         "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => csv::read(source, &name, options),
         "xlsx" | "xlsm" => xlsx::read(source, &name, options),

@@ -12,8 +12,8 @@ use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
 use dashpot_messages::Sentence;
 
-/// Reverses campaigns whose sign differs from the most certain one, and adds a note. Campaigns with a stated or a
-/// certain direction stay unchanged.
+/// Reverses campaigns whose sign differs from the most certain one, and adds a note. Campaigns with a stated direction
+/// stay unchanged. Campaigns with an opposite but certain direction only get a note.
 pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     let Some(surest) = campaigns.iter().map(|c| &c.sign).max_by(|a, b| a.confidence.total_cmp(&b.confidence)).cloned()
     else {
@@ -58,7 +58,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
 }
 
 impl Campaign {
-    /// Reverses the positive direction of force and motion.
+    /// Reverses the positive direction of force and motion in every record.
     fn turn(&mut self) {
         self.sign.positive = self.sign.positive.opposite();
         self.sign.standstill_force = -self.sign.standstill_force;
@@ -69,7 +69,8 @@ impl Campaign {
                 values.iter_mut().for_each(|value| *value = -*value);
             }
             record.mean_displacement = -record.mean_displacement;
-            // Cycles begin at an upward zero crossing, which is a motion toward rebound.
+            // Cycles begin at an upward zero crossing, which is a motion toward rebound. After the reversal, they begin
+            // at other samples.
             record.cycles = cycles_of(&record.time, &record.displacement);
             record.counted = Some(counted);
             record.frame = record.frame.reversed();
@@ -120,7 +121,7 @@ mod tests {
         let told = weak.notes[0].text.to_string();
         assert!(told.contains("60 %") && told.contains("97 %") && told.contains("--positive"), "{told}");
         assert!(given.sign.positive == Positive::Compression && given.records[0].force == force);
-        // Two campaigns with certain but opposite signs are of two rigs.
+        // Two campaigns with certain but opposite signs come from two rigs, so neither is reversed.
         let mut other = campaign(Positive::Compression, 0.95, false);
         agree_on_sign(&mut [&mut sure, &mut other]);
         assert!(other.sign.positive == Positive::Compression && other.notes.len() == 2);

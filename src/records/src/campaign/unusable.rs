@@ -11,7 +11,7 @@ use crate::error::RecordError;
 use crate::messages::phrases;
 use dashpot_messages::Sentence;
 
-/// A file or test that was left out.
+/// A file or test that a campaign leaves out.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unusable {
     /// Reason, as a sentence that names the file and the test within it.
@@ -73,14 +73,15 @@ impl RecordError {
             | E::Clipped { .. }
             | E::NoMotion { .. }
             | E::ConstantForce { .. } => Reach::Test,
-            // A file without the columns of the other files is a damaged record or a table of another kind.
+            // A file without the columns of the other files is a damaged record or a table of another kind, unless most
+            // files lack them.
             E::MissingColumn { .. }
             | E::NoSuchColumn { .. }
             | E::Cell { .. }
             | E::Fields { .. }
             | E::ConstantTime { .. }
             | E::Contradiction { .. } => Reach::TestUnlessMost,
-            // Implausible values and exchanged headings concern the campaign. A unit or column that is wrong in all
+            // Implausible values and exchanged headings concern the campaign, because a wrong unit or column of all
             // tests may show only in a few strong tests.
             _ => Reach::Campaign,
         }
@@ -99,7 +100,8 @@ impl Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Stores a fault and returns `None` if the campaign can leave the part out. Returns other faults as errors.
+    /// Returns a value as it is. Stores a fault and returns `None` if the campaign can leave the part out. Returns
+    /// other faults as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -116,14 +118,14 @@ impl Sieve {
         self.faults.is_empty()
     }
 
-    /// Returns the first fault as an error if no usable test remains. Returns the first possibly systematic fault if
-    /// tests with such faults are at least as many as usable tests.
+    /// Returns a fault as an error if no usable test remains: the first fault of a test, else of a file. Returns the
+    /// first possibly systematic fault if tests with such faults are at least as many as usable tests.
     ///
     /// A wrong column, unit or sign can cause the same fault in many tests.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
         let doubtful = |error: &RecordError| error.reach() == Reach::TestUnlessMost;
         let first = if usable == 0 {
-            // The fault of a test is more informative than that of a stray file.
+            // The fault of a test is more informative than that of a file that is not a record.
             let of_test = self.faults.iter().position(|e| e.reach() != Reach::NoRecord);
             of_test.or((!self.faults.is_empty()).then_some(0))
         } else if self.faults.iter().filter(|e| doubtful(e)).count() >= usable {
@@ -155,7 +157,7 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
     notes
 }
 
-/// Describes one fault.
+/// Makes the entry of an unusable file or test from its fault.
 fn in_words(error: &RecordError) -> Unusable {
     let is_test = error.reach() != Reach::NoRecord;
     let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };
@@ -209,7 +211,8 @@ mod tests {
         );
         assert!(unusable[1].why.to_string().starts_with("left out: s.csv: has only 3 usable samples"), "{unusable:?}");
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
-        // Two tests lack a time column and two have one. Either pair may be at fault, so the campaign is rejected.
+        // Two tests have a constant time, and two have a valid time. Either pair may be at fault, so the campaign is
+        // rejected.
         let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
         // Short tests never count as a systematic fault.

@@ -25,9 +25,9 @@ use std::collections::{BTreeMap, HashMap};
 /// Units and options with which a test was read.
 #[derive(Debug)]
 pub(crate) struct Reading<'a> {
-    /// The units in which its channels were read.
+    /// Units in which the channels of the test were read.
     pub units: Vec<(Channel, Unit)>,
-    /// The user's options for its file.
+    /// The user's options for the file of the test.
     pub options: &'a Options,
 }
 
@@ -51,7 +51,7 @@ impl Seen<'_> {
 /// Another unit that the file of a test may use.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 struct Slip {
-    /// Root mean square residual with that unit, as a natural logarithm of the force ratio.
+    /// Root mean square residual with the unit `likely`, as a natural logarithm of the force ratio.
     left: f64,
     channel: Channel,
     written: Unit,
@@ -63,7 +63,7 @@ struct Slip {
 pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>) -> Result<(), RecordError> {
     let seen: Vec<Seen<'_>> = records
         .iter()
-        // No change of unit explains a force that consists of noise. Another check reports that case.
+        // No change of unit explains a force that consists of noise. The plausibility check reports that case.
         .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
@@ -76,7 +76,7 @@ pub(crate) fn refuse(records: &[Record], readings: &HashMap<String, Reading<'_>>
 
 /// Groups the tests by the setting of an adjustable damper. Leaves out tests whose setting changes.
 ///
-/// Between soft and hard settings, the force of one damper may differ as much as between two units.
+/// Tests at different settings are not compared, because their forces may differ by the ratio of two units.
 fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     let mut groups: Vec<Vec<Seen<'_>>> = Vec::new();
     for test in seen.into_iter().filter(|test| test.record.setting_signal.is_none()) {
@@ -111,7 +111,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     let Some(((channel, written, likely), tests)) = found.into_iter().max_by_key(|(_, tests)| tests.len()) else {
         return Ok(());
     };
-    // The error reports the values of the test with the largest force.
+    // The error reports the values of the deviating test with the largest force.
     let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
     let Some((level, beside)) = others.beside(shown) else { return Ok(()) };
@@ -128,7 +128,8 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     })))
 }
 
-/// Returns the largest set of tests in which each test agrees with at least one other. The order is that of `seen`.
+/// Returns the indices of the largest set of tests that are connected by agreement of pairs. A set may have only one
+/// test. The order is that of `seen`.
 fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     let mut set: Vec<usize> = (0..seen.len()).collect();
     fn root(set: &mut [usize], mut i: usize) -> usize {
@@ -150,7 +151,7 @@ fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     for i in 0..seen.len() {
         members.entry(root(&mut set, i)).or_default().push(i);
     }
-    // Of sets of equal size, take the set with the earliest test.
+    // Of sets of equal size, use the set with the earliest test.
     members.into_values().rev().max_by_key(Vec::len).unwrap_or_default()
 }
 
@@ -163,9 +164,10 @@ fn agree(one: &Levels, other: &Levels) -> bool {
 /// The reference: tests that agree with each other, and their forces at each velocity.
 struct Others<'a> {
     tests: Vec<&'a Seen<'a>>,
-    /// Natural logarithm of the force against the motion.
+    /// Natural logarithm of the median force, N, against the motion, by velocity level.
     curve: BTreeMap<i32, f64>,
-    /// Mean of the forces in rebound and compression, N, and its scatter from test to test.
+    /// Mean of the forces in rebound and compression, N, by velocity level: its median and its median absolute
+    /// deviation between tests.
     between: BTreeMap<i32, (f64, f64)>,
 }
 
@@ -187,7 +189,8 @@ impl<'a> Others<'a> {
         Others { tests, curve, between }
     }
 
-    /// Returns the logarithm of the typical force, interpolated between levels.
+    /// Returns the logarithm of the typical force, interpolated between velocity levels. Returns `None` outside the
+    /// levels of the reference.
     fn usual(&self, level: f64) -> Option<f64> {
         let (below, part) = (level.floor(), level - level.floor());
         // The level of every positive double is within the range of an i32.
@@ -205,22 +208,23 @@ impl<'a> Others<'a> {
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at its velocities, as logarithms. The test's forces and
-    /// velocities are scaled by the given factors.
+    /// Returns the deviations of a test from the others at their common velocities, as logarithms of the force ratio.
+    /// The test's forces and velocities are first scaled by the given factors.
     fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
     }
 
-    /// Returns whether some other tests at common velocities have about the given amplitude, m, or less.
+    /// Returns whether some other test at a common velocity has at most about the given amplitude, m. [`AS_LONG`] is
+    /// the tolerance.
     fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
         let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Returns whether the mean force of the two directions contradicts a factor on the force. It does if it is closer
-    /// to the other tests without the factor.
+    /// Returns whether the mean force of the two directions contradicts a factor on the force. It does if the factor
+    /// increases its deviation from the other tests beyond the acceptable one.
     fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {
@@ -234,7 +238,8 @@ impl<'a> Others<'a> {
     }
 }
 
-/// Returns the channel with a likely wrong unit, the unit as read, and the likely units.
+/// Returns the channel with a likely wrong unit, the unit as read, and the likely units. Returns `None` if no other
+/// unit makes the test agree with the others.
 fn slip(test: &Seen<'_>, others: &Others<'_>) -> Option<(Channel, Unit, Vec<Unit>)> {
     let mut as_read: Vec<f64> = others.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {
@@ -256,7 +261,8 @@ fn slip(test: &Seen<'_>, others: &Others<'_>) -> Option<(Channel, Unit, Vec<Unit
     Some((best.channel, best.written, likely))
 }
 
-/// Returns the residual of a test in another unit of a channel, if the test agrees with the others in that unit.
+/// Evaluates another unit of a channel. Returns `None` unless the test agrees with the others in that unit and the unit
+/// is plausible.
 fn judged(test: &Seen<'_>, others: &Others<'_>, channel: Channel, written: Unit, likely: Unit) -> Option<Slip> {
     let factor = likely.to_si(1.0) / written.to_si(1.0);
     let (of_force, of_velocity) = match channel {
@@ -369,8 +375,8 @@ mod tests {
         assert_eq!(said(&records, &Options::default()), "");
     }
 
-    /// A semi-active damper without gas, with settings that differ in force by a typical ratio of two units. A file in
-    /// kN deviates from the tests at its own setting.
+    /// A semi-active damper without gas, whose settings differ in force by a typical ratio of two units. A file in kN
+    /// is found by comparison with the tests at its own setting.
     #[test]
     fn settings_are_told_by_their_own_tests() {
         let at = |value: f64| {

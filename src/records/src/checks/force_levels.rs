@@ -7,10 +7,10 @@ use crate::numbers::median;
 use crate::tuning::force_levels::{FEWEST, LOWEST, MIDDLE, STEP};
 use std::collections::BTreeMap;
 
-/// Velocity of level 0, m/s. Only differences of levels matter.
+/// Lower limit of velocity level 0, m/s. Only differences of levels matter.
 const FROM: f64 = 1e-3;
 
-/// The force at one velocity.
+/// Forces of a test at one velocity level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Level {
     /// Half the difference of the forces in rebound and in compression, N: the force against the motion.
@@ -20,10 +20,10 @@ pub(crate) struct Level {
     pub between: f64,
 }
 
-/// The levels of a test, by the index of the velocity.
+/// Forces of a test, by the number of the velocity level.
 pub(crate) type Levels = BTreeMap<i32, Level>;
 
-/// Returns the number of levels between two velocities with the given ratio.
+/// Returns the number of levels, possibly fractional, between two velocities with the given ratio.
 pub(crate) fn apart(times: f64) -> f64 {
     libm::log(times) / libm::log(STEP)
 }
@@ -33,7 +33,8 @@ pub(crate) fn velocity(level: i32) -> f64 {
     FROM * libm::pow(STEP, f64::from(level) + 0.5)
 }
 
-/// Computes the force levels of a test from the samples for which `counts` is true.
+/// Computes the force levels of a test from the samples for which `counts` is true. Omits levels with fewer than
+/// [`FEWEST`] samples in a direction.
 pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels {
     let lowest = LOWEST * record.peak_velocity;
     let mut forces: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();

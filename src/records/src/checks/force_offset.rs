@@ -17,23 +17,23 @@ use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO
 use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
-/// Mean force of the two directions of each test, N, by velocity level.
+/// Mean force of the two directions, N, with the index of its test, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
-/// Deviation of a test from the others.
+/// Deviation of the mean force of a test from that of the others.
 struct Beside {
-    /// Deviation of its mean force of the two directions from that of the others, N. The median over the velocities,
-    /// and the scatter about the median.
+    /// Median over the velocities of the difference, N, between the mean force of the two directions of the test and of
+    /// the others. `scatter` is the median absolute deviation from it.
     offset: f64,
     scatter: f64,
-    /// Number of velocities.
+    /// Number of velocity levels common to the test and the others.
     velocities: usize,
-    /// The smallest and the largest absolute deviation, N.
+    /// The smallest and the largest absolute deviation over the velocities, N.
     nearest: f64,
     farthest: f64,
     /// Largest acceptable deviation, N.
     allowed: f64,
-    /// Force of the test and typical force of the others at the middle velocity, N.
+    /// Mean force of the two directions of the test and of the others at the middle velocity level, N.
     forces: (f64, f64),
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     let offset = load_cell::offset(records.iter().flat_map(|r| &r.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let (mut turned, mut moved) = (Vec::new(), Vec::new());
     for (i, record) in records.iter().enumerate() {
-        // The force depends on the setting of the damper.
+        // The force depends on the setting of the damper, so only tests at one setting are compared.
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let beside = |levels: &Levels, turn: f64, at: &Others| beside((i, &is_alike), levels, turn, at, offset);
         let Some(own) = beside(&as_read[i], 1.0, &at) else { continue };
@@ -107,8 +107,8 @@ fn by_velocity(seen: &[Levels]) -> Others {
     at
 }
 
-/// Computes the deviation of a test from the others, with its forces multiplied by `turn`. Returns `None` if they have
-/// no velocity in common.
+/// Computes the deviation of a test from the others, with its forces multiplied by `turn`. Returns `None` if at no
+/// velocity at least [`FEWEST`] others have a force.
 fn beside(
     (own, is_alike): (usize, &dyn Fn(usize) -> bool),
     seen: &Levels,

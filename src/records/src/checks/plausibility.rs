@@ -1,6 +1,7 @@
 //! Rejects values that no suspension damper has. The usual causes are an unstated unit and an unconnected load cell.
 //!
-//! Values that are far too large are rejected. Small values may be intended and only cause a note.
+//! Values that are far too large are rejected, and so is a force that is too small for any damper or only noise. Other
+//! small values may be intended and only cause a note.
 
 use std::collections::HashMap;
 
@@ -16,7 +17,7 @@ use crate::tuning::plausibility::{
 };
 use dashpot_messages::Sentence;
 
-/// Rejects a record that no damper can produce.
+/// Rejects a record with an amplitude, velocity or force that no damper reaches.
 pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let force = largest(&record.force);
@@ -113,7 +114,7 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
     Ok(())
 }
 
-/// Returns whether the force of a moving damper is indistinguishable from noise.
+/// Returns whether the damper moves but its force is indistinguishable from noise.
 pub(crate) fn shows_noise_alone(record: &Record) -> bool {
     let noise = record.noise.force_rms;
     let n = record.force.len() as f64;

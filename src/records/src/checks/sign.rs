@@ -94,8 +94,8 @@ pub(crate) fn settle(
     let cycles: Vec<(usize, Overtones)> =
         motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
-    // With the recorded signs the damper dissipates, so it may be of an unknown kind. Add a note and leave the record
-    // unchanged.
+    // With the recorded signs the damper dissipates, so the channels may be correct and the damper of an unknown kind.
+    // Add a note and leave the record unchanged.
     if 2 * exchanged.len() > cycles.len() {
         let text =
             Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
@@ -115,7 +115,7 @@ pub(crate) fn settle(
 
 /// Gathers the evidence of all tests, and the campaign's force at standstill.
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
-    // A force at standstill below the offset is no evidence of gas.
+    // A force at standstill below the expected offset of the load cell is no evidence of gas.
     let offset = load_cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let mut evidence: Vec<Evidence> = motions.iter().map(|motion| gather(motion, offset)).collect();
     let standstill = standstill(&evidence);
@@ -127,7 +127,8 @@ fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     (evidence, standstill)
 }
 
-/// Returns the delay of the force, if significant. Rejects tests that feed energy for another reason.
+/// Returns the delay of the force, if significant, and adds a note about it. Rejects tests that feed energy for a
+/// reason other than a delay.
 fn lateness(
     motions: &[Motion],
     evidence: &[Evidence],
@@ -246,7 +247,8 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Returns the median force in one direction, N, at speeds between two fractions of `peak`.
+/// Returns the median force in one direction, N, at speeds between two fractions of `peak`. Returns `None` for fewer
+/// than [`FEWEST`] samples.
 fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
     let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
@@ -254,10 +256,11 @@ fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Op
     (forces.len() >= FEWEST).then(|| median(&mut forces))
 }
 
-/// A slow test. It supplies the force at low speed if a faster test, such as a triangle, has no slow samples.
+/// Forces of a test near its peak velocity. A faster test without slow samples, such as a triangle, uses them as its
+/// forces at low speed.
 struct Slow {
     peak: f64,
-    /// Force at its own peak velocity, positive and negative, N.
+    /// Median force near the peak velocity, at positive and at negative velocity, N.
     forces: [Option<f64>; 2],
 }
 
@@ -267,7 +270,8 @@ impl Slow {
     }
 }
 
-/// Computes the increase of a test's force with speed in each direction, N.
+/// Computes the increase of a test's force from low to high speed in each direction, N. Returns `None` if the force at
+/// one of the speeds is unknown. `others` supply the force at low speed if the test has no slow samples.
 fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     let of = |positive: bool| {
         let fast = level(motion, positive, peak, [FAST, f64::INFINITY])?;
@@ -284,8 +288,8 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
 
 /// Returns the logarithm of the ratio of force increases at positive and negative velocity, and its uncertainty.
 ///
-/// Both returned values are medians over the faster tests. Hysteresis is similar in all tests, so more tests do not
-/// reduce the uncertainty.
+/// Both returned values are medians over the tests with at least half of the velocity `fastest`. Hysteresis is similar
+/// in all tests, so more tests do not reduce the uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -293,7 +297,7 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
         .filter_map(|e| {
             let [positive, negative] = e.growth?;
             let error = e.level_error.max(f64::MIN_POSITIVE);
-            // The true increase may be as large as its error.
+            // The increase counts as at least its error, because the true increase may be as large.
             let (positive, negative) = (positive.max(error), negative.max(error));
             Some((libm::log(positive / negative), libm::hypot(error / positive, error / negative)))
         })
@@ -308,13 +312,14 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
 /// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
 /// rigs, the force is no evidence, which limits the odds.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
-    // The logistic curve deviates from the normal distribution by less than 0.01.
+    // This logistic curve approximates the cumulative normal distribution with an error below 0.01.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
     let told = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
     libm::log(told(tension) / told(1.0 - tension))
 }
 
-/// Returns the logarithm of the ratio of damping forces in the two directions.
+/// Returns the logarithm of the ratio of damping forces at positive and negative velocity. A damping force is the 95 %
+/// quantile of the deviation from the force at standstill.
 fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
@@ -479,7 +484,7 @@ fn direction(
         None => (found, false, sure),
     };
     let turn = if positive == Positive::Compression { -1.0 } else { 1.0 };
-    // In this direction, the gas would pull the rod in.
+    // A tensile force at standstill would mean that the gas pulls the rod in.
     if let Some((force, uncertainty)) = standstill
         && turn * force > 2.0 * uncertainty
     {
@@ -615,7 +620,7 @@ mod tests {
                 samples.force.iter_mut().for_each(|f| *f *= 1e-4);
                 std::mem::swap(x, &mut samples.force);
             }
-            // With a stated unit, the check of single files does not reject the tests.
+            // The stated unit confirms the headings, so `swapped_columns::refuse` does not reject the test first.
             let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
             motions.push(cleaning::repair(samples, &options).unwrap());
         }

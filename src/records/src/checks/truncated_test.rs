@@ -42,7 +42,7 @@ mod tests {
         // gives none.
         assert_eq!(told(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
         assert_eq!(told(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
-        // A motion from standstill to standstill, and two cycles.
+        // A motion from standstill to standstill and a motion of two cycles give no note.
         assert_eq!(told(&|t| (-(PI * t).cos(), PI * (PI * t).sin())), 0);
         assert_eq!(told(&|t| ((12.5 * t).sin(), 12.5 * (12.5 * t).cos())), 0);
     }

@@ -24,8 +24,8 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     let largest = records.iter().map(largest_current).fold(0.0, f64::max);
     let (large, small): (Vec<f64>, Vec<f64>) = records.iter().map(largest_current).partition(|i| *i > MOST_CURRENT);
     let usual = small.iter().copied().fold(0.0, f64::max);
-    // A slip of the unit in most tests is one of the whole logger. The few small currents are then those of a valve
-    // without current.
+    // If most tests have an implausible current, the unit of the whole logger is wrong. The few small currents are then
+    // those of a valve without current.
     let is_of_few = large.len() <= small.len();
     if largest > MOST_CURRENT
         && usual > 0.0
@@ -93,7 +93,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     Ok(())
 }
 
-/// Returns the largest current of a record's valve, A.
+/// Returns the largest absolute current of a record's valve, A, or zero if the record has none.
 fn largest_current(record: &Record) -> f64 {
     let constant = record.setting.as_ref().filter(|of| of.name == "current" && of.unit == "A").map(|of| of.value.abs());
     let changing = record.setting_signal.as_ref().filter(|of| of.name == "current" && of.unit == "A");
@@ -120,8 +120,9 @@ mod tests {
     use super::*;
     use crate::quantities::setting_value::Setting;
 
-    /// Makes a campaign of a damper with a force at 1 m/s and friction, tested at several amplitudes and peak speeds.
-    /// `slip` multiplies the channels to imitate wrong units.
+    /// Makes a campaign of a damper, tested at several amplitudes, m, and peak speeds, m/s. `force` is the damping
+    /// force at 1 m/s, N, and `friction` is the friction, N. `slip` multiplies time, motion and force to imitate wrong
+    /// units.
     fn campaign(force: f64, friction: f64, tests: &[(f64, f64)], slip: [f64; 3]) -> Vec<Record> {
         tests
             .iter()
@@ -184,8 +185,8 @@ mod tests {
                 ([1.0, 1e-3, 1.0], "--unit displacement=m, or --unit displacement=mm to insist"),
             ] {
                 let records = campaign(force, 0.05 * force, &USUAL, slip);
-                // If the time is too short by a factor of a thousand, an earlier check may reject the implausible
-                // speed.
+                // In a campaign, the plausibility check may reject the speed first if the time is too short by a factor
+                // of a thousand.
                 let message = said(&records);
                 assert!(message.contains(wanted), "{force} {slip:?}: {message}");
             }
@@ -223,13 +224,14 @@ mod tests {
             message.contains("odd.csv") && message.contains("--exclude 'odd'") && message.contains("0.70 A"),
             "{message}"
         );
-        // If most files deviate, it is: the small current is the noise of a valve without current.
+        // If most files deviate, the unit is at fault, and the small current is the noise of a valve without current.
         set(&mut records, [0.1, 400.0, 800.0]);
         let message = refuse(&records, &none).unwrap_err().to_string();
         assert!(message.contains("800 A") && message.contains("--unit current=mA"), "{message}");
     }
 
-    /// A record with half the range of its force, N, its peak velocity, m/s, its amplitude, m, and its sampling, s.
+    /// Properties of a synthetic record: half the range of its force, N, peak velocity, m/s, amplitude, m, sampling
+    /// interval, s, and duration, s.
     struct Figures {
         half: f64,
         speed: f64,

@@ -28,14 +28,14 @@ impl Reach {
         for (channel, ends) in
             [(Channel::Displacement, &mut self.displacement), (Channel::Velocity, &mut self.velocity)]
         {
-            // Comparisons with NaN are false, so NaN does not change the range.
+            // `min` and `max` ignore NaN, so NaN does not change the range.
             let values = samples.channel(channel).unwrap_or_default();
             *ends = values.iter().fold(*ends, |(low, high), v| (low.min(*v), high.max(*v)));
         }
         self
     }
 
-    /// Returns whether the range of some test extends beyond the value of the flat top.
+    /// Returns whether the range of the tests extends beyond the flat top by more than its estimated overshoot.
     fn goes_beyond(&self, channel: Channel, top: &FlatTop) -> bool {
         let (low, high) = if channel == Channel::Velocity { self.velocity } else { self.displacement };
         if top.up { high > top.value + top.overshoot } else { low < top.value - top.overshoot }
@@ -52,7 +52,7 @@ struct FlatTops {
     runs: Vec<FlatTop>,
 }
 
-/// One flat top.
+/// Consecutive equal samples at an extreme of a channel that is clipped there.
 #[derive(Debug, Clone)]
 struct FlatTop {
     samples: std::ops::Range<usize>,
@@ -64,7 +64,7 @@ struct FlatTop {
 }
 
 impl FlatTops {
-    /// Combines all runs.
+    /// Makes the clipped samples of a channel with `n` samples from its flat tops.
     fn of(n: usize, runs: Vec<FlatTop>) -> FlatTops {
         let mut tops = FlatTops { clipped: vec![false; n], first: n, ..FlatTops::default() };
         for run in &runs {
@@ -103,11 +103,14 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
     seconds > 0.0 && beyond.abs() < SHOWN * top.overshoot
 }
 
-/// Handles clipped channels. Returns the samples whose force is unusable.
+/// Handles clipped channels. Returns for each sample whether its force is clipped and thus unusable.
 ///
 /// The motion is valid at clipped force samples, so the caller drops them after completing the motion. A clipped motion
-/// channel is dropped if the other motion channel can replace it. `reach` is the range of the motion over all tests of
-/// the campaign.
+/// channel is dropped if the other motion channel can replace it. Few equal samples are only a rounded peak if other
+/// tests go further. `reach` is the range of the motion over all tests of the campaign.
+///
+/// # Errors
+/// [`RecordError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.
 pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
@@ -297,8 +300,8 @@ mod tests {
         }
     }
 
-    /// A velocity with plateaus, recorded without noise. If the displacement confirms the plateaus, they stay. A larger
-    /// displacement shows that the plateaus are clipped.
+    /// Checks that the plateaus of a velocity stay if the displacement confirms them. If the displacement goes further,
+    /// the plateaus count as clipped. The velocity is recorded without noise.
     #[test]
     fn a_plateau_that_the_displacement_confirms_is_no_clipping() {
         let (rate, frequency, speed) = (1000.0, 5.0, 0.05);

@@ -1,5 +1,5 @@
-//! Applies the user's corrections of the sensors: zeros, gains, signs and a delay of the force. No other module applies
-//! them.
+//! Applies the user's corrections of the sensors to a test: zeros, gains, signs and a delay of the force. A mass on the
+//! load cell is only stored here, and `cleaning::finish` corrects its inertia force.
 
 use super::{Motion, cycles};
 use crate::data::record::Note;
@@ -50,7 +50,8 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.rig_mass_kg != 0.0 {
         note(Sentence::from(phrases::MASS_TAKEN_OFF).with("mass", options.rig_mass_kg));
-        // The correction needs the acceleration of the whole record, trimmed and with the right sign.
+        // The correction needs the acceleration of the whole record, trimmed and with the right sign. It is therefore
+        // applied later, when the record is finished.
         motion.stated_error.mass_kg = options.rig_mass_kg;
     }
     if options.delay_s == 0.0 {
@@ -62,9 +63,9 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     delay_motion(motion, options.delay_s)
 }
 
-/// Pairs every force sample with the motion `delay` seconds earlier.
+/// Pairs every force sample with the motion `delay` seconds earlier. Removes samples without such a motion.
 ///
-/// Returns the range of the original samples that have such a motion.
+/// Returns the range of the original samples that remain.
 pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
     let earlier = DelayedMotion::new(&motion.time, delay);
     motion.displacement = earlier.values(&motion.displacement);

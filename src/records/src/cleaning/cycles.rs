@@ -15,7 +15,7 @@ use crate::tuning::cycles::{END_TOLERANCE, LIKENESS, LONELY, TOLERANCE, WIGGLE};
 /// Number of phases at which the shapes of cycles are compared.
 const PHASES: usize = 64;
 
-/// Finds the whole cycles. Returns none if the motion is not periodic.
+/// Finds the whole cycles. Returns an empty list if the motion is not periodic.
 pub(crate) fn find(time: &[f64], displacement: &[f64]) -> Vec<Cycle> {
     let whole = range(displacement);
     if displacement.len() < 8 || whole == 0.0 {
@@ -179,7 +179,8 @@ fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     cycles
 }
 
-/// Returns the median of a quantity and its relative tolerance, which is at least `least`.
+/// Returns the median of a quantity and its relative tolerance, which is at least `least` and at most the upper limit
+/// of [`TOLERANCE`].
 fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f64) {
     let centre = median(&mut cycles.iter().map(&of).collect::<Vec<_>>());
     let scatter = 1.4826 * median(&mut cycles.iter().map(|c| (of(c) - centre).abs()).collect::<Vec<_>>());
@@ -281,7 +282,7 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
 }
 
 /// Computes the time at which the displacement crosses `level` near sample `near`. The method is a straight-line fit to
-/// the samples of the flank within `band` of the level.
+/// the samples of the flank within `band` of the level. Returns `None` if the fit does not rise or has one sample.
 ///
 /// Interpolation between only two samples would add their noise to the crossing time.
 fn crossing_time(
@@ -342,10 +343,10 @@ fn fundamental_share(time: &[f64], x: &[f64], cycle: &Cycle) -> f64 {
     2.0 * (c * c + s * s) / (span.len() as f64 * total)
 }
 
-/// Returns a peak of |values| that is robust against single noisy samples.
+/// Returns a peak of the absolute values that is robust against single noisy samples.
 ///
 /// The peak is the median over the cycles of the 99th percentile in each cycle. For a sine, it is 0.01 % smaller than
-/// the amplitude.
+/// the amplitude. Without cycles, the peak is the 99.5th percentile of all values.
 pub(crate) fn robust_peak(values: &[f64], cycles: &[Cycle]) -> f64 {
     let peak = |span: &[f64]| quantile(&mut span.iter().map(|v| v.abs()).collect::<Vec<_>>(), 0.99);
     if cycles.is_empty() {

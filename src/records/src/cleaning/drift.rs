@@ -6,7 +6,7 @@ use crate::messages::phrases;
 use crate::signal::noise;
 use dashpot_messages::Sentence;
 
-/// Reports the drift of the cycle means over the record.
+/// Adds notes about significant drifts of the cycle means of displacement and force. It requires three cycles.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {
     if cycles.len() < 3 {
         return;

@@ -1,4 +1,4 @@
-//! Blocks of rows that an export or a logger buffer wrote twice.
+//! Removes blocks of rows that an export or a logger buffer wrote twice.
 
 use std::collections::HashMap;
 
@@ -118,7 +118,7 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
     None
 }
 
-/// Returns whether the motion jumps back immediately before row `i`.
+/// Returns whether the motion jumps between row `i - 1` and row `i`, in comparison with its steps in the block before.
 fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
     [Channel::Displacement, Channel::Velocity].iter().filter_map(|&c| samples.channel(c)).any(|values| {
         let block = &values[i - lag..i];
@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Writes the rows `range` twice. With `new_stamps`, the time of the second copy continues to increase.
+    /// Repeats the rows `range` of a test. With `new_stamps`, the time of the second copy continues to increase.
     fn doubled(sound: &Samples, range: std::ops::Range<usize>, new_stamps: bool) -> Samples {
         let order: Vec<usize> = (0..range.end).chain(range.start..sound.len()).collect();
         let mut samples = sound.clone();
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn doubled_blocks_are_removed() {
         let sound = SineTest::default().samples();
-        // Part of a cycle, and a whole cycle, after which the motion does not jump.
+        // The first range is part of a cycle. The second is a whole cycle, after which the motion does not jump.
         for range in [500..560, 600..800] {
             for new_stamps in [false, true] {
                 let mut samples = doubled(&sound, range.clone(), new_stamps);

@@ -28,7 +28,7 @@ pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     Ok(())
 }
 
-/// Returns the displacement, or the integral of the velocity.
+/// Returns the displacement, or the integral of the velocity. Without both, it returns zeros.
 fn motion(samples: &Samples) -> Vec<f64> {
     match (&samples.displacement, &samples.velocity) {
         (Some(x), _) => x.clone(),
@@ -59,13 +59,15 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
         return Ok(());
     }
     let noise = difference_noise(other);
-    // The force may change slightly at standstill because friction relaxes.
+    // At standstill, the force may change because friction relaxes. A constant displacement is therefore frozen only if
+    // the other channel changes more.
     let share = if channel == Channel::Displacement { 0.5 } else { 0.1 };
     let mut start = 0;
     for run in values.chunk_by(|a, b| a == b) {
         let end = start + run.len();
         if run.len() >= RUN {
-            // The other channel may still change in the first samples after a stop.
+            // The other channel may still change in the first samples after a stop, so the first tenth of the run is
+            // left out.
             let inner = &other[start + run.len() / 10..end];
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
@@ -102,7 +104,7 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
     Ok(())
 }
 
-/// Returns the fraction of equal neighboring samples outside the run in question.
+/// Returns the fraction of equal neighboring samples before and after a run, or one if there are no such samples.
 fn equal_share(before: &[f64], after: &[f64]) -> f64 {
     let pairs = before.windows(2).chain(after.windows(2));
     let (equal, all) = pairs.fold((0, 0), |(equal, all), w| (equal + usize::from(w[0] == w[1]), all + 1));

@@ -11,7 +11,7 @@ use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
 use dashpot_messages::Sentence;
 use std::ops::Range;
 
-/// Splits a test at its gaps and inserts a note about them before the other notes.
+/// Splits a test at its gaps, without pieces of too few samples. Inserts a note about the gaps before the other notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let gaps = find(&samples.time);
     if gaps.is_empty() {
@@ -65,7 +65,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 
 /// Removes pieces without a whole cycle if other pieces have cycles. Returns a note about the removed pieces.
 ///
-/// Such a piece is a motion that the gap interrupts. A longer piece is a motion of another kind and stays.
+/// Such a piece is a motion that the gap interrupts. A piece with a larger range or more turning points is a motion of
+/// another kind and stays.
 fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<Sentence> {
     let x = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite()))?;
     let stroke = |span: &Range<usize>| {
@@ -169,7 +170,7 @@ mod tests {
     fn a_stump_without_a_whole_cycle_is_left_out() {
         let sine = SineTest { frequency: 4.0, ..SineTest::default() };
         let mut samples = sine.samples();
-        // The gap begins at a third of the first cycle.
+        // The gap leaves a first piece without a whole cycle.
         let at = ((sine.steady_from() + 0.3) * 200.0) as usize;
         let (from, to) = (at.min(samples.len() / 4), samples.len());
         let step = samples.time[1] - samples.time[0];

@@ -10,6 +10,9 @@ use dashpot_messages::Sentence;
 /// Drops rows in which time, force or motion is missing.
 ///
 /// Interpolates missing values of side force and temperature, which are slow and often logged at a lower rate.
+///
+/// # Errors
+/// [`RecordError::Missing`] if too many rows, or too many in succession, lack a value.
 pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();
@@ -86,7 +89,7 @@ fn forget_empty_columns(samples: &mut Samples) {
 }
 
 /// Fills missing values by linear interpolation over time. Before the first and after the last value, the interpolation
-/// is constant.
+/// is constant. Returns the number of filled values.
 fn bridge(time: &[f64], values: &mut [f64]) -> usize {
     let known: Vec<usize> = (0..values.len()).filter(|&i| !values[i].is_nan()).collect();
     let (Some(&first), Some(&last)) = (known.first(), known.last()) else {

@@ -44,8 +44,9 @@ pub(crate) use drift::time_mean;
 
 /// Sorts the rows and splits the record into tests.
 ///
-/// Drops repeated rows and rows with missing values, and orders the time stamps. Splits at gaps in time, at standstills
-/// between tests, and at changes of amplitude, frequency or speed without a standstill.
+/// Drops repeated rows, rows of an earlier run and rows with missing values, and orders the time stamps. Splits at gaps
+/// in time, at standstills between tests, and at changes of amplitude, frequency or speed without a standstill. Cuts
+/// off the start of a test in which a slow supply brings the setting to its value.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
     swapped_columns::refuse(&samples, options)?;

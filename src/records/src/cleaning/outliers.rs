@@ -7,7 +7,8 @@ use crate::signal::noise::difference_noise;
 use crate::tuning::outliers::{FRACTION, LONGEST};
 use dashpot_messages::Sentence;
 
-/// Replaces spikes in force and motion by straight lines, with a note.
+/// Replaces spikes in force and motion by straight lines, with a note. A channel with too many spikes stays unchanged,
+/// with another note.
 pub(crate) fn replace(samples: &mut Samples) {
     for channel in [Channel::Force, Channel::Displacement, Channel::Velocity] {
         let Some(values) = samples.channel_mut(channel) else {
@@ -125,8 +126,9 @@ mod tests {
         assert!((a - b).abs() < 2e-4, "{a} {b}");
     }
 
-    /// Friction that reverses within a sample, break-away peaks of one and a half times the friction, and a blow-off
-    /// knee. The test covers several sampling rates, with and without noise.
+    /// Checks that effects of a damper do not count as spikes. The effects are friction that reverses within a sample,
+    /// break-away peaks of one and a half times the friction, and a blow-off knee. The test covers several sampling
+    /// rates, with and without noise.
     #[test]
     fn reversals_break_away_and_knees_stay() {
         for per_cycle in [20, 47, 200, 1000] {

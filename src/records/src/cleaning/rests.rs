@@ -98,7 +98,8 @@ fn figures(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Finds the ranges in which the damper stands still for long enough.
+/// Finds the ranges in which the damper stands still for about [`REST`] or longer. `still` is the largest range of a
+/// standstill, m.
 fn rests(time: &[f64], x: &[f64], still: f64) -> Vec<Range<usize>> {
     let length = ((REST / PIECES as f64 / sample_time(time).max(1e-9)).ceil() as usize).max(5);
     let mut rests: Vec<Range<usize>> = Vec::new();
@@ -145,7 +146,7 @@ fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Move
     }
     let span = from.saturating_sub(MARGIN).max(span.start)..(to + MARGIN).min(span.end);
     let inside = &x[span.clone()];
-    // Spikes have not been removed yet, but they are few among hundreds of samples.
+    // Spikes have not been removed yet. They are few among hundreds of samples, so quantiles exclude them.
     let spikes = (5.0 / inside.len() as f64).min(0.002);
     let ends = |q: f64| quantile(&mut inside.to_vec(), q);
     let (low, high) = (ends(spikes), ends(1.0 - spikes));
@@ -182,7 +183,7 @@ impl Moves {
         (self.speed - other.speed).abs() <= SAME_SPEED * self.speed.max(other.speed)
     }
 
-    /// Returns whether a stroke moves the damper to the start of this motion or away from its end.
+    /// Returns whether a stroke lies within the range of this motion and has its speed.
     fn takes(&self, stroke: &Moves, still: f64) -> bool {
         let near = SAME_ENDS * (self.high - self.low) + still;
         stroke.low >= self.low - near && stroke.high <= self.high + near && self.is_as_fast_as(stroke)
@@ -254,8 +255,8 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// A motion in pieces: standstills, sines (amplitude in mm, frequency in Hz, number of cycles) and moves to another
-    /// position.
+    /// A motion, mm, in pieces: standstills, sines (amplitude in mm, frequency in Hz, number of cycles) and moves to
+    /// another position (mm, mm/s).
     struct Course {
         x: Vec<f64>,
         at: f64,

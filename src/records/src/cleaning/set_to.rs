@@ -55,7 +55,9 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
     }
 }
 
-/// Reciprocal of the largest fraction of a test that may be cut off at its start. If the setting moves for longer, its motion is the test.
+/// Reciprocal of the largest fraction of a test that may be cut off at its start. If the setting moves for longer, its
+/// motion is the test.
+///
 /// Test: `the_start_of_a_slow_supply_is_cut_off_and_steps_stay`.
 const START: usize = 2;
 
@@ -89,7 +91,8 @@ pub(super) fn drop_start(mut samples: Samples, rules: &SettingRules) -> Samples 
     samples
 }
 
-/// Determines the setting of the damper: a constant value, or a signal if it changes.
+/// Determines the setting of the damper: a constant value, or a signal if it changes. Without a channel of the setting,
+/// both are `None`. Removes the channel from the samples and adds notes about empty, missing, small or changing values.
 pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setting>, Option<SettingSignal>) {
     let is_current = samples.setting.is_none();
     let in_milliamperes = samples.heading(Channel::Current).trim_end_matches([']', ')', '}', ' ']).ends_with("mA");
@@ -143,7 +146,8 @@ mod tests {
         assert_eq!(of("p [bar]", &named), owned("pilot", "bar", 1.0));
     }
 
-    /// A note reports a current that is too small for a valve. A note also reports an empty column.
+    /// Checks that only the start of a slow supply is cut off. A constant setting, a step, a sine and a ramp stay
+    /// whole.
     #[test]
     fn the_start_of_a_slow_supply_is_cut_off_and_steps_stay() {
         let with = |current: &dyn Fn(f64) -> f64| {

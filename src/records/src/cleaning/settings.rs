@@ -38,7 +38,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let cycles_of = |span: &Range<usize>| cycles::find(&samples.time[span.clone()], &x[span.clone()]);
     let test = |(k, run): (usize, &Range<usize>)| {
         let whole = middle(k)..middle(k + 1);
-        // At the ends of the record, standstill and run-down may be longer than the test.
+        // At the ends of the record, standstill and run-down may be longer than the test and hide its cycles. The
+        // second choice is therefore the span of the cycles alone.
         let own = all[run.start].start..all[run.end - 1].end;
         [whole, own].into_iter().map(|span| (cycles_of(&span), span)).find(|(cycles, _)| !cycles.is_empty())
     };
@@ -53,7 +54,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     tests.map(|(k, (cycles, span))| part(&samples, span, (k, count), &cycles, 0.0)).collect()
 }
 
-/// Returns the cycles of each setting, or none if there are fewer than two settings.
+/// Returns the range of cycles of each setting. The list is empty if there are fewer than two settings, or if they
+/// cover too few of the cycles.
 fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     let near = |a: &Cycle, b: [f64; 2]| {
         let [stroke, period] = setting(a);
@@ -106,7 +108,7 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// Makes a motion with the given amplitude, mm, and frequency, Hz, at each time.
+    /// Makes a motion with the given amplitude, mm, and frequency, Hz, at each time, and splits it into tests.
     fn driven(seconds: f64, at: impl Fn(f64) -> (f64, f64)) -> Vec<Samples> {
         const RATE: f64 = 500.0;
         let (mut phase, mut random) = (0.0, Random::new(5));
@@ -149,11 +151,11 @@ mod tests {
             assert_eq!(driven(seconds, |t| (10.0, 0.5 * 16f64.powf(t / seconds))).len(), 1);
             assert_eq!(driven(seconds, |t| (2.0 + 20.0 * t / seconds, 3.0)).len(), 1);
             assert_eq!(driven(seconds, |t| (10.0, 2.0 * (1.0 + 0.1 * (TAU * t / 10.0).sin()))).len(), 1);
-            // A beat, such as the sum of two sines.
+            // A beat, such as the sum of two sines, is one test.
             assert_eq!(driven(seconds, |t| (10.0 * (1.2 + (TAU * t / 4.0).sin()), 3.0)).len(), 1);
         }
         assert_eq!(driven(10.0, |_| (10.0, 2.0)).len(), 1);
-        // A run-up and run-down, and a short disturbance.
+        // Neither a run-up and run-down nor a short disturbance is a test of its own.
         assert_eq!(driven(12.0, |t| (10.0 * t.min(12.0 - t).min(1.0), 2.0)).len(), 1);
         assert_eq!(driven(20.0, |t| (if (10.0..10.4).contains(&t) { 6.0 } else { 10.0 }, 2.0)).len(), 1);
     }

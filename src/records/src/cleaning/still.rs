@@ -10,7 +10,7 @@ use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 /// Rejects a test without motion.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
-    // If one motion channel is constant while the other changes, a different check reports the fault.
+    // If one motion channel is constant while the other changes, `frozen::refuse` reports the fault.
     if motion.iter().flatten().any(|(_, values)| !rests(values)) {
         return Ok(());
     }
@@ -79,7 +79,7 @@ mod tests {
         {
             let message = with(still, false).unwrap_err();
             assert!(message.contains("test.csv: the damper does not move: displacement"), "{message}");
-            // This check accepts a sensor that is constant while the other moves, because a different check reports it.
+            // This check accepts a sensor that is constant while the other moves, because `frozen::refuse` reports it.
             with(still, true).unwrap();
         }
         // A stroke as small as the noise of its sensor is still a stroke.

@@ -53,8 +53,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format!("{:.1}", 1e3 * move_range))
         .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // The displacement has a range of meters, the force has a range of newtons, and the channel named force is
-    // smoother.
+    // Exchanged channels show in this combination: the displacement ranges over meters, the force over less than 500 N,
+    // and the force is smoother.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
@@ -63,7 +63,9 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         ));
     }
     // A damper dissipates, so the sense of rotation of the force-displacement loop is known. Exchanged channels reverse
-    // it. A wrong sign reverses it too. Therefore, only a smooth force with a rough displacement counts as evidence.
+    // it. A wrong sign reverses it too. Therefore, a reversed loop counts as evidence only if the displacement is
+    // rougher than the force. With a velocity channel, the evidence is its correlation with the derivatives of both
+    // channels.
     if let Some(v) = &samples.velocity {
         let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
         if by_f > 0.97 && by_x < 0.8 {
@@ -89,7 +91,8 @@ pub(crate) struct Overtones {
 }
 
 impl Overtones {
-    /// Returns whether the channels of force and motion are exchanged.
+    /// Returns whether the channels of force and motion seem exchanged: the displacement has harmonics, and the force
+    /// has far fewer.
     pub fn exchanged(&self) -> bool {
         self.displacement > NO_SINE && self.displacement > PURER * self.force
     }
@@ -105,7 +108,8 @@ impl Overtones {
     }
 }
 
-/// Computes the harmonics of one cycle relative to its fundamental.
+/// Computes the harmonics of one cycle relative to its fundamental. Returns `None` for too few samples or without a
+/// fundamental.
 fn overtones(time: &[f64], values: &[f64], cycle: &Cycle) -> Option<f64> {
     let span = cycle.start..cycle.end;
     if span.len() < 4 * HIGHEST {
@@ -139,7 +143,7 @@ fn roughness(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> =
         values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
     let spread = range(values);
-    // The few largest differences may be outliers.
+    // The few largest differences may be outliers, so they are excluded.
     let count = sizes.len();
     sizes.sort_by(f64::total_cmp);
     sizes.truncate(count - count / 200);
@@ -147,7 +151,7 @@ fn roughness(values: &[f64]) -> f64 {
     if spread > 0.0 { (mean.sqrt() / spread).max(1e-12) } else { 1e-12 }
 }
 
-/// Computes the area of the loop, positive if the damper dissipates.
+/// Computes the area of the force-displacement loop, positive if the damper dissipates.
 fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     let pairs = x.windows(2).zip(force.windows(2));
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
@@ -190,7 +194,7 @@ mod tests {
     fn swapped_headings_are_told_with_the_evidence() {
         assert_eq!(said(|_| ()), "");
         assert_eq!(said(|s| s.velocity = None), "");
-        // Another check reports a reversed sign of force or motion.
+        // A reversed sign of force or motion is not an exchange. `checks/sign.rs` reports it.
         assert_eq!(said(|s| s.force.iter_mut().for_each(|f| *f = -*f)), "");
         assert_eq!(
             said(|s| {

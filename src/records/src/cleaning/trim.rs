@@ -24,7 +24,7 @@ pub(crate) fn trim(motion: &mut Motion) {
     let count = motion.cycles.len();
     let frequency = count as f64 / motion.cycles.iter().map(Cycle::period).sum::<f64>();
     if span.start > 0 || span.end < n {
-        // The last whole cycle precedes the beginning of another cycle, a run-down or a standstill.
+        // After the last whole cycle, the damper moves in an incomplete cycle or a run-down, or it stands still.
         let moved = super::range(&motion.displacement[span.end.min(n - 1)..]) > 0.1 * first.stroke();
         let tail = if moved { "an incomplete cycle or run-down" } else { "rest" };
         motion.notes.push(Note {

@@ -35,10 +35,10 @@ const SPEEDS: [&str; 10] = [
 /// Heading that replaces the heading of the angle column.
 const TIME: &str = "Time [s]";
 
-/// The crank as a clock.
+/// Conversion of crank angles to times.
 #[derive(Debug, Clone)]
 pub(crate) struct Crank {
-    /// The column of the crank angle.
+    /// Index of the column with the crank angle.
     pub index: usize,
     /// Speed, revolutions per minute.
     pub rpm: f64,
@@ -51,7 +51,7 @@ pub(crate) struct Crank {
 }
 
 /// Finds a column of angles in a heading without a time, and the speed in the lines above. Replaces the heading of the
-/// column by a time heading.
+/// column by a time heading. Returns `None` if there is no such column or no speed.
 pub(crate) fn find<'a>(
     header: &mut [String],
     units: Option<&mut Vec<String>>,

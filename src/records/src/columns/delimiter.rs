@@ -1,4 +1,4 @@
-//! Delimiters between the columns of a text.
+//! Detects delimiters between the columns of a text, and splits lines at them.
 
 use csv::ReaderBuilder;
 

@@ -399,7 +399,8 @@ const NO_COURSE: [&str; 30] = [
     "设定",
 ];
 
-/// Returns the channel that the unit of an unknown heading indicates: a force or a displacement.
+/// Returns the channel that the unit of an unknown heading indicates: a force or a displacement. `below` is the unit
+/// below the heading. Returns `None` for setpoints and other units.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
     if text.len() > LONGEST {
         return None;
@@ -520,7 +521,7 @@ fn without_rate(text: &str) -> String {
     let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
     let lower = remark.to_lowercase();
     match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
-        // In the heading, the unit follows the rate.
+        // In the heading, the unit follows the rate, so it stays.
         Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
         None => text.to_owned(),
     }
@@ -573,7 +574,7 @@ pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a s
         .map(|(_, h)| h)
 }
 
-/// Returns the heading that most resembles a misspelled heading of a channel.
+/// Returns the heading of a file that is likely a misspelled heading of a channel.
 pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a str> {
     /// Number of headings of a file to compare. A malicious file may have millions.
     const COMPARED: usize = 200;
@@ -660,7 +661,7 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     }
 }
 
-/// Splits `name [unit]` or `name (unit)`.
+/// Splits `name [unit]`, `name (unit)` or `name {unit}` at the last such bracket.
 fn bracketed(text: &str) -> Option<(&str, &str)> {
     for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
         if let Some(start) = text.rfind(open)

@@ -1,8 +1,8 @@
 //! Handles lines of a table that are not rows.
 //!
 //! Such lines describe the channels below the heading, give results or remarks below the last row, or are messages of
-//! the acquisition between rows. Notes report these lines. If they are many, or if they contain numbers, they are an
-//! error.
+//! the acquisition between rows. Notes report these lines. Lines below the last row are never an error. Lines between
+//! rows are an error if they are many or contain numbers, and so are lines below the heading.
 
 use super::heading::{Heading, heading};
 use super::table::{Rows, is_units_row};
@@ -28,7 +28,7 @@ pub(crate) struct Beside {
     figures: Lot,
 }
 
-/// Lines of one kind.
+/// Lines of one kind, which one note reports.
 #[derive(Default)]
 struct Lot {
     count: usize,
@@ -85,9 +85,9 @@ struct Foot {
 }
 
 impl Beside {
-    /// Handles a line that is not a row. Accepts lines below a row, and lines without numbers directly below the
-    /// heading. Returns the fault of other lines. `figures` states whether a cell of a channel other than the time
-    /// contains a number.
+    /// Handles a line that is not a row. Accepts lines below a row, and up to [`LABELS`] lines without numbers directly
+    /// below the heading. Returns the fault of other lines. `figures` states whether a cell of a channel other than the
+    /// time contains a number.
     pub fn take(
         &mut self,
         below_rows: bool,

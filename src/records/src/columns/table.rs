@@ -74,7 +74,7 @@ pub(crate) fn numbered(columns: usize) -> Vec<String> {
     (1..=columns).map(|n| format!("column {n}")).collect()
 }
 
-/// Returns whether a line of cells below the header is a row of units: only units, and at least one.
+/// Returns whether a line of cells below the header is a row of units: no number, and at least one unit.
 pub(crate) fn is_units_row<S: AsRef<str>>(cells: &[S]) -> bool {
     let mut units = 0;
     for cell in cells {
@@ -116,7 +116,8 @@ pub(crate) fn column_number(wanted: &str) -> Option<usize> {
     wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)
 }
 
-/// Finds the column that the user names: by the whole heading, by the heading without its unit, or by its number.
+/// Returns the columns that match the user's name: the whole heading, else the heading without its unit, else the
+/// number. Several columns mean that the name is ambiguous.
 fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
     let at = |found: &dyn Fn(&str) -> bool| -> Vec<usize> { (0..header.len()).filter(|i| found(header[*i])).collect() };
     let exact = at(&|h| same(wanted, h));
@@ -134,7 +135,8 @@ fn maybe(near: Option<&str>) -> Option<Sentence> {
     near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
-/// Reads a number. `decimal_comma` also allows a decimal comma. Empty and not-a-number cells give NaN.
+/// Reads a number. `decimal_comma` also allows a decimal comma. Empty and not-a-number cells give NaN. Other texts give
+/// `None`.
 pub(crate) fn number(text: &str, decimal_comma: bool) -> Option<f64> {
     let text = text.trim();
     if let Ok(value) = text.parse::<f64>() {
@@ -213,7 +215,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
     RecordError::Header { at: at.clone(), found: shortened(first_line), near, understood: vocabulary() }
 }
 
-/// Number of columns that a message lists.
+/// Largest number of columns that a message lists.
 const LISTED: usize = 40;
 
 impl Layout {
@@ -265,7 +267,8 @@ impl Layout {
             let index = if let Some(wanted) = options.columns.get(&channel) {
                 match wanted_column(wanted, &header)[..] {
                     [index] => Some(index),
-                    // If the name of a test states a constant setting, the table has no setting column.
+                    // If the name of a test states a constant setting, the table has no setting column. The missing
+                    // column is therefore no error here.
                     [] if channel == Channel::Setting => None,
                     [] => {
                         return Err(RecordError::NoSuchColumn {
@@ -340,7 +343,7 @@ impl Layout {
                 if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
                     continue;
                 }
-                // Several columns of clicks occur in a table of peaks or for two adjusters.
+                // Several columns of clicks occur in a table of peaks or for two adjusters, so none of them is used.
                 if channel == Channel::Setting && candidates.len() > 1 {
                     continue;
                 }
@@ -417,7 +420,8 @@ fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
     }
 }
 
-/// Returns the unit of a column, or `None` if no source states it.
+/// Returns the unit of a column, or `None` if no source states it. An unknown unit, or one of another quantity, is an
+/// error.
 fn unit_of<'a, S: AsRef<str> + 'a>(
     at: &Place,
     line: usize,
@@ -558,7 +562,8 @@ impl Rows {
         charged.map_err(|exhausted| exhausted.into_error(&self.at))
     }
 
-    /// Returns the tests in the rows. `sample_time` replaces a missing time column.
+    /// Returns the tests in the rows. Without a time column, the time step is that of the user, else `sample_time`, s,
+    /// else 1 s. No rows are an error.
     pub fn finish(mut self, sample_time: Option<f64>) -> Result<Vec<Samples>, RecordError> {
         if self.lines.is_empty() {
             return Err(RecordError::NoData { at: self.at });
@@ -602,7 +607,7 @@ impl Rows {
         } else {
             vec![(self.name.clone(), self.at.clone(), None)]
         };
-        // Notes and metadata are stored with every test.
+        // Notes and metadata are stored with every test, so the budget counts them for every test.
         let beside = 256
             + notes.iter().map(|note| note.text.to_string().len()).sum::<usize>()
             + [&self.about.part, &self.about.serial, &self.about.tester, &self.about.rig]

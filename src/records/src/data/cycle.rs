@@ -1,6 +1,6 @@
 //! A whole cycle of a periodic test, as found by [`crate::cleaning`].
 
-/// One whole cycle.
+/// A whole cycle: its range of samples, the times of its crossings, and its extremes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cycle {
     /// First sample.

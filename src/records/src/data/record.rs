@@ -30,7 +30,7 @@ pub struct Record {
     /// Part, serial number, tester and rig, if the file states them.
     #[serde(default, skip_serializing_if = "TestMetadata::is_empty")]
     pub about: TestMetadata,
-    /// Setting of the damper, if a channel or the name of the test states it.
+    /// Setting of the damper, if a rule of the user, a channel, or the name of the test states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub setting: Option<Setting>,
     /// Signal of a setting that changes within the test, if a channel records it. [`Record::setting`] is then `None`.
@@ -46,7 +46,7 @@ pub struct Record {
     /// Damper velocity, m/s.
     #[serde(skip)]
     pub velocity: Vec<f64>,
-    /// Length of the window for deriving the velocity from the displacement, s; 0 if the file has a velocity.
+    /// Length of the window for deriving the velocity from the displacement, s; 0 if the recorded velocity is used.
     #[serde(skip)]
     pub velocity_window_s: f64,
     /// Damper force, N.
@@ -85,7 +85,7 @@ pub struct Record {
     /// Positive direction that was used for reading the file. `None` for a record that was not read from a file.
     #[serde(skip)]
     pub counted: Option<Counted>,
-    /// Sign convention, zero, unit and range of its rig.
+    /// Sign convention, zero, unit and range of the rig.
     #[serde(skip)]
     pub frame: RigFrame,
 }
@@ -93,7 +93,7 @@ pub struct Record {
 /// Positive direction that was used for reading a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counted {
-    /// The direction.
+    /// Positive direction of force and motion in the file.
     pub positive: Positive,
     /// Whether the user stated the direction. Otherwise it was estimated.
     pub is_stated: bool,
@@ -105,7 +105,8 @@ impl Record {
         Some((self.time.first()? + self.clock_s, self.time.last()? + self.clock_s))
     }
 
-    /// Returns a hash of the content. Equal hashes mean the same measurement, even if the file names differ.
+    /// Returns a hash of the content before corrections. Equal hashes mean the same measurement, even if the file names
+    /// differ.
     pub fn fingerprint(&self) -> String {
         if let Some(as_read) = &self.original_fingerprint {
             return as_read.clone();

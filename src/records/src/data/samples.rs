@@ -62,7 +62,7 @@ impl Samples {
         self.notes.push(Note { kind, text });
     }
 
-    /// Returns the heading of a channel in the file.
+    /// Returns the heading of a channel in the file, or the name of the channel if the file has no heading for it.
     pub fn heading(&self, channel: Channel) -> String {
         let found = self.headings.iter().find(|(c, _)| *c == channel);
         found.map_or_else(|| channel.to_string(), |(_, heading)| heading.clone())

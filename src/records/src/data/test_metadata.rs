@@ -16,12 +16,13 @@ pub struct TestMetadata {
     /// Name of the tester.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tester: Option<String>,
-    /// The rig.
+    /// Name of the rig.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rig: Option<String>,
 }
 
-/// Names of the entries, without accents, in lower case, with blanks between the words.
+/// Names of the entry of the part, without accents, in lower case, with blanks between the words. The lists of the
+/// other entries have the same form.
 const PART: &[&str] = &[
     "part",
     "part no",

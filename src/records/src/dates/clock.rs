@@ -10,7 +10,7 @@ pub(crate) const FIRST_OF_1980: f64 = 3652.0 * DAY;
 /// Finds the start of a test in the lines above its table (`Date: 25.11.2026` and `Time: 10:03:22`, or both in one
 /// line).
 ///
-/// Returns seconds since 1970 by the rig's own clock, or `None` without a date. A line with date and time has
+/// Returns the start by the rig's own clock, or `None` without a date or without a time. A line with date and time has
 /// precedence over separate lines.
 pub(crate) fn begins<'a>(lines: impl Iterator<Item = &'a str>) -> Option<Began<'a>> {
     let (mut date, mut time) = (None, None);
@@ -37,7 +37,7 @@ pub(crate) fn words(line: &str) -> impl Iterator<Item = &str> {
     line.split(is_between).flat_map(|word| word.split('T')).filter(|word| !word.is_empty())
 }
 
-/// Returns the first date and the first time of day in a line, s.
+/// Returns the first date in a line, s since 1970, with its text, and the first time of day, s.
 fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
     let mut words = words(line).peekable();
     let (mut date, mut time) = (None, None);
@@ -158,9 +158,10 @@ fn whole(text: &str) -> Option<f64> {
 pub(crate) struct Date {
     /// Number of the day, days since 1970.
     pub number: f64,
-    /// Assumed order of day and month, if the text is ambiguous and the two orders give different dates.
+    /// Order of day and month with which the date was read. `None` if the text determines the order: year first, with
+    /// points, or equal day and month.
     pub order: Option<DateOrder>,
-    /// Number of the day with day and month exchanged, if the exchange gives a valid date.
+    /// Number of the day with day and month exchanged, if the exchange gives a valid and different date.
     pub other: Option<f64>,
 }
 
@@ -169,9 +170,10 @@ fn day(text: &str) -> Option<f64> {
     date(text).map(|date| date.number)
 }
 
-/// Reads a date from year, month and day. The separators determine the order. With slashes, the month comes first if
-/// possible, as in America. With hyphens, the day comes first. The module `campaign::date_agreement` then selects the
-/// order for the campaign.
+/// Reads a date from year, month and day. The separators determine the order. With points, the day comes first. With
+/// slashes, the month comes first if possible, as in America. With hyphens, the day comes first if possible. A number
+/// above 31 at the beginning is the year. The module `campaign::date_agreement` then selects the order for the
+/// campaign.
 pub(crate) fn date(text: &str) -> Option<Date> {
     let separator = text.chars().find(|c| !c.is_ascii_digit()).filter(|c| "-./".contains(*c))?;
     let parts: Vec<f64> = text.split(separator).map(whole).collect::<Option<_>>()?;

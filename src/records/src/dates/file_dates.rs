@@ -9,7 +9,7 @@ use crate::numbers::range;
 pub(crate) struct Dates {
     /// Start date of the test, if it is valid in both orders.
     pub(crate) open: Option<Open>,
-    /// Order that another date of the file determines.
+    /// Order that a date of the file with only one valid order determines.
     pub(crate) decided: Option<DateOrder>,
     /// Order that is typical of programs with the number format of this file.
     pub likely: Option<DateOrder>,

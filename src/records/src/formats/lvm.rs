@@ -14,12 +14,12 @@ use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
 use crate::tuning::lvm::TOGETHER;
 
-/// Name of these files in messages.
+/// Name of LabVIEW measurement files in messages.
 const KIND: &str = "a LabVIEW measurement file";
-/// End of a heading.
+/// Start of the line that ends a header.
 const END: &str = "***End_of_Header***";
 
-/// Returns whether a text is such a file.
+/// Returns whether a text is a LabVIEW measurement file.
 pub(crate) fn is_one(text: &str) -> bool {
     text.starts_with("LabVIEW Measurement")
 }
@@ -169,7 +169,7 @@ pub(crate) fn parse(
     Ok(read)
 }
 
-/// Heading of the time column.
+/// Heading that replaces `X_Value` as the heading of the time column.
 const TIME: &str = "Time [s]";
 
 /// Returns the names of the columns as a heading. The first time column is the time. Further time columns are left out.

@@ -5,7 +5,7 @@
 use crate::messages::phrases;
 use dashpot_messages::Template;
 
-/// How a file begins, from some byte on.
+/// An unsupported format: its bytes from position `at` on, its name, and the supported alternative.
 struct Kind {
     at: usize,
     begins: &'static [u8],
@@ -41,7 +41,7 @@ const KINDS: &[Kind] = &[
 const CATMAN: std::ops::RangeInclusive<u16> = 5000..=5999;
 const OF_CATMAN: (Template, Template) = (phrases::CATMAN, phrases::EXPORT_FROM_CATMAN);
 
-/// What a file is that is not read, and what to do; nothing where it may be a text.
+/// Returns the name of an unsupported format and the advice for it, or `None` for all other files.
 pub(crate) fn known(bytes: &[u8]) -> Option<(Template, Template)> {
     let head = &bytes[..bytes.len().min(80)];
     if let Some(kind) = KINDS.iter().find(|k| head.get(k.at..).is_some_and(|rest| rest.starts_with(k.begins))) {

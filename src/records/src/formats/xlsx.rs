@@ -37,7 +37,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let wrong = |e: calamine::XlsxError| broken(format!("sheet '{sheet}': {e}"));
         let mut cells = match workbook.worksheet_cells_reader(sheet) {
             Ok(cells) => cells,
-            // Chart sheets have no cells.
+            // Chart sheets have no cells, so they are skipped.
             Err(calamine::XlsxError::WorksheetNotFound(_) | calamine::XlsxError::NotAWorksheet(_)) => continue,
             Err(error) => return Err(wrong(error)),
         };
@@ -108,7 +108,7 @@ pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<Strin
     Err(RecordError::NoData { at: source.place() })
 }
 
-/// Opens a workbook whose parts fit into memory.
+/// Opens a workbook. Rejects one whose parts do not fit into memory.
 fn open(source: &Source) -> Result<Xlsx<archive::Metered<'_>>, String> {
     let metered = archive::check(&source.bytes, &source.budget)?;
     Xlsx::new(metered).map_err(|e: calamine::XlsxError| e.to_string())
@@ -131,7 +131,7 @@ struct Sheet<'a> {
     at: Place,
     name: String,
     options: &'a Options,
-    /// Lines that the search for the header inspects, and their numbers.
+    /// Nonempty lines that the search for the header inspects, and their numbers.
     lines: Vec<(usize, Vec<String>)>,
     beside: Beside,
     budget: &'a Budget,
@@ -268,7 +268,7 @@ impl<'a> Sheet<'a> {
         rows.push(line, values.into_iter(), test.as_deref())
     }
 
-    /// Returns the tests of the sheet, or an empty list if the sheet has no header.
+    /// Returns the tests of the sheet, or an empty list if the sheet has no header. A header without rows is an error.
     fn finish(mut self) -> Result<Vec<Samples>, RecordError> {
         match (self.rows.take(), &self.header) {
             (Some(mut rows), _) => {
@@ -308,7 +308,8 @@ fn clock_of(cell: &Data) -> Option<f64> {
     }
 }
 
-/// Returns the day of a cell with a date, s since 1970. Workbooks have the epoch 1900 or 1904.
+/// Returns the day of a cell with a date, s since 1970, or `None` if the cell has only a time. Workbooks have the epoch
+/// 1900 or 1904.
 fn day_of(date: &ExcelDateTime) -> Option<f64> {
     let (year, month, day, ..) = date.to_ymd_hms_milli();
     let has_day = date.is_datetime() && date.as_f64() >= 1.0;
@@ -381,7 +382,7 @@ mod tests {
         zip(&parts(sheets))
     }
 
-    /// Makes the files of a workbook.
+    /// Returns names and contents of the files in the archive of a workbook.
     fn parts(sheets: &[(&str, &[&[&str]])]) -> Vec<(String, String)> {
         const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
         const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
@@ -480,7 +481,7 @@ mod tests {
             }
             read_bytes(&zip(&files))
         };
-        // The last possible cell of a sheet.
+        // This row contains the last possible cell of a sheet.
         let far = "<row r=\"1048576\"><c r=\"XFD1048576\"><v>1</v></c></row>";
         assert_eq!(book(far, None).unwrap()[0].force, [2.0, 3.0]);
         assert!(book("", Some("uniqueCount=\"12\"")).is_ok());

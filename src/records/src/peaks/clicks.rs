@@ -4,7 +4,7 @@
 use crate::columns::table::{HEADER_WITHIN, number};
 use crate::quantities::setting_value::CLICKS;
 
-/// Rows of a table with their numbers.
+/// Rows of a table with their line numbers.
 pub(crate) type TableRows = Vec<(usize, Vec<String>)>;
 
 /// Positions of the clicks in a table.
@@ -13,7 +13,7 @@ struct Layout {
     header: usize,
     /// For every column with a click in its heading: the click, and the heading without the click.
     columns: Vec<Option<(f64, String)>>,
-    /// The column that states the clicks.
+    /// Index of the column that states the clicks of each row.
     of_rows: Option<usize>,
 }
 
@@ -63,7 +63,7 @@ fn layout(rows: &[(usize, Vec<String>)]) -> Option<Layout> {
             let parts = parts(cell);
             parts.iter().any(|part| is_click(part)) && parts.iter().all(|part| number(part, true).is_none())
         });
-        // A heading has further cells.
+        // A heading has more than one cell.
         let has_others = cells.len() > 1;
         let found = has_others && (columns.iter().flatten().count() > 0 || of_rows.is_some());
         found.then_some(Layout { header, columns, of_rows })

@@ -19,7 +19,7 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// Returns the sign of its velocities and forces in the internal convention.
+    /// Returns the sign of the velocities and forces of the stroke in the internal convention.
     pub fn sign(self) -> f64 {
         match self {
             Stroke::Rebound => 1.0,
@@ -86,7 +86,7 @@ pub struct PeakOptions {
     pub clicks: Option<f64>,
     /// Units of velocity and force, which take precedence over the headings.
     pub units: BTreeMap<Channel, Unit>,
-    /// Headings, or numbers from 1, of columns.
+    /// Headings, or numbers from 1, of the columns that the user names.
     pub columns: BTreeMap<PeakColumn, String>,
 }
 
@@ -182,7 +182,7 @@ const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
 /// An example is `V-C, C, V-R, R`. A single `c` may also be a damping coefficient, and a single `r` a correlation.
 const LETTERS: [(&str, &str); 6] = [("r", "c"), ("r", "b"), ("r", "j"), ("e", "c"), ("z", "d"), ("d", "c")];
 
-/// A possible column.
+/// A column that may contain a velocity or a force.
 #[derive(Debug, Clone)]
 struct Candidate {
     index: usize,
@@ -466,7 +466,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
     }
 }
 
-/// Returns the columns with their units.
+/// Returns the columns with their units. A column without a unit is an error.
 fn taken(chosen: &[Chosen<'_>], cells: &[String]) -> Result<Vec<PeakPair>, String> {
     let heading = |c: &Candidate| cells.get(c.index).map_or("", |c| c.trim()).to_owned();
     let all = || chosen.iter().flat_map(|(velocity, force, _)| [*velocity, *force]);
@@ -544,13 +544,13 @@ fn parts(cell: &str) -> impl Iterator<Item = &str> {
     cell.rsplit(['[', ']', '(', ')', '{', '}', ' ', ',', '_', ';', ':']).map(str::trim).filter(|part| !part.is_empty())
 }
 
-/// Returns the unit of a speed or force in a heading.
+/// Returns the unit in a heading: that of a recognized channel, else a unit of speed or force.
 fn unit(cell: &str) -> Option<Unit> {
     if let Heading::Channel(_, crate::columns::heading::HeadingUnit::Known(unit)) = heading(cell) {
         return Some(unit);
     }
     let of_peaks = |unit: &Unit| matches!(unit.dimension(), Dimension::Speed | Dimension::Force);
-    // `velocity_mm_s`: an underscore replaces the blank or slash between the parts of the unit.
+    // In a heading such as `velocity_mm_s`, an underscore replaces the slash of the unit.
     let joined = cell.trim().rsplit('_').take(2).collect::<Vec<_>>();
     let speed = match joined[..] {
         [time, length] => format!("{}/{time}", length.rsplit(' ').next().unwrap_or_default()).parse().ok(),

@@ -56,7 +56,7 @@ impl Peaks {
     /// Returns a velocity, m/s, and the ratio of the force in rebound to that in compression at this velocity.
     ///
     /// The velocity is the highest velocity that occurs on both sides. Forces between the points are interpolated
-    /// linearly.
+    /// linearly. Returns `None` if a side has no points or no positive damping force.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -99,7 +99,7 @@ pub(crate) fn is_one(file: &Path) -> bool {
     if rows.len() > MOST || rows.iter().take(HEADER_WITHIN).any(|(_, cells)| cells.iter().any(has_motion)) {
         return false;
     }
-    // Missing units are reported when the table is read.
+    // Missing units are reported when the table is read, so this check assumes any units.
     let units = [(Channel::Velocity, Unit::MetrePerSecond), (Channel::Force, Unit::Newton)].into();
     let options = PeakOptions { units, ..PeakOptions::default() };
     let first = clicks(&rows).first().copied();

@@ -58,7 +58,7 @@ impl Channel {
         }
     }
 
-    /// The channel's name as a sentence of any language has it.
+    /// Returns the channel's name as a translatable message.
     pub(crate) fn message(self) -> Template {
         match self {
             Channel::Time => phrases::CHANNEL_TIME,
@@ -72,7 +72,7 @@ impl Channel {
         }
     }
 
-    /// How to do without the channel, for messages; nothing where a record needs it.
+    /// Returns the advice to ignore the channel, for messages, or `None` if a record requires the channel.
     pub(crate) fn leave_out_advice(self) -> Option<Sentence> {
         match self {
             Channel::Time | Channel::Force => None,
@@ -136,7 +136,7 @@ impl fmt::Display for Channel {
 /// Splits a command-line assignment such as `force=kN` or `force=Load Cell 1`.
 ///
 /// # Errors
-/// A sentence if there is no `=`, or the left side is not a channel.
+/// A sentence if there is no `=`, the left side is not a channel, or the right side is empty.
 pub fn assignment(text: &str) -> Result<(Channel, &str), String> {
     let (channel, value) =
         text.split_once('=').ok_or_else(|| format!("'{text}' should read channel=value, for example force=kN"))?;

@@ -1,6 +1,6 @@
 //! Practical units in which reports show quantities stored in SI units.
 
-/// Returns the factor from the SI unit and the practical unit. Lengths and times below one use thousandths, and
+/// Returns the factor from the SI unit and the practical unit. Lengths, times and speeds below one use thousandths, and
 /// stiffnesses are per millimeter. `size` is the largest value in the same context.
 pub fn reading_unit(size: f64, si: &str) -> (f64, String) {
     let small = size.abs() < 1.0;

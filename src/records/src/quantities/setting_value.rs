@@ -1,5 +1,5 @@
 //! The setting of an adjustable damper in a test: the current of its valve, or the clicks of its adjuster. Its source
-//! is a channel or the name of the test.
+//! is a rule of the user, a channel, or the name of the test.
 
 use std::collections::BTreeMap;
 
@@ -22,8 +22,8 @@ pub struct Setting {
 
 /// Largest variation of a setting channel within a test that counts as one setting.
 ///
-/// The first limit is a fraction of the value. The second is a current in A, which covers sensor noise and supply
-/// ripple.
+/// The first limit is a fraction of the value. The second limit is in the unit of the channel. For a current in A, it
+/// covers sensor noise and supply ripple.
 const STEADY: (f64, f64) = (0.1, 0.05);
 /// Range of white noise without [`SPIKES`], in standard deviations. It includes an extra quarter, because few samples
 /// give an uncertain estimate.
@@ -139,7 +139,7 @@ impl Setting {
     }
 
     /// Returns the setting in a name, and whether it is certainly a setting and not the number of the test. Returns
-    /// `None` if the parts state several settings.
+    /// `None` if the parts state no setting or several settings.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
         let parts: Vec<&str> =
             name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
@@ -214,6 +214,8 @@ impl SettingRules {
         if self.name.is_some() { self.clone() } else { profile.clone() }
     }
 
+    /// Checks that values have the name of their setting and are finite.
+    ///
     /// # Errors
     /// A message about the invalid rule.
     pub(crate) fn check(&self) -> Result<(), String> {
@@ -228,7 +230,7 @@ impl SettingRules {
         }
     }
 
-    /// Returns the setting of a test from the longest pattern that matches its name.
+    /// Returns the setting of a test from the longest pattern that matches its name, or `None` if none matches.
     pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
         let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
         let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;

@@ -1,4 +1,4 @@
-//! Units of records. Only this module converts units.
+//! Units of the channels of records. Only this module converts them.
 
 use std::fmt;
 use std::str::FromStr;
@@ -150,7 +150,7 @@ impl Unit {
         }
     }
 
-    /// Converts a value in this unit to SI (temperature: °C). Only this function converts units.
+    /// Converts a value in this unit to SI (temperature: °C). Only this function converts the units of channels.
     pub fn to_si(self, value: f64) -> f64 {
         match self {
             Unit::Second

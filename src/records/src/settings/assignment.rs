@@ -11,11 +11,12 @@ use crate::quantities::setting_value::{
 };
 use dashpot_messages::Sentence;
 
-/// Assigns settings from the user's rules, else from names if the names of all tests state a setting and no channel
-/// does.
+/// Assigns settings from the user's rules, else from channels, else from the names of the tests. Merges measured
+/// settings that differ only by scatter, and uses one unit for each setting. Adds notes about names that contradict
+/// channels, and about several settings.
 ///
-/// A number with a single letter may be the number of the test. If each name states another value, the names count only
-/// with decimals or with a unit of several letters.
+/// In a name, a number with a single letter may be the number of the test. If each name states another value, the names
+/// count only with decimals or with a unit of several letters.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_currents(records);
     merge_scattered(records);
@@ -68,7 +69,7 @@ fn merge_scattered(records: &mut [Record]) {
     all.sort_by(|a, b| (a.name.as_str(), a.unit.as_str()).cmp(&(&b.name, &b.unit)).then(a.value.total_cmp(&b.value)));
     for of_name in all.chunk_by_mut(|a, b| a.name == b.name && a.unit == b.unit) {
         let largest = of_name.iter().map(|of| of.value.abs()).fold(0.0, f64::max);
-        // Clicks are whole numbers.
+        // Clicks are whole numbers, so values half a click apart stay separate.
         let width = if of_name[0].unit.is_empty() { (SCATTER * largest).min(0.5) } else { SCATTER * largest };
         let mut place = 0;
         while place < of_name.len() {
@@ -85,7 +86,7 @@ fn merge_scattered(records: &mut [Record]) {
     }
 }
 
-/// Largest difference between neighboring measured currents of one setting, A. It is also the largest difference
+/// Largest difference between neighboring measured currents of one setting, A. [`WIDEST`] is the largest difference
 /// between the extremes.
 ///
 /// Set currents are multiples of a hundredth, and the zero of a channel drifts by a similar amount.
@@ -95,7 +96,7 @@ const WIDEST: f64 = 2.5 * SAME;
 /// coil currents stay within a tenth.
 const NAMED: f64 = 0.1;
 
-/// Returns the setting in the name of a test and the setting of its channel, if they differ.
+/// Returns the setting in the name of a test and the setting of its channel if they differ, else `None`.
 fn contradicted_name(record: &Record) -> Option<(&Record, Setting, &Setting)> {
     let shown = record.setting.as_ref()?;
     let (named, is_sure) = Setting::of_name(&record.name)?;

@@ -38,7 +38,7 @@ const NAMES: usize = 6;
 /// Adds notes about tests with equal motion but different force. `seen` contains their levels in the middle of the
 /// strokes.
 pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
-    // A note has already named the settings.
+    // A note has already named the settings, so no further note is added.
     if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
         return;
     }
@@ -89,7 +89,8 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// Returns the shortest pattern that matches only these names. The pattern is a part of a name.
+/// Returns the shortest glob pattern that matches the names of `tests` and no others. It contains a part of the first
+/// name. Returns `None` if there is no such pattern or only one test.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
@@ -197,7 +198,8 @@ impl Settings {
     }
 }
 
-/// Returns the setting of a test by its forces at common velocities.
+/// Returns the setting of a test by its forces at common velocities. Returns `None` unless the test has velocities in
+/// common with every setting and is clearly nearest to one.
 fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usize> {
     let mut off: Vec<(f64, usize)> = settings
         .iter()

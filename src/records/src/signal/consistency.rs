@@ -10,7 +10,7 @@ use dashpot_messages::{Sentence, Template};
 /// Agreement of velocity and displacement.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Agreement {
-    /// Ratio of the velocity channel to the derivative of the displacement, or 1 if they agree.
+    /// Ratio of the velocity channel to the derivative of the displacement; 1 means agreement.
     pub gain: f64,
     /// Time by which the velocity channel lags behind the displacement, s.
     pub lag: f64,
@@ -21,7 +21,8 @@ pub(crate) struct Agreement {
 /// Fits x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The terms c + d·t absorb offset and integration
 /// drift.
 ///
-/// The integral of the velocity is less sensitive to noise than the derivative of the displacement.
+/// The integral of the velocity is less sensitive to noise than the derivative of the displacement. Returns `None` for
+/// too few samples or a constant channel.
 pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
     let n = time.len();
     if n < 8 {
@@ -58,8 +59,8 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
 }
 
-/// Returns whether the velocity is the derivative of the displacement with a time shift, such as that of a filter.
-/// `period` is that of the cycles, or `None` without cycles.
+/// Returns whether the velocity is the derivative of the displacement with a significant time shift, such as that of a
+/// filter. `step` is the time between samples, s. `period` is that of the cycles, s, or `None` without cycles.
 pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
     let Agreement { gain, lag, explained } = *agreement;
     let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);

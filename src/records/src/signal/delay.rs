@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::data::complete_motion::Motion;
 use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
 
-/// The delay of the force channel that the records show.
+/// Delay of the force channel, as the records of a campaign show it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Delay {
     /// Delay of the force relative to the motion, s, in addition to the delay that the user stated.
@@ -22,14 +22,14 @@ pub struct Delay {
     pub unexplained: f64,
 }
 
-/// One test after decimation, with its force scaled to unit variance.
+/// One test after decimation.
 struct Thinned<'a> {
     /// Index of the test in the campaign.
     index: usize,
     motion: &'a Motion,
     /// Time and force of the selected samples.
     samples: Vec<(f64, f64)>,
-    /// Scale of the force of this test, N.
+    /// Standard deviation of the force of this test, N.
     scale: f64,
 }
 
@@ -158,7 +158,7 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
             springs[1] += x * (force - mean);
             points.push((x, v, sign * force));
         }
-        // Use the rule of the sign check. Over whole cycles, springs return their energy. Without whole cycles, a
+        // Use the rule of `checks/sign.rs`. Over whole cycles, springs return their energy. Without whole cycles, a
         // linear fit removes the spring force.
         let stiffness = if test.motion.cycles.is_empty() && springs[0] > 0.0 { springs[1] / springs[0] } else { 0.0 };
         for &(x, v, force) in &points {

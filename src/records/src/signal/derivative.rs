@@ -6,7 +6,7 @@ use super::smoothing::channel_noise;
 use crate::numbers::{quantum, sample_time};
 use crate::tuning::derivative::{LONGER, REACH, SAME};
 
-/// The filter of a derivative.
+/// Properties of the filter with which a derivative was computed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Filter {
     /// Largest number of samples per window.
@@ -239,7 +239,7 @@ mod tests {
         let x: Vec<f64> = time.iter().map(|t| triangle(*t) + 2e-6 * white()).collect();
         let (v, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
         let truth = |t: f64| if phase(t) < 0.5 { speed } else { -speed };
-        // Compare the samples that are farther from a corner than half the shortest window.
+        // Largest error of the samples that are more than `from` seconds away from a corner.
         let off = |from: f64| {
             let near = |t: f64| (phase(t) - 0.5).abs().min(phase(t)).min(1.0 - phase(t)) / frequency < from;
             time.iter().zip(&v).filter(|(t, _)| !near(**t)).map(|(t, v)| (v - truth(*t)).abs()).fold(0.0, f64::max)

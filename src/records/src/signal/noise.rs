@@ -7,8 +7,9 @@ use crate::tuning::noise::FEWEST;
 
 /// Estimates the force noise of one sample.
 ///
-/// With two or more cycles, every sample is compared with the previous and the next cycle at equal phase. The
-/// comparison of neighboring cycles cancels a slow trend such as heating.
+/// With three or more cycles, every sample of the inner cycles is compared with the previous and the next cycle at
+/// equal phase. With two cycles, the second is compared with the first. The comparison with both neighbors cancels a
+/// slow trend such as heating.
 ///
 /// The values of neighboring cycles are interpolated between samples, which reduces their noise. For noise with a
 /// geometrically decreasing autocorrelation, the estimate corrects this effect and the noise of the neighbors exactly.

@@ -1,4 +1,4 @@
-//! The character encoding of a text file.
+//! Decodes the character encodings of text files.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ pub fn text(bytes: &[u8]) -> String {
 /// the code page are read as Latin-1.
 pub(super) fn decode(bytes: &[u8]) -> (Cow<'_, str>, bool) {
     let (text, guessed) = characters(bytes);
-    // Old Macintosh programs end lines with only a carriage return.
+    // Old Macintosh programs end lines with only a carriage return. It becomes a line feed.
     let returns_alone = text.contains('\r') && !text.contains('\n');
     (if returns_alone { text.replace('\r', "\n").into() } else { text }, guessed)
 }

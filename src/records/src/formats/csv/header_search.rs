@@ -11,11 +11,11 @@ use crate::options::Options;
 pub(super) struct Start {
     /// Line of the header, or of the first row if there is no header. Counts from 0.
     pub index: usize,
-    /// Byte offset of that line in the text.
+    /// Byte offset of the line `index` in the text.
     pub offset: usize,
     pub delimiter: u8,
     pub header: Vec<String>,
-    /// Whether that line is the header.
+    /// Whether the line `index` is the header.
     pub headed: bool,
     /// Whether the header is a comment line, a form that numerical programs write.
     pub commented: bool,
@@ -28,7 +28,7 @@ impl Start {
 }
 
 /// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
-/// begins with the first row of numbers.
+/// begins with the first row of numbers. The second value is the first line that is not a comment.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
@@ -100,7 +100,7 @@ pub(super) fn with_tabs(text: &str, any: bool) -> String {
 ///
 /// The number of names equals the number of units below. The split maximizes the number of known names.
 pub(super) fn part_names(found: &mut Start, text: &str) {
-    /// Largest number of columns of such a file.
+    /// Largest number of columns of a file whose names are separated by single blanks.
     const MOST: usize = 32;
     let below = text[found.offset..].lines().skip(1).find(|line| !is_comment(line)).unwrap_or_default();
     let units: Vec<&str> = below.split_whitespace().collect();

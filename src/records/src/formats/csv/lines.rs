@@ -13,7 +13,7 @@ pub(super) fn uncommented(line: &str) -> &str {
     line.trim_start().trim_start_matches(['#', '%', '/']).trim()
 }
 
-/// Returns whether a cell is a whole number: digits, and optionally a minus sign.
+/// Returns whether a cell is a whole number: digits, and optionally a minus sign. An empty cell counts too.
 pub(super) fn is_whole(cell: &[u8]) -> bool {
     let cell = cell.trim_ascii();
     cell.strip_prefix(b"-").unwrap_or(cell).iter().all(u8::is_ascii_digit)

@@ -27,7 +27,8 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let (text, guessed) = decode(&bytes);
     let read = parse(&at, name, &text, options, &budget);
     if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
-        // Chinese systems write GB 18030 instead of Latin-1. Only the headings show the difference.
+        // Chinese systems write GB 18030 instead of Latin-1. Only the headings show the difference, so this encoding is
+        // tried if they are unknown.
         let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
         if !wrong && let Ok(tests) = parse(&at, name, &text, options, &budget) {
             return Ok(tests);
@@ -262,7 +263,7 @@ mod tests {
         assert!(samples.displacement.unwrap()[1..3].iter().all(|v| v.is_nan()) && samples.force[3].is_nan());
     }
 
-    /// Writes rows of a sine between two times.
+    /// Formats rows of a sine between two times: displacement in mm, force in kN, time in s.
     fn rows(from: f64, to: f64, delimiter: &str) -> String {
         let count = ((to - from) * 100.0).round() as usize;
         (0..count)
@@ -282,7 +283,7 @@ mod tests {
         let row = |i: i32| format!("{i},{}.5,{},,\n", i % 7, 10 * i);
         let table = |from: i32, to: i32| (from..to).map(row).collect::<String>();
         let header = "time_s,x_mm,force_N,a,b\n";
-        // Lines with a time and a text instead of a reading, and lines of text.
+        // Lines with a time and a text instead of a reading, and lines of text, are skipped with a note.
         let text = format!(
             "{header}{}20,Switched from 6 to 9,,,\n{}Pause,,,,\n{}",
             table(0, 20),

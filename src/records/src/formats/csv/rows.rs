@@ -208,7 +208,8 @@ fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError 
     }
 }
 
-/// Reads the time between samples from the lines above a table: `Sample Rate: 1000 Hz`, `dt [ms];0,5`.
+/// Reads the time between samples, s, from the lines above a table: `Sample Rate: 1000 Hz`, `dt [ms];0,5`. If several
+/// lines state it, the last one counts.
 fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
     let mut found = None;
     for line in above.take(HEADER_WITHIN) {

@@ -69,7 +69,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let sample_time = match sample_time {
         None => None,
         Some((name, unit, value)) => {
-            // `Ts` without a unit is in seconds, by convention of the program that writes these files.
+            // By convention of MATLAB, `Ts` without a unit is in seconds.
             let given = options.units.get(&Channel::Time).copied().filter(|u| u.dimension() == Dimension::Time);
             let unit = match unit {
                 HeadingUnit::Known(unit) => unit,
@@ -95,7 +95,8 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
 /// Reads the vectors and single numbers of a file up to version 7.
 fn variables(bytes: Vec<u8>, budget: &Budget) -> Result<Vec<Variable>, String> {
     let bytes = unpack(bytes)?;
-    // Small number types are converted to numbers of eight bytes.
+    // Small number types are converted to numbers of eight bytes, so the values may need several times the memory of
+    // the file.
     budget.hold(4 * bytes.len() as u64)?;
     if let Some(cause) = damage(&bytes) {
         return Err(cause.into());
@@ -245,7 +246,7 @@ mod tests {
 
     use super::*;
 
-    /// A MAT file of version 5, uncompressed, little-endian (MathWorks, MAT-File Format, section 1).
+    /// Makes a MAT file of version 5, uncompressed, little-endian (MathWorks, MAT-File Format, section 1).
     fn mat(variables: &[(&str, &[f64])]) -> Vec<u8> {
         fn element(kind: u32, data: &[u8]) -> Vec<u8> {
             let mut out = [kind.to_le_bytes(), (data.len() as u32).to_le_bytes()].concat();
@@ -299,7 +300,7 @@ mod tests {
 
     #[test]
     fn channels_of_a_matrix_are_named_by_the_user() {
-        // Time, displacement and force, as columns and as rows.
+        // The matrix contains time, displacement and force, as columns or as rows.
         for (size, values, what) in [
             ([4, 3], [0.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 20.0, 30.0, 40.0], "column"),
             ([3, 4], [0.0, 5.0, 10.0, 1.0, 6.0, 20.0, 2.0, 7.0, 30.0, 3.0, 8.0, 40.0], "row"),
@@ -364,7 +365,7 @@ mod tests {
             at += size;
         }
         assert_eq!(read_bytes(&packed, &Options::default()).unwrap()[0].force, [5.0, 6.0]);
-        // Two decompression bombs: one contains zeros, the other states a size that the compressed data cannot have.
+        // This decompression bomb contains zeros.
         let zeros = mat(&[("time_s", &vec![0.0; 6 << 20])]);
         let bomb = [&plain[..128], &compress(&zeros[128..])].concat();
         assert!(bomb.len() < 100_000);

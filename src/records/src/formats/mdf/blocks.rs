@@ -13,13 +13,13 @@ const LETTERS: usize = 200;
 /// Largest number of bytes of an XML comment that are searched for its text.
 const COMMENT: usize = 1 << 16;
 
-/// An MDF file.
+/// An MDF 4 file.
 pub(super) struct Mdf<'a> {
     bytes: &'a [u8],
     pub budget: &'a Budget,
 }
 
-/// One block.
+/// A block of an MDF 4 file.
 pub(super) struct Block<'a> {
     /// Identification of two letters.
     pub id: &'a [u8],
@@ -29,7 +29,7 @@ pub(super) struct Block<'a> {
 }
 
 impl<'a> Mdf<'a> {
-    /// Checks the identification of the file.
+    /// Checks the identification of the file: a finished recording of MDF version 4.
     pub fn new(bytes: &'a [u8], budget: &'a Budget) -> Result<Self, String> {
         let begins = |text: &[u8]| bytes.starts_with(text);
         if begins(b"UnFinMF ") {

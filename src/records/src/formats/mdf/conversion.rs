@@ -1,4 +1,4 @@
-//! Conversion of stored numbers to physical values by the numeric rules. Rules that give texts are not supported.
+//! Converts stored numbers to physical values by the numeric rules. Formulas and rules that give texts give no value.
 
 use super::blocks::Mdf;
 
@@ -19,12 +19,12 @@ enum Rule {
     /// (a x² + b x + c) / (d x² + e x + f).
     Rational([f64; 6]),
     /// Pairs of stored and physical value. Between two pairs, the value is interpolated if `straight` is true, else it
-    /// is the value of the nearest pair.
+    /// is the value of the nearest pair. Outside the pairs, it is the value of the first or last pair.
     Table { pairs: Vec<[f64; 2]>, straight: bool },
 }
 
 impl Conversion {
-    /// Reads the conversion that a channel links to.
+    /// Reads the conversion that a channel links to. Without a link, it is the identity.
     pub fn read(mdf: &Mdf<'_>, at: u64) -> Result<Self, String> {
         if at == 0 {
             return Ok(Self::default());

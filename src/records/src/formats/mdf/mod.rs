@@ -9,8 +9,9 @@
 //! | this file | groups and channels, and the selection of tests |
 //!
 //! A group of channels with one time axis is a test. Groups with equal time axes belong together, because loggers may
-//! write one group per channel. A slow channel with another time axis, such as a temperature, is interpolated at the
-//! times of the test.
+//! write one group per channel. A group with only the force and a group with only the motion are joined at the times of
+//! the slower one. A slow channel with another time axis, such as a temperature, is interpolated at the times of the
+//! test.
 
 mod blocks;
 mod conversion;
@@ -32,7 +33,7 @@ use blocks::{Block, Mdf};
 use conversion::Conversion;
 use dashpot_messages::Sentence;
 
-/// Name of these files in messages.
+/// Name of MDF files in messages.
 const KIND: &str = "an MDF file";
 /// Largest number of groups in a file, and of channels in a group. A rig has tens of them.
 const MOST: usize = 4096;
@@ -47,7 +48,7 @@ pub(crate) fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MDF     ")
 }
 
-/// Reads the tests of one file.
+/// Reads the tests of one MDF file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, bytes, budget } = &source;
     let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
@@ -267,7 +268,7 @@ fn channels(mdf: &Mdf<'_>, first: u64) -> Result<Vec<Stored>, String> {
 }
 
 impl Format {
-    /// Returns the number of bytes of the number.
+    /// Returns the number of bytes of a record that contain the number.
     fn width(&self) -> usize {
         (self.bit as usize + self.bits as usize).div_ceil(8)
     }
@@ -310,7 +311,8 @@ impl Format {
 /// Channels that may be slower than the motion, because they vary slowly or serve only for comparison.
 const SLOW: [Kind; 2] = [Kind::Temperature, Kind::SideForce];
 
-/// Removes and returns the groups with a slow channel but without force and motion.
+/// Removes and returns the groups with a slow channel but without force and motion. If there are no other groups, it
+/// removes none.
 fn take_slow(groups: &mut Vec<Group>, options: &Options) -> Vec<Group> {
     let holds = |group: &Group, kinds: &[Kind]| {
         group.channels.iter().any(|c| channel_of(&c.name, options).is_some_and(|kind| kinds.contains(&kind)))
@@ -340,7 +342,7 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budge
         else {
             continue;
         };
-        // The group belongs to another test of the file.
+        // A group whose times do not overlap the test belongs to another test of the file.
         if from > end || to < begin {
             continue;
         }

@@ -27,7 +27,7 @@ const CHAIN: usize = 1 << 16;
 /// Position of the header block, bytes.
 const HEADER: u32 = 64;
 
-/// Returns whether a file states one of these versions.
+/// Returns whether a file states version 2 or 3 of MDF.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MDF     ") && bytes.get(8).is_some_and(|version| [b'2', b'3'].contains(version))
 }
@@ -41,7 +41,8 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut found)?;
     }
-    // The texts have the form `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980.
+    // The texts have the form `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980,
+    // which counts as no date.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
     let (date, time) = text.split_at_checked(10).unwrap_or_default();
     let begins = clock::seconds(&format!("{} {time}", date.replace(':', ".")));
@@ -194,7 +195,7 @@ impl<'a> File<'a> {
         Ok(Block { file: self, bytes })
     }
 
-    /// Returns a block and all blocks of its chain. The link to the next block is at the fourth byte.
+    /// Returns a block and all blocks of its chain. The link to the next block is at byte 4, counted from 0.
     fn chain(&'a self, first: u32, id: &str) -> Result<Vec<Block<'a>>, String> {
         let (mut next, mut blocks) = (first, Vec::new());
         while next != 0 {

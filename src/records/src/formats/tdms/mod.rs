@@ -18,10 +18,10 @@ use crate::source::Source;
 use dashpot_messages::Sentence;
 use segments::{Channel, channels};
 
-/// Name of these files in messages.
+/// Name of TDMS files in messages.
 const KIND: &str = "a TDMS file";
 
-/// Reads the tests of one file.
+/// Reads the tests of one TDMS file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, bytes, budget } = &source;
     let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
@@ -50,9 +50,9 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         let header = names(members);
         let units: Vec<String> = members.iter().map(|c| c.unit.clone()).collect();
         let layout = Layout::new(&at, 1, &header, Some(&units), options, step.is_some())?;
-        // Channels of equal length belong together.
+        // All channels of a test must have equal lengths.
         let lengths = || layout.columns.iter().map(|c| members[c.index].values.len());
-        // In a truncated file, one channel may have more values than another channel.
+        // In a truncated file, one channel may have more values than another channel. The shortest channel then counts.
         let length = if cut { lengths().min() } else { lengths().max() }.unwrap_or(0);
         if let Some(column) = layout.columns.iter().find(|c| members[c.index].values.len() != length && !cut) {
             let found = members[column.index].values.len();

@@ -10,7 +10,8 @@ const MOST: usize = 1 << 14;
 /// Memory of an object or a property in addition to its name, bytes. It is also the work of finding the object or
 /// property.
 const OBJECT: u64 = 256;
-/// Flags of a segment.
+/// Flags of a segment: it has metadata, a new list of objects, raw data, interleaved values, big-endian numbers, or raw
+/// data of a DAQmx device.
 const META: u32 = 1 << 1;
 const NEW_LIST: u32 = 1 << 2;
 const RAW: u32 = 1 << 3;
@@ -232,7 +233,7 @@ fn channel(object: Object) -> Result<Option<Channel>, String> {
     values.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = f64::NAN);
     let unit = text("unit_string").or_else(|| text("NI_UnitDescription")).unwrap_or_default();
     let step = number("wf_increment").filter(|s| s.is_finite() && *s > 0.0);
-    // A waveform without a start time has the start time 0.
+    // A waveform without a start time has the start time 0, in 1904. A time before 1970 therefore counts as unknown.
     let begins = match object.properties.get("wf_start_time") {
         Some(Property::Time(seconds)) => Some(*seconds).filter(|seconds| *seconds > 0.0),
         _ => None,

@@ -124,7 +124,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Seconds from the first instant of 1904, the epoch of these files, to the first instant of 1970.
+/// Seconds from the first instant of 1904, the epoch of TDMS files, to the first instant of 1970.
 const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
 impl Property {

@@ -9,15 +9,15 @@ use crate::source::{Budget, Exhausted};
 /// The strings need several times their size in memory, so their limit is lower.
 const LARGEST_UNPACKED: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
-/// A workbook may unpack to this multiple of its size where that exceeds [`LARGEST_UNPACKED`]. For sheets of numbers the
-/// ratio is below twelve.
+/// Allowed ratio of a workbook's unpacked size to its file size, if the result exceeds [`LARGEST_UNPACKED`]. For sheets
+/// of numbers the ratio is below twelve.
 const UNPACKED: u64 = 20;
 /// Longest tag with the text after it, bytes. A cell contains at most 32,767 letters.
 const LONGEST: u64 = 1 << 20;
 /// Memory of a style in addition to its texts, bytes. Each style refers to a font, a fill and borders.
 const STYLE: u64 = 512;
 /// Work per unpacked byte of XML and per tag, in steps of the budget. Empty rows consist of tags only. Without the
-/// charge per tag, they took three times as long as charged (tests/costly.rs).
+/// charge per tag, such rows took three times as long as charged (tests/costly.rs).
 const PARSED: u64 = 6;
 const TAG: u64 = 40;
 
@@ -128,7 +128,7 @@ struct Part {
 /// Reader of an archive that charges the budget for each reading of a part, because many sheets may share one part.
 pub(crate) struct Metered<'a> {
     bytes: Cursor<&'a [u8]>,
-    /// Sorted by position.
+    /// Parts, sorted by position.
     parts: Vec<Part>,
     budget: Budget,
 }
