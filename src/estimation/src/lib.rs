@@ -1,4 +1,4 @@
-//! One estimation problem for fit, validation and diagnosis.
+//! Estimation problem that fit, validation and diagnosis share.
 //!
 //! The problem consists of observations from records, a model with free parameters and priors, least squares, and the
 //! uncertainty of the parameters.
@@ -6,9 +6,9 @@
 //! | module | contents |
 //! |---|---|
 //! | [`segment`] | the parts of a record that a fit uses |
-//! | [`samples`] | the mean cycle of every test and its allowed error |
-//! | [`unknowns`] | free parameters of the model, and the parameter set of their vector |
-//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, in one run |
+//! | [`samples`] | the samples of every test, as a rule its mean cycle, and their allowed errors |
+//! | [`unknowns`] | free parameters of the model, and the parameter set for a vector of their values |
+//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, with few simulations |
 //! | [`hypothesis`] | a model with free parameters, and the measurement errors of the rig |
 //! | [`priors`] | prior of each parameter over all dampers |
 //! | [`prior_set`] | priors of one damper |

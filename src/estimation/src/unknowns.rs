@@ -5,7 +5,7 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{List, Number};
 use dashpot_core::{list, number};
 
-/// A named list of unknowns over a base parameter set.
+/// List of unknowns over a base parameter set.
 #[derive(Debug, Clone)]
 pub struct Unknowns {
     /// Fixed parameters, and enabled elements.
@@ -35,7 +35,7 @@ pub enum Unknown {
     Entry(List, usize),
 }
 
-/// Widest Stribeck velocity of a fit, m/s.
+/// Largest value in a fit, m/s, of the velocities in [`WIDTHS`], which are the widths of a Stribeck peak.
 const STRIBECK_WIDEST: f64 = 0.05;
 const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
@@ -89,7 +89,7 @@ impl Unknowns {
         (0..u.len()).filter(|point| *point != zero).map(|point| Unknown::Rise { curve, point }).collect()
     }
 
-    /// Returns the vector of the base set.
+    /// Returns the values of the unknowns in the base set, as a vector.
     pub fn start(&self) -> Vec<f64> {
         self.list
             .iter()
@@ -156,8 +156,8 @@ impl Unknowns {
             for point in (0..zero).rev() {
                 f[point] = f[point + 1] - rise(point);
             }
-            // With these bounds, every entry is within the range of the table. If the table rejected the list, the base
-            // curve would stay unchanged.
+            // Within the bounds of [`Unknowns::bounds`], every entry is within the range of the table. If the table
+            // rejected the list, the base curve would stay unchanged.
             let _ = params.set_list(curve.forces(), &f);
         }
         for (unknown, t) in self.list.iter().zip(theta) {

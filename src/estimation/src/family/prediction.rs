@@ -12,7 +12,8 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest change, in steps of a parameter, at which a linear estimate counts as reliable.
+/// Largest change of a parameter in a linear estimate, in steps of the parameter. Beyond it, the linearization is
+/// unreliable.
 const TRUSTED: f64 = 5.0;
 /// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
 /// bounds in earlier solutions.
@@ -92,7 +93,8 @@ impl<'a> Linearization<'a> {
         Some(Prediction { hypothesis, log_posterior })
     }
 
-    /// Solves the linear problem for parameters within their bounds and near the current values.
+    /// Solves the linear problem for parameters within their bounds and near the current values. Returns `None` if the
+    /// normal matrix is not positive definite.
     fn solve(&self, hypothesis: &FamilyHypothesis, columns: &[Vec<usize>]) -> Option<Vec<f64>> {
         let numbers = hypothesis.numbers();
         let n = numbers.len();

@@ -104,7 +104,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     };
     let phases = phases(time, cycles, &bounds, in_cycle.min(PER_CYCLE));
     let count = phases.len();
-    // If a jump separates the samples of another cycle, use only the sample of the middle cycle.
+    // If the force of any cycle jumps at a phase, use only the sample of the middle cycle.
     let (from, to) = bounds[bounds.len() / 2];
     let alone: Vec<bool> =
         phases.iter().map(|phase| bounds.iter().any(|(a, b)| across_a_jump(record, a + phase * (b - a)))).collect();

@@ -20,7 +20,7 @@ pub type Form = (&'static str, &'static str);
 
 /// Inputs of a structure search.
 pub struct SearchContext<'a> {
-    /// The records.
+    /// The records of the campaign.
     pub records: &'a [&'a Record],
     /// Tests of the records.
     pub tests: &'a [Test],
@@ -101,8 +101,8 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Removes one effect and refits. After a few steps, the refit continues only if the log posterior has decreased by
-    /// at most `reach`.
+    /// Returns the structure without one effect, refitted. After a few steps, the refit continues only if the log
+    /// posterior has decreased by at most `reach`.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {
@@ -126,7 +126,8 @@ impl Structure {
         Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)
     }
 
-    /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough.
+    /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough. The refit also
+    /// tries the other form of the curve at rest, and restarts an implausible series element.
     pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
         let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
             return self.clone();

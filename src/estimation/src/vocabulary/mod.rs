@@ -38,7 +38,7 @@ pub struct Fresh {
     pub deviation: Option<f64>,
 }
 
-/// Start of a search.
+/// Start of the refit of a candidate.
 #[derive(Debug, Clone)]
 pub struct Start {
     /// Values of the new parameters in physical units, in the order of the parameters.
@@ -113,12 +113,12 @@ pub struct Candidate {
     pub fixed: Vec<(Number, f64)>,
     /// Parameters that the effect makes free.
     pub fresh: Vec<Fresh>,
-    /// Starts of the search.
+    /// Starts of the candidate's refits.
     pub starts: Vec<Start>,
     /// Whether the effect makes the force jump at positions that its parameters determine.
     pub jumps: bool,
     /// Kind of an unnamed error. Such a candidate is never added, but competes with known effects. If the unnamed error
-    /// explains a deviation better, the deviation has no known name.
+    /// explains a deviation better than every known effect, the diagnosis names no effect for it.
     pub unnamed: Option<Unnamed>,
 }
 
@@ -219,7 +219,7 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
     a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
 }
 
-/// Returns all effects that could be added in a situation: those of disabled elements, and those of the rig.
+/// Returns all candidates that could be added in a situation: effects of disabled elements, and errors of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
     // All sizes and starts apply to a car damper. For another damper, the candidates are made for a car damper and then
     // scaled.
