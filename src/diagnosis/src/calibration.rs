@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Logistic calibration. The file states its origin.
+/// Parameters of the calibration. The file `calibration.toml` states their origin.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Calibration {

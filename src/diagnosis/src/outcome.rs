@@ -40,7 +40,7 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// Summary in sentences.
     pub summary: Sentence,
-    /// Effects in the order in which they were added.
+    /// Named effects, most probable first.
     pub findings: Vec<Finding>,
     /// Every effect of the given and of the most probable model, with its force and its probability.
     pub inventory: Vec<InventoryItem>,
@@ -75,7 +75,8 @@ pub struct Diagnosis {
     pub about_the_reference: Option<Sentence>,
     /// Errors of each test with the given and the improved model.
     pub tests: Vec<TestOutcome>,
-    /// Effects that were fully refitted, for each iteration of the search.
+    /// Effects that were tried in addition to the best structure, most probable first. The outer list has one element,
+    /// for the last iteration of the search.
     pub iterations: Vec<Vec<Trial>>,
     /// The given model after a refit.
     #[serde(skip)]
@@ -95,7 +96,7 @@ pub struct Diagnosis {
     /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// Effects of the rig by name. Only the comparison corrects them.
+    /// Values of the measurement errors in the improved model, by name. Only the comparison corrects them.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
@@ -124,11 +125,11 @@ pub struct Finding {
     pub of_the_rig: bool,
     /// Parameters of the effect.
     pub parameters: BTreeMap<&'static str, Value>,
-    /// Fraction of the gap that this effect closes on left-out tests.
+    /// Fraction of the gap that this effect closes on left-out tests. On fitted tests if none is left out.
     pub gap_closed: Option<f64>,
     /// Statistics that support the confidence.
     pub evidence: Evidence,
-    /// Alternative names with a smaller explained fraction.
+    /// Alternative names, most probable first.
     pub rivals: Vec<Rival>,
 }
 
@@ -250,7 +251,7 @@ pub struct TestOutcome {
     pub before_rmse_n: f64,
     /// Root mean square error of the improved model, N.
     pub after_rmse_n: f64,
-    /// Root mean square noise, N.
+    /// Noise of the mean cycle, N.
     pub noise_n: f64,
     /// Error due to noise and curve form, N. The gap measures the error of this test in units of this error.
     pub allowed_n: f64,
@@ -276,7 +277,7 @@ pub struct Curves {
     pub frequency: f64,
 }
 
-/// Effect that was tried with a full refit.
+/// Effect that was tried in addition to the best structure.
 #[derive(Debug, Clone, Serialize)]
 pub struct Trial {
     /// Name of the effect.
@@ -300,7 +301,7 @@ pub struct Evidence {
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///
-    /// Each test counts as one independent sample. The parameters of the effect are penalized.
+    /// Each test counts as 1.5 independent observations. The parameters of the effect are penalized.
     pub log_odds: f64,
     /// Number of parameters that the effect adds. Parameters that stay near their prior count half.
     pub numbers: f64,

@@ -69,8 +69,8 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 impl Prepared {
-    /// Fits the model to the reference, corrects the tests by the form error that both dampers share, and stores the
-    /// parameters of the reference.
+    /// Fits the model to the reference, and corrects the tests by the form error that both dampers share. Returns the
+    /// structure of the reference.
     pub fn against(
         &mut self,
         records: &[&Record],

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 
 /// Largest number of rivals and suspects that are listed.
 pub(super) const LISTED: usize = 4;
-/// Smallest probability of a suspect.
+/// Smallest probability at which an effect is listed as a rival or suspect.
 const SUSPECT: f64 = 0.03;
-/// Smallest fraction of the disagreement that a suspect explains.
+/// Smallest explained fraction of the disagreement at which an effect is listed as a rival or suspect.
 ///
 /// Without this threshold, an accurate model was reported as incomplete because most dampers have friction.
 const EXPLAINING: f64 = 0.01;

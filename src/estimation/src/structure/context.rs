@@ -30,7 +30,7 @@ pub struct SearchContext<'a> {
     pub changes: &'a [Candidate],
     /// Priors from known facts about this damper.
     pub priors: &'a PriorSet,
-    /// Largest number of effects that may be added.
+    /// Largest number of rare effects that may be added, such as faults. With 0, no effect is added.
     pub most: usize,
     /// Callback for the progress of the search, 0 to 1.
     pub progress: &'a (dyn Fn(f64) + Sync),
@@ -93,7 +93,7 @@ impl Structure {
         key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
-    /// Removes one effect and refits.
+    /// Returns the structure without one effect, refitted. Returns `None` if the model gives no finite force.
     pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
