@@ -16,6 +16,8 @@
 //! | [`heating`] | temperature of the damper in each test |
 //! | [`solve`], [`refit`] | bounded, robust least squares for any residuals; refits of a hypothesis |
 //! | [`family`] | a damper at several settings as one problem |
+//! | [`structure`], [`vocabulary`] | search for the most probable effects of a model; the effects that it may add |
+//! | [`first_guess`], [`situation`] | quantities of tests and model from which start values follow |
 //! | [`deviations`] | uncertainty of the parameters |
 //! | [`curve_form`] | error of the curve between its points |
 //! | [`spring_end`] | excess force at the end of a lookup spring, due to a stop that the spring represents |

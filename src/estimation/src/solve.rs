@@ -1,8 +1,8 @@
 //! Bounded, robust, nonlinear least squares for any residuals. It is the only Levenberg–Marquardt solver of the
 //! project.
 //!
-//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which depends on the ratio of
-//!   the actual to the predicted reduction (IMM-REP-1999-05, 1999).
+//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which
+//!   depends on the ratio of the actual to the predicted reduction (IMM-REP-1999-05, 1999).
 //! - A step may account for the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum &
 //!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
 //!   of steps instead of thousands.

@@ -1,4 +1,4 @@
-//! Error of each quantity due to the form of the model. The factors are valid for 95 of 100 dampers.
+//! Error factor of each quantity due to the form of the model. In 95 of 100 dampers, the error is within the factor.
 //!
 //! The factors were measured on dampers of the second laboratory, with the calibration seeds of `cargo run --release -p
 //! dashpot-proving --example explain_other`. Other seeds checked them (docs/book/src/dimensions.md). If a factor is too

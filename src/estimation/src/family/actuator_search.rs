@@ -82,8 +82,8 @@ const VALVES: [ActuatorForm; 4] = {
     [lag, ActuatorForm { dead_time: true, ..lag }, each, ActuatorForm { dead_time: true, ..each }]
 };
 
-/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, its weight is below
-/// one in a thousand.
+/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, the weight of the
+/// form in the intervals is below one in a thousand, because the weight divides log posteriors by 2.
 const RULED_OUT: f64 = 14.0;
 
 /// Number of fits after which the search is usually half done. It only scales the displayed progress, because the

@@ -36,9 +36,9 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
 /// Returns the probable structures that differ from `best` by one added, removed or exchanged effect. They are
 /// refitted, and the most probable structure is first.
 ///
-/// Each has at least the probability [`LEAST`], so that a 95 % interval must include it. `best` is the most probable
-/// structure of the search, or that structure without some effects. In the second case, the most probable structure is
-/// an alternative.
+/// Each has a probability of at least 5 % relative to `best`, so that a 95 % interval must include it. `best` is the
+/// most probable structure of the search, or that structure without some effects. In the second case, the most probable
+/// structure is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
     // Refit `best` with the effort of the alternatives: a more accurate integration changes the log posterior by units.
     let judged = best.refitted(tests, Effort::JUDGE);
