@@ -65,7 +65,7 @@ fn is_change(component: &Component) -> bool {
     component.form == "changed"
 }
 
-/// A verdict with its reasons.
+/// Verdict of a diagnosis with its summary, suspects and notes.
 struct Judged {
     verdict: Verdict,
     summary: Sentence,
@@ -133,7 +133,7 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies to added names. Effects in both models are not calibrated.
+        // The calibration applies only to added effects. Effects in both models have the probability of the search.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -527,7 +527,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Formats the statement that nothing is missing, with its limits.
+    /// Adds the limits of the statement that nothing is missing: effects that the records cannot show, and a lack of
+    /// left-out tests.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())

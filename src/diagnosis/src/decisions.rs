@@ -27,6 +27,6 @@ pub const UNEXPLAINED: f64 = 0.25;
 /// Smallest force of a named effect and of a reported change, as a fraction of the root mean square measured force.
 ///
 /// A smaller change appears only in the table. Dampers of one series differ by this amount, and force tolerances allow
-/// it. The force of a named effect must also exceed the noise of a sample in at least one test. The laboratory uses
-/// this definition for the effects of a damper (`true_set.rs`).
+/// it. The force of a named effect must also exceed the noise of a sample in at least one test. The second laboratory
+/// uses the same fraction to define the true effects of a simulated damper (`true_set.rs`).
 pub const MATERIAL: f64 = 0.005;

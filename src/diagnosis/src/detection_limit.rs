@@ -17,7 +17,8 @@ pub fn note(tests: &[Test], mean_squares: &[f64]) -> Option<Sentence> {
     note_of((squares / count).sqrt(), (noise / count).sqrt())
 }
 
-/// Returns the note of a residual and a noise, N rms.
+/// Returns the note for a residual and a noise, N rms, or `None` if the residual is at most [`CLEARLY`] times the
+/// noise.
 fn note_of(residual: f64, noise: f64) -> Option<Sentence> {
     (residual > CLEARLY * noise).then(|| {
         Sentence::from(phrases::DETECTION_LIMIT)

@@ -12,7 +12,7 @@ pub struct Card {
     pub name: &'static str,
     /// Location in the force path.
     pub path: &'static str,
-    /// Family: effects at one location, which are hardest to distinguish.
+    /// Name of the family: a group of effects at one location that are hardest to distinguish from each other.
     pub family: &'static str,
     /// Test that shows the effect best.
     pub remedy: Template,
@@ -24,7 +24,8 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Smallest side-force range, N, that distinguishes side-force friction from friction of a car damper.
+/// Smallest range of side forces, N, at which tests can distinguish side-force friction from other friction of a car
+/// damper.
 const SIDE_FORCE: f64 = 50.0;
 /// Smallest range of positions at one speed, m, at which tests can show position-dependent damping. [`FREQUENCIES`] is
 /// the smallest ratio of frequencies at which they can show frequency-selective damping.

@@ -1,4 +1,4 @@
-//! Choice of the rig test that best distinguishes rivals.
+//! Choice of the rig test that best distinguishes rivals, which are competing hypotheses.
 //!
 //! In this test, the predictions of the refitted rivals differ most relative to the noise (Hunter & Reiner,
 //! Technometrics 7, 1965).

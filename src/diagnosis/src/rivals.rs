@@ -1,4 +1,4 @@
-//! Unnamed effects that explain a part of the disagreement, in addition to named effects or instead of one.
+//! Effects that are not named but explain a part of the disagreement, in addition to named effects or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -44,7 +44,8 @@ impl Open<'_> {
                 all.push(self.rival(effect, explained(before, trial.structure.evidence.mean())));
             }
         }
-        // The rivals of an exchanged effect are only in the table.
+        // Structures in which another effect replaces an effect of the best structure are only in the table of the
+        // search.
         for (effect, row) in self.best_rows(None) {
             if all.iter().all(|r| r.effect != effect) {
                 all.push(self.rival(effect, explained(self.start.evidence.mean(), row.mean_square)));

@@ -12,6 +12,7 @@ use dashpot_messages::Sentence;
 const TRACE: f64 = 20.0;
 
 /// Lists all effects that could not be tested, because of channels, ranges, or a small response at a typical strength.
+/// `invisible` contains the squared response of each screened effect, and `found` the named effects.
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

@@ -1,5 +1,4 @@
-//! Checks whether the records of a campaign share one clock, so that a model can continue temperature and drift from
-//! test to test.
+//! Common clock of the records of a campaign, with which a model can continue temperature and drift from test to test.
 
 use dashpot_records::{Record, apart};
 

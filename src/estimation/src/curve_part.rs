@@ -3,7 +3,7 @@
 use dashpot_core::Params;
 use dashpot_core::list;
 
-/// A part of the FV curve.
+/// Part of the FV curve, given by a side and a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CurvePart {
     /// The side to which the part is restricted.

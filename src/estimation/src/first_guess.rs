@@ -1,5 +1,4 @@
-//! First guess of the parameters by an engineer's method: FV points at peak velocity, friction and gas force from slow
-//! tests.
+//! First guess of the parameters without a search: FV points at peak velocity, friction and gas force from slow tests.
 
 use crate::scale::Scale;
 use crate::segment::Segment;
@@ -11,7 +10,8 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
-/// Peak velocity, m/s, below which tests show only friction and gas force (thesis Test 9: 2.58 mm/s and slower).
+/// Peak velocity, m/s, below which tests show only friction and gas force (Test 9 of the thesis of Jonnalagadda & Vyas,
+/// KTH 2020: 2.58 mm/s and slower).
 pub const SLOW: f64 = 0.006;
 /// Ratio of adjacent velocities of the FV table. Knees extend over this ratio, and closer points would fit noise.
 const RATIO: f64 = 1.65;

@@ -45,7 +45,7 @@ pub struct Number {
     pub free: Free,
     /// Start value.
     pub start: f64,
-    /// Typical size of a change.
+    /// Typical size of a change of the parameter in a search.
     pub step: f64,
     /// Bounds.
     pub bounds: (f64, f64),

@@ -50,7 +50,7 @@ impl Effort {
 /// Result of a refit.
 #[derive(Debug, Clone)]
 pub struct Refit {
-    /// The parameters.
+    /// Values of the free parameters.
     pub theta: Vec<f64>,
     /// Weighted residuals.
     pub residual: Residual,

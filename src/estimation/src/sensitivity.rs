@@ -1,5 +1,4 @@
-//! Computes the forces of a model over a segment and their derivatives with respect to the unknowns, with few
-//! simulations.
+//! Forces of a model over a segment and their derivatives with respect to the unknowns, computed with few simulations.
 //!
 //! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the
 //! internal mass's motion with respect to each parameter at the cost of a few products. Thus, a fit with thirty
@@ -22,7 +21,7 @@ use dashpot_core::{
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
-/// Parameters that change the motion of the internal mass, with their direct term in the stage equation.
+/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Direction {
     SeriesStiffness,
@@ -163,8 +162,8 @@ impl FollowPaths for PathsTangent<'_> {
     }
 }
 
-/// An unknown of an element parallel to the mass without internal state: its derivative is a finite difference of the
-/// element's force.
+/// Unknown of an element that is parallel to the mass and has no internal state. The derivative of the force is a
+/// finite difference of the element's force.
 struct Beside {
     column: usize,
     plus: Model,
@@ -732,7 +731,8 @@ mod tests {
                 let table =
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
-                // Elements with several substeps have a known error of 3 %: 0.001 N for a tenth of the damping.
+                // For elements with several substeps, the derivative with respect to the series damping has a known
+                // error of 3 %. For a change of the damping by a tenth, this is 0.001 N.
                 let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };

@@ -79,8 +79,8 @@ fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
 const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
 const OF_SPEED: f64 = 0.3;
 
-/// Computes the largest range of displacements at one speed and stroke. If the range is zero, effects of displacement
-/// and of speed cannot be separated.
+/// Computes the largest range of displacements, m, at one speed and direction of motion. If the range is zero, effects
+/// of displacement and of speed cannot be separated.
 fn places_span(tests: &[Test]) -> f64 {
     let at = |speed: f64| {
         let of = tests.iter().flat_map(|t| t.inputs()).filter(|i| (i.velocity / speed - 1.0).abs() < OF_SPEED);

@@ -105,9 +105,9 @@ impl<R: Residuals> Point for There<'_, R> {
 /// Bounds of every parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
-    /// Lowest values.
+    /// Lowest value of each parameter.
     pub low: Vec<f64>,
-    /// Highest values.
+    /// Highest value of each parameter.
     pub high: Vec<f64>,
 }
 
@@ -153,11 +153,11 @@ impl Loss {
 /// Source of the derivatives of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Derivatives {
-    /// Computed after every step. Steps account for the curvature (geodesic acceleration).
+    /// Computed after every accepted step. Steps account for the curvature (geodesic acceleration).
     Accelerated,
-    /// Computed after every step.
+    /// Computed after every accepted step.
     Fresh,
-    /// Computed once, then updated after every step from the observed residuals.
+    /// Computed once, then updated by Broyden's formula after every step, including rejected steps.
     Kept,
 }
 

@@ -1,5 +1,5 @@
-//! Detection of a stop that a lookup spring represents. Its sign is a force at the spring's end in excess of the
-//! extrapolated middle of the spring curve.
+//! Detection of a stop that a lookup spring represents. Such a stop appears as a force at the spring's end in excess of
+//! the extrapolated middle of the spring curve.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};

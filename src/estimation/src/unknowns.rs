@@ -1,4 +1,4 @@
-//! Unknowns of a fit, and the conversion of a vector of them to a parameter set.
+//! Unknowns of a fit, and the conversion of a vector of their values to a parameter set.
 
 use crate::scale::Scale;
 use dashpot_core::Params;
@@ -24,7 +24,8 @@ pub enum Unknown {
     /// Excess of a parameter over another, as a fraction of the other, for example of a break-away peak over the
     /// Coulomb level.
     Above(Number, Number),
-    /// Rise of a curve from one point to the next. The direction is away from the anchor of the curve near the origin.
+    /// Absolute change of force of a curve from one point to the next, away from the anchor of the curve near the
+    /// origin.
     Rise {
         /// The curve.
         curve: CurveName,
@@ -108,7 +109,7 @@ impl Unknowns {
             .collect()
     }
 
-    /// Returns bounds of the vector for a damper of this size.
+    /// Returns the lower and upper bounds of the unknowns, scaled to the size of the damper.
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
         let scale = Scale::from_params(&self.base);
         self.list
@@ -129,7 +130,7 @@ impl Unknowns {
             .unzip()
     }
 
-    /// Returns the parameter set of a vector.
+    /// Returns the parameter set for values `theta` of the unknowns.
     pub fn params(&self, theta: &[f64]) -> Params {
         let mut params = self.base;
         for curve in [CurveName::Fv, CurveName::Spring] {
@@ -169,7 +170,7 @@ impl Unknowns {
                     values[*i] = *t;
                     let _ = params.set_list(*list, &values);
                 }
-                // The parameter below is already set, because it comes first in every list.
+                // The parameter `below` is already set, because it comes first in every list.
                 Unknown::Above(number, below) => {
                     let level = params.number(*below);
                     set_inside(&mut params, *number, level * (1.0 + t));

@@ -39,7 +39,7 @@ pub enum SeverityError {
     /// No strength has this severity with these tests.
     #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
     OutOfReach {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
         /// The severity of a trial that is nearest to the requested one.
         reached: f64,

@@ -55,7 +55,7 @@ pub struct Contradiction {
     pub unit: &'static str,
     /// Entries of the drawing from which the value was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
-    /// Message.
+    /// The contradiction as a sentence.
     pub text: Sentence,
 }
 

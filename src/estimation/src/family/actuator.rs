@@ -34,11 +34,11 @@ pub enum Ways {
 /// Set of parameters of an actuator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ActuatorForm {
-    /// Time constants.
+    /// Directions that have a time constant.
     pub lag: Ways,
     /// Whether there is a dead time.
     pub dead_time: bool,
-    /// Rate limits.
+    /// Directions that have a rate limit.
     pub rate: Ways,
     /// Whether there is hysteresis over the setting.
     pub hysteresis: bool,
@@ -61,9 +61,9 @@ pub struct ActuatorNumber {
     pub start: f64,
     /// Step of a finite difference.
     pub step: f64,
-    /// Bounds.
+    /// Bounds of the free parameter.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of its distribution over valves.
+    /// Mean and standard deviation of the free parameter over valves.
     pub prior: (f64, f64),
 }
 
@@ -186,9 +186,9 @@ pub struct ActuatorProblem<'a> {
 /// Result of a refit of an actuator.
 #[derive(Debug, Clone)]
 pub struct ActuatorRefit {
-    /// The form.
+    /// Form of the actuator.
     pub form: ActuatorForm,
-    /// Its parameters.
+    /// Parameters of the form.
     pub numbers: Vec<ActuatorNumber>,
     /// Values of the free parameters, followed by the relative errors of the force at each setting and between
     /// neighbors.

@@ -44,7 +44,7 @@ pub struct ActuatorPart {
 
 /// The most probable actuator.
 pub struct ActuatorSearch {
-    /// Its refit.
+    /// Refit of the most probable actuator.
     pub best: ActuatorRefit,
     /// All parts, present or absent.
     pub parts: Vec<ActuatorPart>,

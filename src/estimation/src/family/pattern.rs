@@ -19,7 +19,7 @@ const STORED: f64 = -3.0;
 /// by little more than one factor for each stroke.
 const FURTHER_CURVE: f64 = 2.0;
 
-/// A quantity that may depend on the setting as a whole.
+/// Quantity of the model that depends on the setting as a whole or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Site {
     /// The forces of the FV curve.

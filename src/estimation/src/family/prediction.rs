@@ -28,7 +28,7 @@ pub struct Linearization<'a> {
     settings: &'a [SettingTests],
     /// Values of the template's parameters at each setting.
     thetas: Vec<Vec<f64>>,
-    /// Derivatives with respect to these parameters.
+    /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
     jacobians: Vec<DMatrix<f64>>,
     /// Weighted normal matrices and right sides of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,

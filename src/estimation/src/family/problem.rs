@@ -62,7 +62,7 @@ impl FamilyHypothesis {
         columns
     }
 
-    /// Returns the length of the family's vector.
+    /// Returns the length of the family's parameter vector.
     pub fn len(&self) -> usize {
         self.varies.iter().map(|varies| if *varies { self.settings() } else { 1 }).sum()
     }

@@ -20,7 +20,7 @@ pub use low_pass::low_pass;
 pub use motion::{earlier, finer};
 use resonance::resonance;
 
-/// A measurement error of the rig.
+/// Measurement error of the rig. Each variant states the parameter of the error and its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Artefact {
     /// Lag of the force channel relative to the motion channels, s.
@@ -50,10 +50,11 @@ pub enum Artefact {
     /// The number of the variant is the force range, N, over which the sign of the added force changes after a
     /// reversal.
     Loop(u32),
-    /// A resonance at this frequency, Hz, in phase with the force, as a fraction of the force.
+    /// Fraction of the force that a resonance adds in phase with the force. The number of the variant is the frequency
+    /// of the resonance, Hz.
     Ring(u32),
-    /// A resonance at this frequency, Hz, in quadrature with the force: in phase with the rate of the force, and a
-    /// fraction of that rate.
+    /// Fraction of the force that a resonance adds in quadrature with the force, in phase with its rate. The number of
+    /// the variant is the frequency of the resonance, Hz.
     RingAcross(u32),
 }
 

@@ -15,7 +15,7 @@ const STEP: f64 = 2e-3;
 const ANSWER_STEP: f64 = 5e-4;
 /// Longest response of a valve to a change of its command, s.
 const ANSWER: f64 = 0.3;
-/// Stride of the scored samples after the response of the valve.
+/// Stride, in steps, of the scored samples outside the responses of the valve.
 const SCORED: usize = 5;
 /// Largest number of steps of a test. A record with more samples has longer steps.
 const MOST: usize = 40_000;

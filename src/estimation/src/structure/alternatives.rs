@@ -1,8 +1,8 @@
 //! Structures that remain probable in addition to the most probable one, and the wider intervals that they imply.
 //!
 //! An interval within one structure ignores the other structures. For example, a linear spring parallel to a gas column
-//! has a probability of a tenth. A structure with the gas column alone assigns the stiffness of both to the column.
-//! Therefore, the interval of a parameter is that of the average over the alternatives, weighted with their
+//! may have a probability of a tenth. A structure with the gas column alone then assigns the stiffness of both to the
+//! column. Therefore, the interval of a parameter is that of the average over the alternatives, weighted with their
 //! probabilities (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
 
 use super::context::Structure;
@@ -91,7 +91,7 @@ const HALVES: usize = 30;
 pub struct Part {
     /// Weight relative to the other structures.
     pub weight: f64,
-    /// Value.
+    /// Value of the parameter in the structure.
     pub value: f64,
     /// Ends of the interval within this structure.
     pub ends: [f64; 2],

@@ -15,7 +15,7 @@ use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
 use dashpot_records::Record;
 
-/// An effect with its form.
+/// Names of an effect and of its form.
 pub type Form = (&'static str, &'static str);
 
 /// Inputs of a structure search.

@@ -146,8 +146,8 @@ pub fn screen(
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
-                    // Many responses are also proportional to such a parameter. The response at the scaled value tests
-                    // whether the response is proportional here.
+                    // Many responses are also proportional to a parameter whose logarithm is free. The response at the
+                    // scaled value tests whether the response is proportional here.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {

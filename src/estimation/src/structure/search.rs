@@ -23,7 +23,7 @@ pub struct Visited {
     pub log_posterior: f64,
     /// Log prior of the effects and of their parameter values.
     pub log_prior: f64,
-    /// Mean square residual.
+    /// Mean square residual over all tests, relative to noise and curve discretization.
     pub mean_square: f64,
 }
 
