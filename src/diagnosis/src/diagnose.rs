@@ -22,8 +22,8 @@ use dashpot_records::Record;
 /// Returns whether a diagnosis may use a candidate: the effect must be requested, and the records must be able to show
 /// it.
 ///
-/// Two measurement errors are excluded, because only a fit identifies them: a mass on the load cell, which has the name
-/// of a moving mass, and a gain drift.
+/// Two measurement errors are excluded, because only a fit identifies them: a mass on the load cell and a gain drift.
+/// In the vocabulary, the mass has the name of a moving mass.
 fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
     if candidate.unnamed.is_some() {
         return true;

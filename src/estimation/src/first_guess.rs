@@ -10,8 +10,8 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
-/// Peak velocity, m/s, below which tests show only friction and gas force (Test 9 of the thesis of Jonnalagadda & Vyas,
-/// KTH 2020: 2.58 mm/s and slower).
+/// Peak velocity, m/s, below which tests show only friction and gas force. In Test 9 of the thesis (Jonnalagadda &
+/// Vyas, KTH 2020), such tests had at most 2.58 mm/s.
 pub const SLOW: f64 = 0.006;
 /// Ratio of adjacent velocities of the FV table. Knees extend over this ratio, and closer points would fit noise.
 const RATIO: f64 = 1.65;

@@ -4,8 +4,8 @@
 //! dashpot-proving --example explain_other`. Other seeds checked them (docs/book/src/dimensions.md). If a factor is too
 //! small, intervals do not contain the true value. If it is too large, the intervals are useless.
 
-/// Error factor of the gas pressure: the gas becomes warmer in the tests, and a zero offset of the load cell acts like a gas
-/// force.
+/// Error factor of the gas pressure. The gas becomes warmer in the tests, and a zero offset of the load cell acts like
+/// a gas force.
 pub(super) const GAS_PRESSURE: f64 = 1.15;
 /// Error factor of the gas volume, because the fitted gas stiffness is between the slow and the fast stiffness.
 pub(super) const GAS_VOLUME: f64 = 1.6;

@@ -91,8 +91,8 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
-/// Makes the tests of a record: at most `most` stretches of its cycles, a road in the given extent, or one test with a
-/// changing setting.
+/// Makes the tests of a record. These are at most `most` stretches of its cycles, a road in the given extent, or one
+/// test with a changing setting.
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();

@@ -130,7 +130,7 @@ pub fn most_at_setting(settings: usize) -> usize {
     2 * MOST_TESTS / settings.max(1)
 }
 
-/// Largest number of tests with a changing setting for the identification of an actuator: each test is simulated over
+/// Largest number of tests with a changing setting for the identification of an actuator. Each test is simulated over
 /// its full length, with short steps during the responses of the valve.
 pub const MOST_CHANGING: usize = 24;
 
