@@ -185,9 +185,10 @@ struct Alone {
 pub enum Accuracy {
     /// The integration that host programs use.
     Full,
-    /// Four substeps of the fourth-order method, or eight if a force reverses within a sample: accurate enough for the
-    /// result of a fit. With one substep, tests of 120 samples per cycle gave a series damping that was 450 N s/m too
-    /// high, outside its interval (tests/tests/system/identification.rs).
+    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. Eight substeps apply to a
+    /// series spring that carries the whole force, and to a bypass that opens at each reversal. With one substep, tests
+    /// of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
+    /// (tests/tests/system/identification.rs).
     Fine,
     /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times
     /// cheaper in slow tests. A series spring requires two substeps, because its force reverses within a sample of a

@@ -79,8 +79,8 @@ pub fn varying_family(
 }
 
 /// Adds one effect to the family from a structure of one setting. Without `varies`, all settings share the parameters
-/// of the effect. With `varies`, each setting has separate parameters where possible. Returns `None` if no parameter of
-/// the effect can vary, or if the structure lacks the effect.
+/// of the effect. With `varies`, each setting has separate parameters where possible. Returns `None` if the structure
+/// lacks the effect, or if `varies` is true but no parameter of the effect can vary.
 pub fn with_effect(
     family: &FamilyStructure,
     source: &Structure,

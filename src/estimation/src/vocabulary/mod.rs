@@ -199,7 +199,8 @@ fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
-/// Makes a weakly determined parameter near its expected value. `deviation` has the unit of the parameter.
+/// Makes a weakly determined parameter near its expected value. `deviation` has the unit of the parameter; like all
+/// deviations of model parameters, it has no effect on the search.
 fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
