@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use std::sync::LazyLock;
 
-/// Logistic calibration. The file states its origin.
+/// Parameters of the calibration. The file `calibration.toml` states their origin.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Calibration {
@@ -48,7 +48,8 @@ mod tests {
             let mut last = 0.0;
             for p in [0.05, 0.1, 0.5, 0.9, 0.99, 1.0] {
                 let here = confidence(p, against);
-                // Without a reference, the last two values exceed the limit.
+                // Without a reference, the log odds of the last two probabilities exceed the limit
+                // `most_without_reference`.
                 let is_at_limit = !against && p == 1.0 && here == last;
                 assert!((here > last || is_at_limit) && here < 0.96, "{p}: {here}");
                 last = here;

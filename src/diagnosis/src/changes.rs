@@ -13,7 +13,7 @@ use serde::Serialize;
 /// One change compared with the reference damper.
 #[derive(Debug, Clone, Serialize)]
 pub struct Change {
-    /// A parameter of the model, or a part of its FV curve.
+    /// Name of a parameter of the model, or of a part of its FV curve.
     pub name: &'static str,
     /// Value of the reference damper. For a part of the FV curve, it is the force at [`Change::velocity_m_s`].
     pub reference: f64,
@@ -22,7 +22,7 @@ pub struct Change {
     /// Lower end of the 95 % interval of the value, if `reference` is exact. The lower end of the change is this value
     /// minus `reference`.
     pub low: f64,
-    /// Upper end of that interval.
+    /// Upper end of the 95 % interval of the value.
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
@@ -35,8 +35,8 @@ pub struct Change {
     pub force_n_rms: f64,
 }
 
-/// Returns the velocity at which the forces of a part of the FV curve are stated: the geometric middle of its
-/// velocities, or the highest.
+/// Returns the velocity at which the forces of a part of the FV curve are stated. It is that of the curve's point
+/// nearest to 0.05 m/s for low speeds, 0.3 m/s for all speeds and 1 m/s for high speeds.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
     let is_rebound = part.side != Side::Compression;

@@ -38,12 +38,13 @@ const LOST_STROKE: &str = "begins with a lost stroke";
 const DECIDED: f64 = 0.9;
 /// Largest number of names that a proposed test should distinguish.
 const UNDECIDED: usize = 3;
-/// Smallest gain of log posterior at which an unnamed error is reported. This threshold represents the prior odds.
+/// Smallest gain of log posterior, relative to the best structure, at which an unnamed error is reported. This
+/// threshold represents the prior odds of such an error.
 const UNNAMED: f64 = 1.0;
 /// Smallest mean square of a single test that a diagnosis without findings lists, relative to noise and curve error.
 const LOUD: f64 = 4.0;
 
-/// Input of the outcome.
+/// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
     /// Remarks if the reference has the same measurements, the opposite direction or another temperature.
     pub reference_remarks: Vec<Sentence>,
@@ -64,7 +65,7 @@ fn is_change(component: &Component) -> bool {
     component.form == "changed"
 }
 
-/// A verdict with its reasons.
+/// Verdict of a diagnosis with its summary, suspects and notes.
 struct Judged {
     verdict: Verdict,
     summary: Sentence,
@@ -94,7 +95,8 @@ impl Composed<'_> {
 
     /// Returns whether the force of an effect is large enough to name it.
     ///
-    /// In at least one test, the force must exceed the noise of a sample and a fraction of the measured force.
+    /// In at least one test, the force must exceed the noise of a sample and a fraction of the measured force. An
+    /// effect whose force is unknown counts as large enough.
     fn is_material(&self, item: &InventoryItem) -> bool {
         let mut tests = item.test_forces_n.iter().zip(&self.fitted);
         let exceeds = |(force, test): (&f64, &Test)| {
@@ -104,7 +106,7 @@ impl Composed<'_> {
         item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
-    /// Removes from the best structure all effects that are not probable enough to be named.
+    /// Removes from the best structure all added effects that are not probable enough to be named.
     fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
         loop {
             let doubtful = self.best.components.iter().position(|c| {
@@ -131,7 +133,7 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies to added names. Effects in both models are not calibrated.
+        // The calibration applies only to added effects. Effects in both models have the probability of the search.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -323,7 +325,7 @@ impl Composed<'_> {
             let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let more = changed.len().saturating_sub(TOLD);
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            // If the form error exceeds the noise, further changes may exist.
+            // If the form error of the model exceeds the noise, further changes may exist.
             let rest = if after.sqrt() <= QUIET {
                 if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
             } else {
@@ -509,8 +511,8 @@ impl Composed<'_> {
         (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
-    /// Returns the accuracy of the integration for the errors. A comparison with a reference uses that of the refits,
-    /// like its form error.
+    /// Returns the accuracy of the integration for the errors. A comparison with a reference uses the accuracy of the
+    /// refits, because the form error of the reference was computed with it.
     fn accuracy(&self) -> Accuracy {
         if self.against.is_some() { Accuracy::Single } else { Accuracy::Full }
     }
@@ -525,7 +527,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Formats the statement that nothing is missing, with its limits.
+    /// Adds the limits of the statement that nothing is missing: effects that the records cannot show, and a lack of
+    /// left-out tests.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())
@@ -547,7 +550,8 @@ impl Composed<'_> {
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside).with_any("nearest", nearest))
     }
 
-    /// Returns the scalar parameters of the given model that changed by more than three standard deviations.
+    /// Returns the scalar parameters of the given model that changed by more than three standard deviations. The list
+    /// is empty in a comparison with a reference.
     fn shifts(&self) -> Vec<Shift> {
         let (start, best) = (&self.start, &self.best);
         if start.key() == best.key() || self.against.is_some() {
@@ -572,7 +576,7 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Proposes tests that distinguish undecided names. Returns none if all names are decided.
+    /// Proposes tests that distinguish undecided names. Returns none if all names are decided or nothing is missing.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
         if judged.verdict.nothing_is_missing()

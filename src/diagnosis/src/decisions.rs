@@ -3,13 +3,14 @@
 /// Smallest probability at which an effect is named. Below it, the name is more likely wrong than correct.
 pub const NAMED: f64 = 0.5;
 
-/// Residual over the noise of the mean cycles beyond which a diagnosis without a finding states both.
+/// Ratio of the residual to the noise of the mean cycles above which a diagnosis without a finding states both.
 ///
-/// At twice the noise the form error is 1.7 times the noise, so it limits the findings more than the noise does. The value decides on a
-/// note alone. Test: `a_residual_above_twice_the_noise_is_stated_with_it`.
+/// If the residual is twice the noise, the form error is 1.7 times the noise, so it limits the findings more than the
+/// noise does. The value decides only whether a note is added. Test:
+/// `a_residual_above_twice_the_noise_is_stated_with_it`.
 pub const CLEARLY: f64 = 2.0;
 
-/// Largest root mean square residual at which nothing is missing, in units of noise and curve error.
+/// Largest root mean square residual at which the model counts as complete, in units of noise and curve error.
 ///
 /// Beyond it, the form error is larger than the noise.
 pub const QUIET: f64 = 1.5;
@@ -20,12 +21,12 @@ pub const QUIET: f64 = 1.5;
 /// With a smaller value, the diagnosis named an effect instead of another effect with an equal fit.
 pub const NEEDED: f64 = 1.0;
 
-/// Smallest remaining fraction of the disagreement that is reported in addition to the names.
+/// Smallest fraction of the disagreement that is reported as unexplained in addition to the named effects.
 pub const UNEXPLAINED: f64 = 0.25;
 
 /// Smallest force of a named effect and of a reported change, as a fraction of the root mean square measured force.
 ///
 /// A smaller change appears only in the table. Dampers of one series differ by this amount, and force tolerances allow
-/// it. The force of a named effect must also exceed the noise of a sample in at least one test. The laboratory uses
-/// this definition for the effects of a damper (`true_set.rs`).
+/// it. The force of a named effect must also exceed the noise of a sample in at least one test. The second laboratory
+/// uses the same fraction to define the true effects of a simulated damper (`true_set.rs`).
 pub const MATERIAL: f64 = 0.005;

@@ -7,8 +7,8 @@ use dashpot_messages::Sentence;
 
 /// Returns a note if the residual clearly exceeds the noise of the mean cycles.
 ///
-/// The difference counts as form error of the FV curve, and so would a small effect. `mean_squares` are those of the residuals, in units of
-/// the allowed error of each test.
+/// The part of the residual beyond the noise counts as form error of the FV curve. A small effect would be a part of
+/// it. `mean_squares` are those of the residuals, in units of the noise and curve error of each test ([`Test::unit`]).
 pub fn note(tests: &[Test], mean_squares: &[f64]) -> Option<Sentence> {
     let count = tests.len().max(1) as f64;
     let squares: f64 = tests.iter().zip(mean_squares).map(|(test, square)| square * test.unit().powi(2)).sum();
@@ -16,7 +16,8 @@ pub fn note(tests: &[Test], mean_squares: &[f64]) -> Option<Sentence> {
     note_of((squares / count).sqrt(), (noise / count).sqrt())
 }
 
-/// Returns the note of a residual and a noise, N rms.
+/// Returns the note for a residual and a noise, N rms, or `None` if the residual is at most [`CLEARLY`] times the
+/// noise.
 fn note_of(residual: f64, noise: f64) -> Option<Sentence> {
     (residual > CLEARLY * noise).then(|| {
         Sentence::from(phrases::DETECTION_LIMIT)

@@ -1,4 +1,4 @@
-//! Diagnosis of a model, with all its steps.
+//! Diagnosis of a model, with all steps from the records to the outcome.
 
 use super::composed::Composed;
 use super::decisions::NEEDED;
@@ -22,7 +22,8 @@ use dashpot_records::Record;
 /// Returns whether a diagnosis may use a candidate: the effect must be requested, and the records must be able to show
 /// it.
 ///
-/// A mass on the load cell has the name of a moving mass, and only a fit identifies a gain drift.
+/// Two measurement errors are excluded, because only a fit identifies them: a mass on the load cell and a gain drift.
+/// In the vocabulary, the mass has the name of a moving mass.
 fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
     if candidate.unnamed.is_some() {
         return true;
@@ -79,7 +80,7 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
-/// Refits the given model and the most probable structure until convergence.
+/// Refits the given model and the most probable structure with the final accuracy.
 fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Structure)> {
     let given = search.start.as_ref()?.refitted(tests, Effort::FINE)?;
     Some((given, search.best.refitted(tests, Effort::FINE)?))
@@ -87,8 +88,8 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
 
 /// Returns whether a structure has additional effects but does not explain the records better than the given model.
 ///
-/// Its odds are then higher only because its effects are more frequent, or because it has fewer parameters. The given
-/// model is then complete.
+/// The odds of the structure are then higher only because its effects are more frequent, or because it has fewer
+/// parameters. The given model then counts as complete.
 fn adds_without_need(given: &Structure, best: &Structure) -> bool {
     let effects = |of: &Structure| of.components.iter().map(|component| component.effect).collect::<Vec<_>>();
     is_without_need(&effects(given), &effects(best), best.evidence.log_likelihood() - given.evidence.log_likelihood())

@@ -12,7 +12,7 @@ pub struct Card {
     pub name: &'static str,
     /// Location in the force path.
     pub path: &'static str,
-    /// Family: effects at one location, which are hardest to distinguish.
+    /// Name of the family: a group of effects at one location that are hardest to distinguish from each other.
     pub family: &'static str,
     /// Test that shows the effect best.
     pub remedy: Template,
@@ -24,16 +24,18 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Smallest side-force range, N, that distinguishes side-force friction from friction of a car damper.
+/// Smallest range of side forces, N, at which tests can distinguish side-force friction from other friction of a car
+/// damper.
 const SIDE_FORCE: f64 = 50.0;
-/// Smallest range of positions at one speed, m. [`FREQUENCIES`] is the smallest ratio of frequencies.
+/// Smallest range of positions at one speed, m, at which tests can show position-dependent damping. [`FREQUENCIES`] is
+/// the smallest ratio of frequencies at which they can show frequency-selective damping.
 ///
-/// Such tests identify a dependence on position or frequency: at one speed, two tests must reach different positions.
+/// Tests that pass each position at only one speed do not separate position from speed.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
-/// Smallest range of the heat in tests of a car damper, J, at which its temperature changes.
+/// Smallest range of accumulated heat over the tests, J, at which the temperature of a car damper changes noticeably.
 const HEAT: f64 = 500.0;
-/// Largest displacement at which a stop of a car damper begins, m.
+/// Displacement that tests must reach to show the stops of a car damper, m.
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {

@@ -37,8 +37,8 @@ pub struct GroupResults {
     pub without_test: Vec<String>,
     /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
-    /// Measurement errors that the fit of the model found in its own records. Also states whether these records were
-    /// corrected.
+    /// Measurement errors that the fit of the model found in its own records. Also states whether the records of the
+    /// groups were corrected.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
     /// Every group except the reference.

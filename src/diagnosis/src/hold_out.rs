@@ -7,11 +7,12 @@ const ONE_IN: usize = 4;
 /// Smallest number of tests in a campaign at which some are left out.
 const FEWEST: usize = 8;
 
-/// Marks the tests to leave out: every fourth test in the order of amplitude and speed, so that all amplitudes and
-/// speeds are represented.
+/// Marks the tests to leave out. This is every fourth test in the order of side force, mean displacement, amplitude and
+/// speed, so that all values are represented. A campaign of fewer than eight tests has no left-out tests. `seed`
+/// selects the first left-out test.
 ///
-/// The largest stroke, the fastest test, and the extremes of mean displacement and side force are kept. An effect
-/// cannot be identified if its only test is left out.
+/// The tests with the extremes of amplitude, speed, reached displacement and side force are kept. An effect cannot be
+/// identified if its only test is left out.
 pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let n = records.len();
     let mut out = vec![false; n];

@@ -1,4 +1,4 @@
-//! Improved model in the form of a fit. The same functions write, read and report a fit and this model.
+//! Improved model of a diagnosis as a [`Fit`], so that the code for fits also writes, reads and reports it.
 
 use super::name_of::name_of;
 use super::outcome::Diagnosis;
@@ -15,8 +15,8 @@ use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
 
-/// Estimates all scalars of the final hypothesis. The free parameters have the intervals `ends`. If `ends` is `None`,
-/// the intervals are the bounds.
+/// Returns estimates of the free scalars of the model in the final hypothesis, with the intervals `ends`. If `ends` is
+/// `None`, the estimates have no intervals and count as not identified.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
@@ -104,8 +104,8 @@ impl Diagnosis {
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            // The plain curve of the model is unsuitable. With a reference, it belongs to another damper. Without a
-            // fit, it is the FV curve of the model, without friction.
+            // The plain FV curve in the file of the diagnosed model is unsuitable. With a reference, it belongs to
+            // another damper. Without a fit, it is the FV curve of the model, without friction.
             fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }

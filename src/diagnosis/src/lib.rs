@@ -1,5 +1,5 @@
-//! Diagnosis: regions where a model and the records of its damper disagree, the missing physical effect, and the residual after the effect
-//! is added.
+//! Diagnosis: regions where a model and the records of its damper disagree, the missing physical effect, and the
+//! residual after the effect is added.
 //!
 //! | file | step |
 //! |---|---|
@@ -7,7 +7,7 @@
 //! | [`prepared`] | preparation of records |
 //! | [`effects`] | description of each effect: location, and records that show it |
 //! | [`composed`], [`outcome`] | the outcome in sentences and figures |
-//! | [`rivals`] | unnamed effects that explain a part of the disagreement |
+//! | [`rivals`] | effects that are not named but explain a part of the disagreement |
 //! | [`decisions`], [`calibration`] | thresholds, and calibration of probabilities |
 //! | [`tree`] | all probabilities: path, family, effect, form |
 //! | [`detection_limit`] | size of effects that a diagnosis without a finding cannot exclude |

@@ -1,6 +1,6 @@
-//! Choice of the rig test that best distinguishes rivals.
+//! Choice of the rig test that best distinguishes rivals, which are competing hypotheses.
 //!
-//! At this test the predictions of the refitted rivals differ most relative to the noise (Hunter & Reiner,
+//! In this test, the predictions of the refitted rivals differ most relative to the noise (Hunter & Reiner,
 //! Technometrics 7, 1965).
 
 use super::effects::remedy;
@@ -37,7 +37,7 @@ pub struct Rig {
     pub reach: (f64, f64),
     /// Highest peak velocity, m/s.
     pub speed: f64,
-    /// Side forces of the campaign, N, rounded to 50. The rig has a device for these side forces.
+    /// Lowest and highest side force of the campaign, N, rounded to 50. The rig has a device for these side forces.
     pub side_forces: Vec<f64>,
     /// Largest force of the damper, N, which is safe for damper and load cell.
     pub force: f64,
@@ -104,8 +104,8 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// Proposes the tests that distinguish the rivals best, best first. Positions have the unit, direction and zero of the
-/// campaign's files.
+/// Proposes the tests that distinguish the rivals best, best first. For a single rival, the result describes the test
+/// that shows the effect best. Positions have the unit, direction and zero of the campaign's files.
 pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();

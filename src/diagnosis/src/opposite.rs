@@ -1,6 +1,6 @@
 //! Detection of opposite positive directions in campaign and reference. The direction of each campaign is determined
-//! separately, but on one rig both are usually equal. If they differ, rebound of one campaign is compared with
-//! compression of the other.
+//! separately, although campaigns of one rig usually have equal directions. If they differ, rebound of one campaign is
+//! compared with compression of the other.
 
 use super::phrases;
 use dashpot_messages::Sentence;

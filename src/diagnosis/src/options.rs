@@ -9,7 +9,7 @@ use dashpot_records::Record;
 /// Options of a diagnosis.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// Largest number of effects to add.
+    /// Largest number of rare effects to add, such as faults. With 0, no effect is added.
     pub max_effects: usize,
     /// Effects that the diagnosis may name. `None` means all effects.
     pub candidates: Option<Vec<String>>,

@@ -40,13 +40,13 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// Summary in sentences.
     pub summary: Sentence,
-    /// Effects in the order in which they were added.
+    /// Named effects, most probable first.
     pub findings: Vec<Finding>,
     /// Every effect of the given and of the most probable model, with its force and its probability.
     pub inventory: Vec<InventoryItem>,
     /// Smallest set of changes that explains the difference from a reference, largest force first.
     pub changes: Vec<Change>,
-    /// Unnamed effects that explain the disagreement, or its remainder, about equally well. Most probable first.
+    /// Effects that are not named but may explain the disagreement, or its remainder. Most probable first.
     pub suspects: Vec<Rival>,
     /// Regions where model and records disagree before any effect is added, worst first.
     #[serde(rename = "where")]
@@ -57,7 +57,8 @@ pub struct Diagnosis {
     pub after: Figures,
     /// Closed fraction of the gap between model and noise, on left-out tests. On fitted tests if none is left out.
     pub gap_closed: Option<f64>,
-    /// Remaining fraction of the disagreement, as a ratio of mean squares in excess of noise.
+    /// Fraction of the disagreement that the improved model does not explain, as a ratio of mean squares in excess of
+    /// noise.
     pub unexplained_fraction: f64,
     /// All probabilities of the search: path, family, effect, form.
     pub tree: Vec<Branch>,
@@ -75,7 +76,8 @@ pub struct Diagnosis {
     pub about_the_reference: Option<Sentence>,
     /// Errors of each test with the given and the improved model.
     pub tests: Vec<TestOutcome>,
-    /// Effects that were fully refitted, for each iteration of the search.
+    /// Effects that were tried in addition to the best structure, most probable first. The outer list has one element,
+    /// for the last iteration of the search.
     pub iterations: Vec<Vec<Trial>>,
     /// The given model after a refit.
     #[serde(skip)]
@@ -95,7 +97,7 @@ pub struct Diagnosis {
     /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// Effects of the rig by name. Only the comparison corrects them.
+    /// Values of the measurement errors in the improved model, by name. Only the comparison corrects them.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
@@ -110,7 +112,7 @@ pub struct Finding {
     pub meaning: &'static str,
     /// Location in the force path.
     pub path: &'static str,
-    /// Family: effects at the same location.
+    /// Family of the effect: similar effects at the same location.
     pub family: &'static str,
     /// Calibrated probability that the name is correct: the fraction of correct names among such names.
     pub confidence: f64,
@@ -124,11 +126,11 @@ pub struct Finding {
     pub of_the_rig: bool,
     /// Parameters of the effect.
     pub parameters: BTreeMap<&'static str, Value>,
-    /// Fraction of the gap that this effect closes on left-out tests.
+    /// Fraction of the gap that this effect closes on left-out tests. On fitted tests if none is left out.
     pub gap_closed: Option<f64>,
     /// Statistics that support the confidence.
     pub evidence: Evidence,
-    /// Alternative names with a smaller explained fraction.
+    /// Alternative names, most probable first.
     pub rivals: Vec<Rival>,
 }
 
@@ -147,7 +149,7 @@ pub struct Value {
     pub plausible: bool,
 }
 
-/// Alternative name for a disagreement.
+/// Effect that may explain a disagreement, in addition to the named effects or instead of one.
 #[derive(Debug, Clone, Serialize)]
 pub struct Rival {
     /// Name of the effect.
@@ -165,9 +167,9 @@ pub struct Rival {
 pub struct Region {
     /// Name of a test, or "all" if the region comes from all tests.
     pub test: String,
-    /// Velocities, m/s.
+    /// Range of velocities, m/s, rebound positive.
     pub velocity_m_s: [f64; 2],
-    /// Displacements, m.
+    /// Range of displacements, m.
     pub displacement_m: [f64; 2],
     /// `rebound`, `compression` or `both`.
     pub direction: &'static str,
@@ -177,7 +179,7 @@ pub struct Region {
     pub rmse_n: f64,
     /// Mean of measured minus computed force in the region, N.
     pub mean_n: f64,
-    /// Expected effect of noise in the region, N.
+    /// Root mean square noise of the mean cycles in the region, N.
     pub noise_n: f64,
     /// Description of the region in a sentence.
     pub text: Sentence,
@@ -186,11 +188,11 @@ pub struct Region {
 /// Errors of a model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Figures {
-    /// Root mean square over the fitted tests, N.
+    /// Root mean square error over the fitted tests, N.
     pub rmse_n: f64,
     /// Mean absolute error relative to the largest force of the test, averaged over all tests, percent.
     pub error_percent: f64,
-    /// Root mean square over the left-out tests, N.
+    /// Root mean square error over the left-out tests, N.
     pub left_out_rmse_n: Option<f64>,
     /// Root mean square noise of the fitted tests' mean cycles, N: the residual of a perfect model.
     pub noise_n: f64,
@@ -201,7 +203,7 @@ pub struct Figures {
 /// Proposed rig test.
 #[derive(Debug, Clone, Serialize)]
 pub struct NextTest {
-    /// Instruction, and the expected information.
+    /// Instruction for the rig, and the information that the test is expected to give.
     pub text: Sentence,
     /// Amplitude, m.
     pub amplitude_m: Option<f64>,
@@ -231,9 +233,9 @@ pub struct CouldNotTest {
 pub struct Shift {
     /// Name of the parameter.
     pub parameter: &'static str,
-    /// Value before.
+    /// Value in the given model.
     pub before: f64,
-    /// Value after.
+    /// Value in the improved model.
     pub after: f64,
     /// Unit.
     pub unit: &'static str,
@@ -250,7 +252,7 @@ pub struct TestOutcome {
     pub before_rmse_n: f64,
     /// Root mean square error of the improved model, N.
     pub after_rmse_n: f64,
-    /// Root mean square noise, N.
+    /// Noise of the mean cycle, N.
     pub noise_n: f64,
     /// Error due to noise and curve form, N. The gap measures the error of this test in units of this error.
     pub allowed_n: f64,
@@ -276,7 +278,7 @@ pub struct Curves {
     pub frequency: f64,
 }
 
-/// Effect that was tried with a full refit.
+/// Effect that was tried in addition to the best structure.
 #[derive(Debug, Clone, Serialize)]
 pub struct Trial {
     /// Name of the effect.
@@ -300,7 +302,7 @@ pub struct Evidence {
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///
-    /// Each test counts as one independent sample. The parameters of the effect are penalized.
+    /// Each test counts as 1.5 independent observations. The parameters of the effect are penalized.
     pub log_odds: f64,
     /// Number of parameters that the effect adds. Parameters that stay near their prior count half.
     pub numbers: f64,

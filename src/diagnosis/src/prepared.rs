@@ -69,8 +69,8 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 impl Prepared {
-    /// Fits the model to the reference, corrects the tests by the form error that both dampers share, and stores the
-    /// parameters of the reference.
+    /// Fits the model to the reference, and corrects the tests by the form error that both dampers share. Returns the
+    /// structure of the reference.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -84,8 +84,8 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Fit the given model and a plain model. If the model of the reference has no friction, a change of friction
-        // cannot show.
+        // Fit the given model in both forms of its curve at rest. If it has no friction, also fit models from the
+        // records alone, because a change of friction cannot show relative to a model without friction.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)

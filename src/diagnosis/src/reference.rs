@@ -42,7 +42,7 @@ fn is_same(a: &At, b: &At) -> bool {
         && (a.side - b.side).abs() <= SAME_SIDE
 }
 
-/// Returns the phase of a sample in its cycle, 0 to 2π: 0 at the middle in rebound.
+/// Returns the phase of a sample in its cycle, 0 to 2π: 0 at the middle of the stroke in rebound.
 fn phase(input: &Input, at: &At) -> f64 {
     let x = (input.displacement.unwrap_or(at.mean) - at.mean) / at.amplitude;
     let v = input.velocity / (TAU * at.frequency * at.amplitude);
@@ -73,13 +73,14 @@ impl Left {
     }
 }
 
-/// Tests whose forces are corrected by the form error from the reference.
+/// Result of the correction of tests by the form error from the reference.
 pub struct Freed {
-    /// Corrected tests.
+    /// All tests, corrected except those in `missing`.
     pub tests: Vec<Test>,
     /// Names of tests that have no counterpart of similar motion.
     pub missing: Vec<String>,
-    /// Names of tests with a nearest counterpart of another speed or stroke.
+    /// Names of tests that were corrected with the nearest motion of the reference, because the reference does not
+    /// contain the same test.
     pub shifted: Vec<String>,
 }
 
@@ -97,7 +98,8 @@ fn distance(a: &At, b: &At) -> Option<f64> {
     is_comparable.then(|| libm::hypot(libm::log(speed(a) / speed(b)), libm::log(a.amplitude / b.amplitude)))
 }
 
-/// Corrects each test by the residual of the model on the same test of the reference, and adds the noise of this residual.
+/// Corrects each test by the residual of the model on the same test of the reference, and adds the noise of this
+/// residual.
 ///
 /// If the reference does not contain the test, the correction uses the form error of the nearest motion, scaled with
 /// the force. Half of this error counts as uncertain. A test without a similar motion is not corrected. `residual` is

@@ -1,4 +1,4 @@
-//! Unnamed effects that explain a part of the disagreement, in addition to named effects or instead of one.
+//! Effects that are not named but explain a part of the disagreement, in addition to named effects or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 
 /// Largest number of rivals and suspects that are listed.
 pub(super) const LISTED: usize = 4;
-/// Smallest probability of a suspect.
+/// Smallest probability at which an effect is listed as a rival or suspect.
 const SUSPECT: f64 = 0.03;
-/// Smallest fraction of the disagreement that a suspect explains.
+/// Smallest explained fraction of the disagreement at which an effect is listed as a rival or suspect.
 ///
 /// Without this threshold, an accurate model was reported as incomplete because most dampers have friction.
 const EXPLAINING: f64 = 0.01;
@@ -44,7 +44,8 @@ impl Open<'_> {
                 all.push(self.rival(effect, explained(before, trial.structure.evidence.mean())));
             }
         }
-        // The rivals of an exchanged effect are only in the table.
+        // Structures in which another effect replaces an effect of the best structure are only in the table of the
+        // search.
         for (effect, row) in self.best_rows(None) {
             if all.iter().all(|r| r.effect != effect) {
                 all.push(self.rival(effect, explained(self.start.evidence.mean(), row.mean_square)));

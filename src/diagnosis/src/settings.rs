@@ -165,7 +165,7 @@ pub struct ChangeAtSetting {
 /// A change relative to the reference over all settings.
 #[derive(Debug, Clone, Serialize)]
 pub struct ChangeOverSettings {
-    /// A parameter of the model, or a part of its FV curve.
+    /// Name of a parameter of the model, or of a part of its FV curve.
     pub name: &'static str,
     /// Whether the parameter changed at every diagnosed setting.
     pub at_all_settings: bool,
@@ -180,7 +180,7 @@ pub struct OverSettings {
     pub summary: Vec<Sentence>,
     /// Every effect: first effects at all settings, then in order of force.
     pub effects: Vec<EffectOverSettings>,
-    /// Every change relative to a reference, in the same order.
+    /// Every change relative to a reference: first changes at all settings, then in order of force.
     pub changes: Vec<ChangeOverSettings>,
 }
 
@@ -238,7 +238,7 @@ fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSetting
         for item in &found.inventory {
             add(item.effect, at_setting(*setting, item, named(item.effect)));
         }
-        // Effects of the rig are not forces of the damper, so no inventory contains them.
+        // A finding that the inventory does not contain is added separately.
         let is_listed = |effect: &str| found.inventory.iter().any(|item| item.effect == effect);
         for finding in found.findings.iter().filter(|finding| !is_listed(finding.effect)) {
             add(finding.effect, of_finding(*setting, finding));

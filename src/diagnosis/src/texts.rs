@@ -4,12 +4,12 @@ use super::effects::CARDS;
 use super::phrases::{FORMS, TEMPLATES};
 use dashpot_messages::Template;
 
-/// Every message.
+/// Returns the templates of all messages.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Every word: the names of paths, families and forms of effects.
+/// Returns all words that are not in templates: the names of paths, families and forms of effects.
 pub fn words() -> impl Iterator<Item = &'static str> {
     CARDS.iter().flat_map(|card| [card.path, card.family]).chain(FORMS.iter().copied())
 }

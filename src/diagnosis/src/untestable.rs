@@ -7,10 +7,12 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
 
-/// Smallest visible response of an effect at typical strength, in σ² over all tests, after adaptation of the model.
+/// Smallest squared response of an effect at typical strength, in σ² over all tests, at which the records can show the
+/// effect. The response is that after adaptation of the model.
 const TRACE: f64 = 20.0;
 
 /// Lists all effects that could not be tested, because of channels, ranges, or a small response at a typical strength.
+/// `invisible` contains the squared response of each screened effect, and `found` the named effects.
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

@@ -1,6 +1,6 @@
 //! Comparison of a damper's temperature with that of the reference.
 //!
-//! Heat changes gas and oil, and appears as a change of the damper or of its rig.
+//! A change of temperature changes gas and oil, and appears as a change of the damper or of its rig.
 
 use super::phrases;
 use dashpot_messages::Sentence;
@@ -8,7 +8,7 @@ use dashpot_records::Record;
 
 /// Smallest reported difference of a test's mean temperatures, K.
 ///
-/// At this difference, the gas force differs by 3 %, like the valves of one series.
+/// At this difference, the gas force differs by 3 %, as do the valves of dampers of one series.
 const WARMER: f64 = 8.0;
 
 /// Returns the mean temperature of a record, °C, if the temperature was recorded.

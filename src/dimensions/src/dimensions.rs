@@ -1,4 +1,4 @@
-//! A drawing: its stated entries in SI units, and handbook values for missing entries.
+//! Drawing of a damper: stated entries in SI units, and handbook values for missing entries.
 
 use crate::entry::{ENTRIES, Entry};
 use crate::geometry::{annulus, area};
@@ -29,8 +29,8 @@ const OIL_MODULUS: Uncertain = Uncertain { value: 1.25e9, low: 0.88e9, high: 1.7
 const OIL_DENSITY: Uncertain = Uncertain { value: 850.0, low: 800.0, high: 890.0 };
 /// Young's modulus of steel, Pa.
 const TUBE_MODULUS: Uncertain = Uncertain { value: 206e9, low: 200e9, high: 212e9 };
-/// Wall thickness of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1). The tube contributes
-/// a tenth of the column's compliance.
+/// Wall thickness of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1).
+/// The tube contributes a tenth of the column's compliance.
 const TUBE_WALL: Uncertain = Uncertain { value: 1.8e-3, low: 1.1e-3, high: 3e-3 };
 /// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3;
 /// Dixon 2007, chapter 6). Computed areas are inversely proportional to the coefficient.
@@ -65,7 +65,7 @@ impl Dimensions {
     }
 
     /// Computes a volume from the other stated entries. The oil volume is that of the chambers, plus the oil in the
-    /// reserve if the drawing states it.
+    /// reserve if the drawing states it. Returns `None` for other entries, and if the volume is unknown.
     pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
         match entry {
             Entry::GasVolume => {
@@ -87,12 +87,12 @@ impl Dimensions {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }
 
-    /// Returns the keys of required entries with unknown values.
+    /// Returns the keys of those entries in `needed` whose values are unknown.
     pub fn missing(&self, needed: &[Entry]) -> Vec<&'static str> {
         needed.iter().filter(|entry| self.known(**entry).is_none()).map(|entry| entry.key()).collect()
     }
 
-    /// Returns the values of entries, or `None` if one of them is unknown.
+    /// Returns the values of the entries in `needed`, or `None` if one of them is unknown.
     pub fn all(&self, needed: &[Entry]) -> Option<Vec<Uncertain>> {
         needed.iter().map(|entry| self.known(*entry)).collect()
     }

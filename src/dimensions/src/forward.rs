@@ -221,7 +221,7 @@ impl Rule {
     }
 }
 
-/// Returns the priors from a drawing. They replace the priors of the table, which apply to all dampers.
+/// Returns the priors from a drawing. They replace the priors that apply to all dampers.
 pub fn priors(of: &Dimensions) -> PriorSet {
     let row = |expectation: Expectation| {
         let Expectation { number, expected, from, source, .. } = expectation;

@@ -39,7 +39,8 @@ pub fn warming(pressure: f64, temperature: f64, rod: f64, oil_per_gas: f64) -> f
     (pressure + ATMOSPHERE) * area(rod) * (1.0 / (temperature + KELVIN) + OIL_EXPANSION * oil_per_gas)
 }
 
-/// Computes the hydraulic force in compression, N, at which the pressure in the rod-side chamber of a monotube is zero.
+/// Computes the hydraulic force in compression, N, at which the absolute pressure in the rod-side chamber of a monotube
+/// is zero.
 pub fn cavitation_force(pressure: f64, bore: f64, rod: f64) -> f64 {
     (pressure + ATMOSPHERE) * annulus(bore, rod)
 }

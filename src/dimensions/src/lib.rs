@@ -1,4 +1,4 @@
-//! The drawing of a damper: bore, rod, chambers, gas, oil, tube and eyes.
+//! Drawing of a damper: bore, rod, chambers, gas, oil, tube and eyes.
 //!
 //! In the forward direction, a drawing gives priors for the parameters of the model ([`forward`]). In the inverse
 //! direction, an identified model gives gas pressure, moduli, passages and air with intervals ([`inverse`]). Both

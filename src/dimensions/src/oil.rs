@@ -1,7 +1,7 @@
 //! Stiffness of the oil column with the tube around it and the air in it.
 //!
-//! The chamber under pressure has the volume V and the piston area A. Its stiffness is K A²/V. The effective modulus K follows from 1/K =
-//! 1/K_oil + 1/K_tube + 1/K_air (Merritt, Hydraulic Control Systems, 1967, chapter 2).
+//! The chamber under pressure has the volume V and the piston area A. Its stiffness is K A²/V. The effective modulus K
+//! follows from 1/K = 1/K_oil + 1/K_tube + 1/K_air (Merritt, Hydraulic Control Systems, 1967, chapter 2).
 
 use crate::dimensions::Design;
 use crate::geometry::{annulus, area};
@@ -21,7 +21,8 @@ pub fn tube_compliance(bore: f64, wall: f64, modulus: f64) -> f64 {
     2.0 / modulus * ((outer + inner) / (outer - inner) + POISSON)
 }
 
-/// Computes the compliance of free air, 1/Pa, at the absolute pressure `pressure`. `air` is its volume fraction at atmospheric pressure.
+/// Computes the compliance of free air, 1/Pa, at the absolute pressure `pressure`. `air` is its volume fraction at
+/// atmospheric pressure.
 pub fn air_compliance(air: f64, pressure: f64) -> f64 {
     air * ATMOSPHERE / (BUBBLES * pressure * pressure)
 }
@@ -51,8 +52,8 @@ pub fn compression_ratio(design: Design, bore: f64, rod: f64, [rebound, compress
 
 /// Computes the largest stroke by compression of free air, m, and the force at half of that stroke, N.
 ///
-/// Bubbles at the pressure p have constant V p. Under the force F on the area A, they deflect by g F / (F + p A), where
-/// g is the largest stroke. The element `aeration` has this law.
+/// For bubbles, the product of volume and pressure p is constant. Under the force F on the area A, they deflect by g F
+/// / (F + p A), where g is the largest stroke. The element `aeration` has this law.
 pub fn air_stroke(air: f64, pressure: f64, bore: f64, rod: f64, length: f64) -> (f64, f64) {
     (air * length * ATMOSPHERE / (BUBBLES * pressure), pressure * annulus(bore, rod))
 }

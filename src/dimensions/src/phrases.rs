@@ -4,7 +4,7 @@ use dashpot_messages::Template;
 
 dashpot_messages::phrases! {
     "dimensions-";
-    // Why a quantity cannot be told.
+    // Reasons why a quantity cannot be determined.
     NO_GAS_FORCE: "the model has no gas force; a slow test shows it";
     GAS_FORCE_OPEN: "the records leave the gas force open; a slow test shows it";
     GAS_ON_ROD: "the gas pushes on the area of the rod";
@@ -78,12 +78,12 @@ const WORDS: [&str; 5] = [
     "oil_stiffness or aeration_stroke",
 ];
 
-/// Every message.
+/// Returns the templates of all messages.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Every word that stands in a message: quantities, and units that are words.
+/// Returns the words that messages contain as values: quantities, parameters, and units with words.
 pub fn words() -> impl Iterator<Item = &'static str> {
     QUANTITIES.iter().map(|(_, noun)| *noun).chain(NOUNS).chain(WORDS)
 }

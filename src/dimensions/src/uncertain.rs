@@ -100,7 +100,8 @@ pub fn through(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Interva
     }
 }
 
-/// Returns the steps of the sequence: powers of 1/x, where x is the root of x^(d+1) = x + 1.
+/// Returns the steps of Roberts' sequence in d = `count` dimensions: powers of 1/x, where x is the root of x^(d+1) = x
+/// + 1.
 fn recurrence(count: usize) -> Vec<f64> {
     let power = count as f64 + 1.0;
     let root = (0..60).fold(2.0, |x: f64, _| libm::pow(1.0 + x, 1.0 / power));

@@ -1,4 +1,5 @@
-//! Forward and inverse share one set of formulas: the explanation of parameters from a drawing gives the drawing again.
+//! Round trip of the forward and the inverse formulas, which are one set: the explanation of parameters from a drawing
+//! gives the drawing again.
 
 use dashpot_dimensions::orifice::quadratic_force;
 use dashpot_dimensions::{Dimensions, explain, forward, geometry, read};

@@ -2,8 +2,8 @@
 //!
 //! Up to the knee, the oil flows through the bleed, so the force at a lower speed is below that at the knee.
 //!
-//! If records have no motion between rest and their slowest speed, they do not distinguish a step of the curve from dry
-//! friction. Without this prior, a free curve absorbs all friction.
+//! If records have no motion between rest and their slowest speed, they do not distinguish a step of the curve at rest
+//! from dry friction. Without this prior, a free curve absorbs all friction.
 
 use crate::scale::largest_force;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
@@ -16,7 +16,8 @@ const SLOWEST_KNEE: f64 = 0.03;
 
 /// Returns the prior scale of the rise of the FV curve from rest to a neighboring point, N.
 ///
-/// The scale assumes a knee at the largest force. Returns `None` for any other unknown.
+/// The scale assumes that the force rises linearly to the largest force at [`SLOWEST_KNEE`]. Returns `None` for any
+/// other unknown, and for a model without a force.
 pub fn prior_rise(params: &Params, unknown: &Unknown) -> Option<f64> {
     let Unknown::Rise { curve: CurveName::Fv, point } = *unknown else { return None };
     let velocity = params.list(list!("fv_velocity"));

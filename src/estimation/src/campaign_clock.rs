@@ -1,16 +1,15 @@
-//! Checks whether the records of a campaign share one clock, so that a model can continue temperature and drift from
-//! test to test.
+//! Common clock of the records of a campaign, with which a model can continue temperature and drift from test to test.
 
 use dashpot_records::{Record, apart};
 
-/// Returns whether the records have one common clock: no two records overlap. If each file has its own clock, all
-/// records begin at the same time.
+/// Returns whether the records have one common clock: there are several records, and no two overlap. If each file has
+/// its own clock, all records begin at the same time and overlap.
 pub fn clock_runs_on(records: &[&Record]) -> bool {
     apart(records.iter().filter_map(|record| record.span()).collect())
 }
 
 /// Returns the date and time at which the common clock was zero, s since 1970 by the rig's own clock. Returns `None` if
-/// the records do not state a consistent time.
+/// the records have no common clock or do not state consistent times.
 pub fn clock_from(records: &[&Record]) -> Option<f64> {
     let mut from = records.iter().map(|record| Some(record.begins? - record.clock_s));
     let first = from.next()??;

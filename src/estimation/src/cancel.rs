@@ -1,7 +1,8 @@
 //! Cancellation of long work.
-//! The work runs on separate threads, and each thread stores the flag. The searches check the flag before every step
-//! and end early. Their incomplete result is useless, so [`Cancel::run`] discards it. Functions between the caller and
-//! the searches therefore require no argument for the flag.
+//!
+//! The work runs on separate threads, and each thread stores the flag that requests the cancellation. Functions between
+//! the caller and the searches therefore require no argument for the flag. The searches check the flag before every
+//! step and end early. Their incomplete result is useless, so [`Cancel::run`] discards it.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -11,7 +12,7 @@ thread_local! {
     static FLAG: RefCell<Option<Arc<AtomicBool>>> = const { RefCell::new(None) };
 }
 
-/// A handle for the cancellation of work. All copies refer to the same work.
+/// Handle for the cancellation of work. All copies refer to the same work.
 #[derive(Debug, Clone, Default)]
 pub struct Cancel(Arc<AtomicBool>);
 

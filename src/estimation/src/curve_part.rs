@@ -3,12 +3,12 @@
 use dashpot_core::Params;
 use dashpot_core::list;
 
-/// A part of the FV curve.
+/// Part of the FV curve, given by a side and a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CurvePart {
-    /// The side.
+    /// The side to which the part is restricted.
     pub side: Side,
-    /// The range of speeds.
+    /// The range of speeds to which the part is restricted.
     pub speeds: Speeds,
 }
 
@@ -19,7 +19,7 @@ pub enum Side {
     Rebound,
     /// Compression.
     Compression,
-    /// Both sides scale by one factor, for example because of thinner oil or a wrong load-cell gain.
+    /// Both sides, which scale by one factor, for example because of thinner oil or a wrong load-cell gain.
     Both,
 }
 
@@ -66,7 +66,7 @@ impl CurvePart {
         ]
     };
 
-    /// Returns its name in results.
+    /// Returns the name of the part in results.
     pub fn name(self) -> &'static str {
         match (self.side, self.speeds) {
             (Side::Both, _) => "fv_curve",
@@ -93,7 +93,7 @@ impl CurvePart {
         }
     }
 
-    /// Scales the part by one plus a relative change.
+    /// Scales the part of the FV curve in `params` by one plus a relative change.
     pub fn scale(self, params: &mut Params, change: f64) {
         let velocity = params.list(list!("fv_velocity")).to_vec();
         let force: Vec<f64> = params
@@ -102,7 +102,7 @@ impl CurvePart {
             .zip(&velocity)
             .map(|(force, v)| force * (1.0 + change * self.weight(*v)))
             .collect();
-        // If the table rejects the list, the parameters stay unchanged.
+        // If the parameter set rejects the forces, it stays unchanged.
         let _ = params.set_list(list!("fv_force"), &force);
     }
 }

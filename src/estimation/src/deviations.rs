@@ -10,12 +10,14 @@ use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-/// Computes the covariance in the sandwich form (White, Econometrica 48, 1980), and the degree of determination of each parameter.
+/// Computes the covariance of the free parameters in the sandwich form (White, Econometrica 48, 1980), and the degree
+/// of determination of each parameter.
 ///
-/// The noise of every test comes from its own residual and accounts for the correlation of its samples. Form errors
-/// thus widen the intervals. The degree of determination of a parameter excludes the other parameters and the prior: 1
-/// means fully determined, 0 means undetermined. If the force jumps with a change of a parameter, the linearization is
-/// valid only up to the next sample. The deviation then follows from the nonlinear force.
+/// The noise of every test comes from its own residual and accounts for the correlation of its samples. Errors of the
+/// model's form thus widen the intervals. The degree of determination of a parameter excludes the other parameters and
+/// the prior: 1 means fully determined, 0 means undetermined. If the force jumps with a change of a parameter, the
+/// linearization is valid only up to the next sample. The deviation then follows from the nonlinear force. Returns
+/// `None` if the Hessian is singular.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
@@ -57,11 +59,11 @@ const FLAT: f64 = 0.25;
 /// Largest factor on a deviation. The search ends there.
 const FARTHEST: f64 = 1024.0;
 
-/// Computes the factor on the deviation of each parameter at which the force changes as much as the linearization
-/// predicts.
+/// Computes the factor on the deviation of each parameter at which the squared change of the force reaches [`FLAT`]
+/// times the linearized change.
 ///
 /// The other parameters change with the parameter, according to their correlation. The side with the smaller change of
-/// the force determines the factor.
+/// the force determines the factor, which is at least 1.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -105,8 +107,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Finds the factor at which a squared change reaches `least`, by doubling and logarithmic interpolation. If the
-/// parameter reaches a bound, returns the last factor.
+/// Finds the factor, at least 1, at which a squared change reaches `least`, by doubling and logarithmic interpolation.
+/// If the parameter reaches a bound, returns the first factor beyond the bound.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -124,9 +126,10 @@ fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     factor
 }
 
-/// Computes the covariance of free parameters in the sandwich form, and the degree of determination of each: see [`sandwich`].
+/// Computes the covariance of free parameters in the sandwich form, and the degree of determination of each.
 ///
-/// A block contains derivatives and weighted residuals of one test; `precisions` are those of the priors.
+/// A block contains derivatives and weighted residuals of one test; `precisions` are those of the priors. [`sandwich`]
+/// explains both results. Returns `None` if the Hessian is singular.
 pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let n = precisions.len();
     let parts: Vec<(DMatrix<f64>, f64)> = blocks
@@ -163,9 +166,9 @@ fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
 
 /// Computes the shift of each free parameter for a unit error of a considered parameter, which is not estimated.
 ///
-/// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the considered
-/// parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential
-/// Estimation, 1977, VIII).
+/// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the
+/// considered parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods
+/// for Discrete Sequential Estimation, 1977, VIII).
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],
@@ -185,7 +188,8 @@ pub fn considered_shift(
     Some(DVector::from_fn(n, |i, _| found[i] / scale[i]))
 }
 
-/// Computes the number of samples that equal one independent sample: the integrated autocorrelation of the residual.
+/// Computes the number of samples that contain the information of one independent sample: the integrated
+/// autocorrelation time of the residual, in samples.
 ///
 /// The sum ends where the autocorrelation first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7,
 /// 1992).
@@ -214,10 +218,12 @@ mod tests {
 
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
-        // The linearization is valid for a proportional force, and for a force with less than half the curvature.
+        // The linearization is valid for a proportional force, and for a squared change of 0.3 times the linearized
+        // one.
         assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
         assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
-        // The force jumps at more samples if the change is larger.
+        // The squared change is proportional to the factor, because a larger factor makes the force jump at more
+        // samples.
         for slope in [1e-3, 0.02, 0.1] {
             assert!((stretch(FLAT, &|factor| Some(slope * factor)) * slope / FLAT - 1.0).abs() < 1e-9, "{slope}");
         }

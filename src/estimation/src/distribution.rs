@@ -18,8 +18,8 @@ pub enum Distribution {
     Skewed(f64, f64, f64),
 }
 
-/// Standard deviation of a strength in a search, relative to its median times its factor. The value is large enough to
-/// avoid a bias.
+/// Standard deviation of a strength in a search, relative to its median times its factor. The mean is 0. The value is
+/// large enough to avoid a bias toward 0.
 const FREE: f64 = 3.0;
 
 impl Distribution {
@@ -31,7 +31,7 @@ impl Distribution {
             }
             (Distribution::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Distribution::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            // The search uses the larger deviation on both sides. The evidence uses both deviations.
+            // The search uses the deviation above the mode on both sides. The evidence uses both deviations.
             (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), false) => {
                 (mean, deviation)
             }
@@ -63,7 +63,7 @@ impl Distribution {
         }
     }
 
-    /// Computes the ends of the interval of this number of standard deviations to each side.
+    /// Computes the ends of the interval that extends this number of standard deviations to each side of the center.
     pub fn interval(self, deviations: f64) -> (f64, f64) {
         match self {
             Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {

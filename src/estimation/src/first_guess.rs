@@ -1,5 +1,4 @@
-//! First guess of the parameters by an engineer's method: FV points at peak velocity, friction and gas force from slow
-//! tests.
+//! First guess of the parameters without a search: FV points at peak velocity, friction and gas force from slow tests.
 
 use crate::scale::Scale;
 use crate::segment::Segment;
@@ -11,7 +10,8 @@ use dashpot_core::parameter::Number;
 use dashpot_core::{element, list, number};
 use serde::{Deserialize, Serialize};
 
-/// Peak velocity, m/s, below which tests show only friction and gas force (thesis Test 9: 2.58 mm/s and slower).
+/// Peak velocity, m/s, below which tests show only friction and gas force. In Test 9 of the thesis (Jonnalagadda &
+/// Vyas, KTH 2020), such tests had at most 2.58 mm/s.
 pub const SLOW: f64 = 0.006;
 /// Ratio of adjacent velocities of the FV table. Knees extend over this ratio, and closer points would fit noise.
 const RATIO: f64 = 1.65;
@@ -23,7 +23,7 @@ const LEAST_FRICTION: f64 = 1.0;
 /// Smallest number of samples between an FV point and the previous point.
 const ENOUGH: usize = 12;
 
-/// Force at steady sliding in both directions.
+/// Friction and gas force from the forces of steady sliding in both directions.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dry {
     /// Friction, N: half the difference of the two forces.
@@ -81,8 +81,8 @@ pub fn dry(segments: &[Segment]) -> Dry {
     }
 }
 
-/// Returns velocities for the FV table: zero, and on each side a geometric progression up to the fastest test. Points without enough
-/// samples are omitted.
+/// Returns velocities for the FV table: zero, and on each side a geometric progression up to the fastest test. Points
+/// without enough samples are omitted, except the first and the last point of each side.
 pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
     let side = |sign: f64| {
@@ -121,7 +121,8 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
 }
 
 /// Computes forces of the FV table at `velocities`: the mean of acceleration and deceleration over the tests, minus
-/// friction and gas force. The result is strictly increasing.
+/// friction and gas force. Samples near the peak velocity of their test have twenty times the weight. Slow tests are
+/// excluded. The result is strictly increasing.
 pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |_, _| true)
 }

@@ -7,7 +7,8 @@ use super::sensitivity::Accuracy;
 use dashpot_records::Record;
 use std::sync::Arc;
 
-/// Computes residuals of a hypothesis on given tests, N, with an integration of the given accuracy.
+/// Computes the residuals of a hypothesis in each test, N, measured minus computed, with an integration of the given
+/// accuracy. Returns `None` if the model gives no finite force.
 pub fn errors(
     accuracy: Accuracy,
     hypothesis: &Hypothesis,
@@ -35,7 +36,7 @@ pub fn rms_of_tests(errors: &[Vec<f64>]) -> f64 {
 
 /// Computes the root mean square error over tests, in units of each test's typical allowed error.
 ///
-/// Thus, a slow test with small forces has the same weight as a fast test.
+/// In these units, a slow test with small forces has the same weight as a fast test.
 pub fn in_noise(tests: &[Test], errors: &[Vec<f64>]) -> f64 {
     rms(&tests.iter().zip(errors).map(|(t, e)| rms(e) / t.segment.scale).collect::<Vec<_>>())
 }
@@ -45,8 +46,8 @@ pub fn noise_alone(tests: &[Test]) -> f64 {
     rms(&tests.iter().map(|t| t.mean_noise / t.segment.scale).collect::<Vec<_>>())
 }
 
-/// Computes the fraction of the gap between model and noise that a change of the model closes. Returns `None` if there
-/// is hardly any gap.
+/// Computes the fraction of the gap between model and noise that a change of the model closes. Returns `None` if the
+/// gap before the change is at most 2 % of the noise.
 pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
     let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
     (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))

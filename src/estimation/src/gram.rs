@@ -47,7 +47,7 @@ pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     squares
 }
 
-/// Groups a column into pairs of rows; a zero row completes the last pair.
+/// Groups a column into pairs of rows; a zero row completes the last pair of an odd number of rows.
 fn in_pairs(column: &[f64]) -> Vec<Pair> {
     let (pairs, rest) = column.as_chunks();
     pairs.iter().copied().chain(rest.first().map(|last| [*last, 0.0])).collect()

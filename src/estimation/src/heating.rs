@@ -10,11 +10,11 @@ use dashpot_records::Record;
 /// Heat input of the damper, test by test.
 #[derive(Debug, Clone)]
 pub struct Heating {
-    /// Begin, end and mean power of every record.
+    /// Beginning and end, s, and mean power, W, of every record.
     inputs: Vec<(f64, f64, f64)>,
-    /// Time at which the temperature of each test is evaluated, and the index of its record.
+    /// Time at which the temperature of each test is evaluated, s, and the index of the test's record.
     looks: Vec<(f64, usize)>,
-    /// Whether the records have one common clock, so that the heat continues from test to test.
+    /// Whether the records have one common clock, so that heat from earlier records is included.
     pub continues: bool,
 }
 

@@ -30,7 +30,7 @@ pub enum Free {
     Shift(Unknown),
     /// Relative change of a part of the FV curve of the base.
     Curve(CurvePart),
-    /// A parameter of the rig.
+    /// The magnitude of a measurement error of the rig.
     Rig(Artefact),
     /// Logarithm of the cooling rate, 1/s: heat transfer to the surroundings over heat capacity.
     Cooling,
@@ -45,7 +45,7 @@ pub struct Number {
     pub free: Free,
     /// Start value.
     pub start: f64,
-    /// Typical size of a change.
+    /// Typical size of a change of the parameter in a search.
     pub step: f64,
     /// Bounds.
     pub bounds: (f64, f64),
@@ -188,7 +188,8 @@ impl Hypothesis {
         segment
     }
 
-    /// Sets the model to use the temperature of its input, if heating is computed from the records.
+    /// Sets the model to use the temperature of its input if heating is computed from the records, so that heat does
+    /// not count twice.
     fn take_heat_as_measured(&self, params: &mut Params) {
         if self.heating.is_some() {
             let _ = params.set(number!("fade_source"), 0.0);
@@ -242,8 +243,8 @@ impl Hypothesis {
         self.measured_forces(test, place, theta, &|segment| forces(model, segment))
     }
 
-    /// Computes the forces that the rig measures at the scored samples of one test. `run` computes the forces of the damper along a
-    /// segment.
+    /// Computes the forces that the rig measures at the scored samples of one test. `run` computes the forces of the
+    /// damper along a segment.
     pub fn measured_forces(
         &self,
         test: &Test,
@@ -263,8 +264,8 @@ impl Hypothesis {
         self.forces_of(model, test, None, theta)
     }
 
-    /// Computes forces at the scored samples of all tests with the model's own steps. Returns `None` if the parameters
-    /// are not a valid model.
+    /// Computes forces at the scored samples of all tests with the model's own integration. Returns `None` if the
+    /// parameters are not a valid model.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
@@ -294,9 +295,10 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. One
-    /// run gives the derivatives for all parameters of the model; each parameter of the rig requires a finite
-    /// difference. The low-accuracy integration suffices if errors of a few tenths of a percent are acceptable.
+    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. A
+    /// prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
+    /// measurement error or the cooling rate, requires a finite difference. A low-accuracy integration suffices if
+    /// errors of a few tenths of a percent are acceptable.
     pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
         let rows = tests.iter().map(Test::count).sum();
         let mut matrix = DMatrix::zeros(rows, self.numbers.len());

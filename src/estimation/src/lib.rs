@@ -1,4 +1,4 @@
-//! One estimation problem for fit, validation and diagnosis.
+//! Estimation problem that fit, validation and diagnosis share.
 //!
 //! The problem consists of observations from records, a model with free parameters and priors, least squares, and the
 //! uncertainty of the parameters.
@@ -6,9 +6,9 @@
 //! | module | contents |
 //! |---|---|
 //! | [`segment`] | the parts of a record that a fit uses |
-//! | [`samples`] | the mean cycle of every test and its allowed error |
-//! | [`unknowns`] | free parameters of the model, and the parameter set of their vector |
-//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, in one run |
+//! | [`samples`] | the samples of every test, as a rule its mean cycle, and their allowed errors |
+//! | [`unknowns`] | free parameters of the model, and the parameter set for a vector of their values |
+//! | [`sensitivity`], [`curve_weights`] | forces of a model and their derivatives with respect to the free parameters, with few simulations |
 //! | [`hypothesis`] | a model with free parameters, and the measurement errors of the rig |
 //! | [`priors`] | prior of each parameter over all dampers |
 //! | [`prior_set`] | priors of one damper |
@@ -16,6 +16,8 @@
 //! | [`heating`] | temperature of the damper in each test |
 //! | [`solve`], [`refit`] | bounded, robust least squares for any residuals; refits of a hypothesis |
 //! | [`family`] | a damper at several settings as one problem |
+//! | [`structure`], [`vocabulary`] | search for the most probable effects of a model; the effects that it may add |
+//! | [`first_guess`], [`situation`] | quantities of tests and model from which start values follow |
 //! | [`deviations`] | uncertainty of the parameters |
 //! | [`curve_form`] | error of the curve between its points |
 //! | [`spring_end`] | excess force at the end of a lookup spring, due to a stop that the spring represents |

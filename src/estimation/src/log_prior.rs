@@ -8,7 +8,8 @@ use crate::unknowns::Unknown;
 use dashpot_core::parameter::Number;
 use dashpot_core::{Params, number};
 
-/// Computes the distance of each parameter of a hypothesis from its prior, in standard deviations; parameters without a prior are omitted.
+/// Computes the distance of each parameter of a hypothesis from its prior, in standard deviations; parameters without a
+/// prior are omitted.
 pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f64)> {
     let params = hypothesis.params(theta);
     let scale = Scale::from_params(&hypothesis.base);
@@ -33,8 +34,9 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
     all
 }
 
-/// Returns the distances of fixed parameters from the damper's own priors, in standard deviations. An example is a twin
-/// tube, in which the oil column differs between the directions. A zero parameter disables a form and has no distance.
+/// Returns the distances of fixed parameters from the damper's own priors, in standard deviations. An example is the
+/// oil column of a twin tube, which differs between the directions. A zero parameter disables a form and has no
+/// distance.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
         let own = |n: &FreeNumber| matches!(n.free, Free::Model(Unknown::Log(n) | Unknown::Linear(n)) if n == number);

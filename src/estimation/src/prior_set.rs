@@ -34,7 +34,7 @@ impl DamperPrior {
         self.expected.center()
     }
 
-    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior.
+    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior, at least 0.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
         let shared =
@@ -76,7 +76,7 @@ impl PriorSet {
         &self.rows
     }
 
-    /// Returns the row of a parameter.
+    /// Returns the row of a parameter, if this damper has a prior for it.
     pub fn find(&self, number: Number) -> Option<&DamperPrior> {
         self.rows.iter().find(|row| row.number == number)
     }

@@ -11,7 +11,7 @@ use crate::unknowns::Unknown;
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 
-/// A row of the table.
+/// Prior of one parameter over all dampers, with its source.
 #[derive(Debug, Clone, Copy)]
 pub struct Prior {
     /// Parameter.
@@ -23,7 +23,7 @@ pub struct Prior {
 }
 
 impl Prior {
-    /// Returns the publication of the source, without the preceding description.
+    /// Returns the publication in the source of the prior, without the preceding description.
     pub fn citation(&self) -> &'static str {
         self.source.rsplit_once(": ").map_or(self.source, |(_, citation)| citation)
     }

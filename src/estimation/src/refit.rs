@@ -1,4 +1,4 @@
-//! Refits one hypothesis to the tests, at little more than the cost of one model run for each step.
+//! Refit of one hypothesis to the tests, at little more than the cost of one model run for each step.
 //!
 //! For a comparison, the Jacobian is computed once and then updated ([`Derivatives::Kept`]). The compared hypotheses
 //! differ by two or three parameters from a hypothesis with a known Jacobian. The likely hypotheses are then refitted
@@ -50,7 +50,7 @@ impl Effort {
 /// Result of a refit.
 #[derive(Debug, Clone)]
 pub struct Refit {
-    /// The parameters.
+    /// Values of the free parameters.
     pub theta: Vec<f64>,
     /// Weighted residuals.
     pub residual: Residual,
@@ -120,7 +120,7 @@ impl Residuals for Problem<'_> {
 /// Damping of the first step: the start is near the result of the previous refit.
 const DAMPING: f64 = 1e-3;
 
-/// Makes the options of the least squares for some free parameters.
+/// Makes the options of the least-squares solver for some free parameters.
 pub fn options(numbers: &[Number], effort: Effort) -> Options {
     Options {
         steps: effort.steps,
@@ -169,7 +169,7 @@ pub fn refit_by(
     found.cost.is_finite().then(|| Refit::from_point(hypothesis, found.x, -residual, jacobian))
 }
 
-/// Computes the square roots of Huber's weights.
+/// Computes the square roots of Huber's weights of the residuals.
 pub fn weights(residual: &Residual) -> Vec<f64> {
     residual.iter().map(|r| LOSS.evaluate(*r).1.sqrt()).collect()
 }

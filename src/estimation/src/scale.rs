@@ -61,7 +61,7 @@ impl Scale {
         Scale::of_force(largest_force(params))
     }
 
-    /// Whether the scale is that of cars.
+    /// Returns whether the scale is that of cars.
     pub fn is_car(self) -> bool {
         self == Scale::CAR
     }
@@ -94,7 +94,7 @@ impl Scale {
         self.of_unit(artefact.unit())
     }
 
-    /// Returns the bounds of a search: the scaled bounds for a car damper.
+    /// Returns the bounds of a search: the scaled bounds for a car damper, within the bounds of the parameter.
     pub fn reach(self, number: Number) -> (f64, f64) {
         let ((low, high), (from, to)) = (number.bounds(), number.parameter().of_a_car);
         let factor = self.of_number(number);

@@ -1,4 +1,4 @@
-//! Computes forces of a model over a segment and their derivatives with respect to the unknowns, in one run.
+//! Forces of a model over a segment and their derivatives with respect to the unknowns, computed with few simulations.
 //!
 //! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the
 //! internal mass's motion with respect to each parameter at the cost of a few products. Thus, a fit with thirty
@@ -21,7 +21,7 @@ use dashpot_core::{
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
-/// Parameters that change the motion of the internal mass, with their direct term in the stage equation.
+/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Direction {
     SeriesStiffness,
@@ -44,7 +44,7 @@ const DIRECT: [(Number, Direction); 7] = [
     (number!("spring_quartic"), Direction::SpringPower(3)),
 ];
 
-/// Integrates the directional derivatives along with the stages.
+/// Directional derivatives of the internal mass's motion, which are integrated along with the stages.
 struct Tangent<'a> {
     directions: &'a [Direction],
     fv: &'a CurveWeights,
@@ -162,8 +162,8 @@ impl FollowPaths for PathsTangent<'_> {
     }
 }
 
-/// An unknown of an element parallel to the mass without internal state: its derivative is a finite difference of the
-/// element's force.
+/// Unknown of an element that is parallel to the mass and has no internal state. The derivative of the force is a
+/// finite difference of the element's force.
 struct Beside {
     column: usize,
     plus: Model,
@@ -185,8 +185,9 @@ struct Alone {
 pub enum Accuracy {
     /// The integration that host programs use.
     Full,
-    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. With one substep, tests of
-    /// 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
+    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. Eight substeps apply to a
+    /// series spring that carries the whole force, and to a bypass that opens at each reversal. With one substep, tests
+    /// of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
     /// (tests/tests/system/identification.rs).
     Fine,
     /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times
@@ -199,7 +200,8 @@ pub enum Accuracy {
     Cheap,
     /// One substep of the second-order method. It suffices for derivatives, because the residuals determine the result
     /// of a search. It also suffices for trials with a base that corrects the error of the series spring
-    /// (`structure/nearby.rs`).
+    /// (`structure/nearby.rs`). Two substeps apply to a series spring that carries the whole force, and to a bypass
+    /// that opens at each reversal.
     Derivatives,
 }
 
@@ -221,7 +223,7 @@ impl Accuracy {
     }
 }
 
-/// A run that is prepared once per parameter vector and shared by all segments.
+/// Models and derivative weights that are prepared once per parameter vector and shared by all segments.
 pub struct Run {
     model: Model,
     params: Params,
@@ -289,7 +291,7 @@ impl Run {
                 unknowns.params(&theta)
             };
             match acts(row.group) {
-                // Behind the series compliance, friction and preload influence the mass.
+                // If the series spring carries the whole force, friction and preload influence the mass.
                 Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
                     let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
                     run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
@@ -493,7 +495,8 @@ impl Run {
     }
 }
 
-/// Steps a parameter away from the active bound, and returns the signed step.
+/// Returns the parameter set with one unknown moved by `step`, and the signed step. If a bound is active, the unknown
+/// moves away from it.
 fn off_the_bound(moved: &dyn Fn(f64) -> Params, step: f64, from: &Params) -> (Params, f64) {
     let params = moved(step);
     if params == *from { (moved(-step), -step) } else { (params, step) }
@@ -583,8 +586,8 @@ mod tests {
         }
     }
 
-    /// Compares the rows at `theta` with central differences of runs, relative to the differences. Only scored samples count, because
-    /// derivatives of the initial equilibrium are neglected. The `without` worst samples are excluded.
+    /// Compares the rows at `theta` with central differences of runs, relative to the differences. Only scored samples
+    /// count, because derivatives of the initial equilibrium are neglected. The `without` worst samples are excluded.
     fn off(
         unknowns: &Unknowns,
         theta: &[f64],
@@ -729,7 +732,8 @@ mod tests {
                 let table =
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
-                // Elements with several substeps have a known error of 3 %: 0.001 N for a tenth of the damping.
+                // For elements with several substeps, the derivative with respect to the series damping has a known
+                // error of 3 %. For a change of the damping by a tenth, this is 0.001 N.
                 let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };

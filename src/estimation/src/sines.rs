@@ -1,4 +1,4 @@
-//! Synthetic records of known hypotheses, for the tests of this crate.
+//! Synthetic tests with the forces of known hypotheses, for the unit tests of this crate.
 
 use crate::hypothesis::Hypothesis;
 use crate::samples::Test;

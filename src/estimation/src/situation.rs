@@ -16,9 +16,9 @@ use dashpot_records::restrict;
 pub struct Situation {
     /// The base model.
     pub base: Params,
-    /// Its size relative to the damper of a car.
+    /// Size of the damper relative to that of a car damper.
     pub scale: Scale,
-    /// Friction level, N.
+    /// Coulomb level of the model's friction elements, N.
     pub friction: f64,
     /// Friction, N, that an FV curve may contain as a step at zero velocity. Zero if the model has a friction element.
     pub friction_in_curve: f64,
@@ -34,11 +34,11 @@ pub struct Situation {
     pub places_span: f64,
     /// Range of the tests' accumulated heat, J, with cooling neglected.
     pub heat_span: f64,
-    /// Ratio of the highest to the lowest frequency.
+    /// Ratio of the highest to the lowest frequency; infinite if a test has no frequency.
     pub frequency_ratio: f64,
-    /// Whether a temperature channel varies.
+    /// Whether all records have a temperature channel and the temperature varies.
     pub temperature_measured: bool,
-    /// Middle of the temperature range, °C; it is 20 if no channel varies.
+    /// Middle of the temperature range, °C; 20 if [`Situation::temperature_measured`] is false.
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
@@ -46,7 +46,7 @@ pub struct Situation {
     pub pauses: Vec<u32>,
     /// Delay of the force channel estimated from the raw data, s; 0 if none was significant.
     pub apparent_delay: f64,
-    /// Span of the side forces, N.
+    /// Span of the absolute side forces, N.
     pub side_force_span: f64,
     /// Highest speeds in rebound and compression, m/s, positive.
     pub fastest: [f64; 2],
@@ -58,7 +58,7 @@ pub struct Situation {
 /// velocity.
 const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
-/// Interpolates an FV curve at a speed. Beyond the ends, the last force applies.
+/// Interpolates an FV curve linearly at a velocity. Beyond the ends, the last force applies.
 fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
     let right = restrict(v.partition_point(|x| *x < speed), 1, v.len() - 1);
     let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
@@ -79,8 +79,8 @@ fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
 const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
 const OF_SPEED: f64 = 0.3;
 
-/// Computes the largest range of displacements at one speed and stroke. If the range is zero, effects of displacement and of speed cannot
-/// be separated.
+/// Computes the largest range of displacements, m, at one speed and direction of motion. If the range is zero, effects
+/// of displacement and of speed cannot be separated.
 fn places_span(tests: &[Test]) -> f64 {
     let at = |speed: f64| {
         let of = tests.iter().flat_map(|t| t.inputs()).filter(|i| (i.velocity / speed - 1.0).abs() < OF_SPEED);
@@ -92,7 +92,8 @@ fn places_span(tests: &[Test]) -> f64 {
     SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
 }
 
-/// Computes the FV curve from samples at which the damper slows down. The result is empty if there are no tests.
+/// Computes the FV curve from samples at which the damper slows down. The result is empty without tests, and for fewer
+/// than three velocities.
 fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     if segments.is_empty() || velocities.len() < 3 {
@@ -188,7 +189,7 @@ impl Situation {
         }
     }
 
-    /// Returns the force of the FV curve at a speed, N.
+    /// Returns the force of the FV curve at a velocity, N.
     pub fn driven(&self, speed: f64) -> f64 {
         at(self.base.list(list!("fv_velocity")), self.base.list(list!("fv_force")), speed)
     }

@@ -1,8 +1,8 @@
 //! Bounded, robust, nonlinear least squares for any residuals. It is the only Levenberg–Marquardt solver of the
 //! project.
 //!
-//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which depends on the ratio of
-//!   the actual to the predicted reduction (IMM-REP-1999-05, 1999).
+//! - Marquardt's scaling by the columns of the Jacobian (SIAM J. Appl. Math. 11, 1963) and Nielsen's damping, which
+//!   depends on the ratio of the actual to the predicted reduction (IMM-REP-1999-05, 1999).
 //! - A step may account for the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum &
 //!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
 //!   of steps instead of thousands.
@@ -59,14 +59,14 @@ pub trait Residuals: Sync {
     }
 }
 
-/// [`Residuals`] of any type, so that the search is compiled only once.
+/// Object-safe form of [`Residuals`], so that the search is compiled only once for all types.
 trait Problem: Sync {
     fn prepare(&self, x: &[f64]) -> Option<Box<dyn Point + '_>>;
     fn blocks(&self) -> usize;
     fn is_measured(&self, block: usize) -> bool;
 }
 
-/// A [`Problem`] at one point.
+/// Residuals and derivatives of a [`Problem`] at one point.
 trait Point: Sync {
     fn residuals(&self, block: usize) -> Option<Vec<f64>>;
     fn jacobian(&self, block: usize) -> Option<(Vec<f64>, DMatrix<f64>)>;
@@ -105,9 +105,9 @@ impl<R: Residuals> Point for There<'_, R> {
 /// Bounds of every parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
-    /// Lowest values.
+    /// Lowest value of each parameter.
     pub low: Vec<f64>,
-    /// Highest values.
+    /// Highest value of each parameter.
     pub high: Vec<f64>,
 }
 
@@ -153,11 +153,11 @@ impl Loss {
 /// Source of the derivatives of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Derivatives {
-    /// Computed after every step. Steps account for the curvature (geodesic acceleration).
+    /// Computed after every accepted step. Steps account for the curvature (geodesic acceleration).
     Accelerated,
-    /// Computed after every step.
+    /// Computed after every accepted step.
     Fresh,
-    /// Computed once, then updated after every step from the observed residuals.
+    /// Computed once, then updated by Broyden's formula after every step, including rejected steps.
     Kept,
 }
 
@@ -172,7 +172,7 @@ pub struct Options {
     pub loss: Loss,
     /// Priors of the parameters: empty, or one entry for each parameter.
     pub priors: Vec<Option<Prior>>,
-    /// Derivatives.
+    /// Source of the derivatives.
     pub derivatives: Derivatives,
     /// Damping of the first step, for columns scaled to length 1. It is 1 for an arbitrary start, and small for a good
     /// start.
@@ -211,18 +211,19 @@ pub struct Rows {
 pub struct Solution {
     /// The parameters.
     pub x: Vec<f64>,
-    /// Sum of the losses and of half the squares of the priors. Infinite if the start is not a valid model.
+    /// Sum of the losses and of half the squares of the priors. Infinite if the start is not a valid model, or if the
+    /// work was canceled before the first step.
     pub cost: f64,
     /// Whether the search converged within the largest number of steps.
     pub converged: bool,
     /// Number of trial steps.
     pub steps: usize,
-    /// Residuals at the solution, by block, with the last known derivatives. These belong to the previous point or are
-    /// updated.
+    /// Residuals at the solution, by block, with the last known derivatives. The derivatives may belong to the previous
+    /// point or be updated by Broyden's formula.
     pub rows: Vec<Rows>,
 }
 
-/// The reduced linear problem at one point. Its number of rows equals the number of parameters.
+/// The reduced linear problem at one point. It has at most one row for each parameter.
 struct Linear {
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
@@ -230,7 +231,7 @@ struct Linear {
     right: DVector<f64>,
 }
 
-/// Inputs of a search.
+/// Problem, bounds and options of a search.
 struct Search<'a> {
     problem: &'a dyn Problem,
     bounds: &'a Bounds,
@@ -373,12 +374,12 @@ const MOST_BEND: f64 = 0.5;
 /// Relative rounding error of the cost, which is a sum.
 const ROUNDING: f64 = 1e-15;
 
-/// Minimizes from `start`, which is first clamped to the bounds.
+/// Minimizes the cost from `start`, which is first clamped to the bounds.
 pub fn solve<R: Residuals>(problem: &R, start: &[f64], bounds: &Bounds, options: &Options) -> Solution {
     solve_knowing(problem, start, None, bounds, options)
 }
 
-/// Minimizes with known derivatives at the start, block by block.
+/// Minimizes the cost from `start`. The derivatives at the start may be known, one matrix for each block.
 pub fn solve_knowing<R: Residuals>(
     problem: &R,
     start: &[f64],
@@ -407,8 +408,8 @@ fn search(
     let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
     let mut linear = search.linear(&x, &rows);
     let (mut damping, mut growth, mut quiet) = (options.damping, 2.0, 0);
-    // Whether a step was accepted since the column lengths were last updated, and whether no step has been accepted
-    // yet.
+    // `moved_on`: whether a step was accepted since the column lengths were last updated. `first`: whether no step was
+    // evaluated yet, because every step so far was longer than the parameter vector.
     let (mut moved_on, mut first) = (true, true);
     // If a parameter loses its influence, its column becomes short. If the column alone scaled the step, the step would
     // be very long and end in a flat region. Therefore, the stored lengths decrease slowly.
@@ -586,8 +587,8 @@ fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, leng
     }
 }
 
-/// Minimizes from every start and returns the solution with the lowest cost. Of equal solutions, returns the first.
-/// Returns `None` if there are no starts.
+/// Minimizes the cost from every start and returns the solution with the lowest cost. Of equal solutions, returns the
+/// first. Returns `None` if there are no starts.
 pub fn solve_from<R: Residuals>(
     problem: &R,
     starts: &[Vec<f64>],

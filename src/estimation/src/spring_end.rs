@@ -1,4 +1,5 @@
-//! Detects a stop that a lookup spring represents, from the force at its end in excess of the extrapolated middle.
+//! Detection of a stop that a lookup spring represents. Such a stop appears as a force at the spring's end in excess of
+//! the extrapolated middle of the spring curve.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};
@@ -9,7 +10,7 @@ use dashpot_records::restrict;
 /// Fraction of the spring's range that counts as its middle.
 const MIDDLE: f64 = 0.5;
 
-/// Computes the slope of the middle, N/m.
+/// Computes the slope of the middle of a spring curve, N/m.
 fn middle(x: &[f64], force: &[f64]) -> f64 {
     let reach = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let mut inside = x.iter().zip(force).filter(|(x, _)| x.abs() <= MIDDLE * reach);
@@ -19,7 +20,8 @@ fn middle(x: &[f64], force: &[f64]) -> f64 {
     }
 }
 
-/// Computes the excess force, N, at the spring's end in rebound (`side` = 1) or compression (−1) over the extrapolated middle.
+/// Computes the excess force, N, at the spring's end in rebound (`side` = 1) or compression (−1) over the extrapolated
+/// middle. Without a lookup spring, the excess is 0.
 pub fn excess(base: &Params, side: f64) -> f64 {
     let (x, force) = (base.list(list!("spring_displacement")), base.list(list!("spring_force")));
     if !base.is_on(element!("parallel_spring")) || x.len() < 3 {
@@ -29,7 +31,7 @@ pub fn excess(base: &Params, side: f64) -> f64 {
     (side * (force[end] - force[anchor(x)]) - middle(x, force) * (x[end] - x[anchor(x)]).abs()).max(0.0)
 }
 
-/// Limits the end of the spring curve on one side to the linear extrapolation of its middle.
+/// Limits the start values of one side of the spring curve to the linear extrapolation of its middle.
 pub fn straighten(to: &mut Hypothesis, side: f64) {
     let (x, force) =
         (to.base.list(list!("spring_displacement")).to_vec(), to.base.list(list!("spring_force")).to_vec());

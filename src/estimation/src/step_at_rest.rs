@@ -9,7 +9,8 @@ use dashpot_core::{Params, element, list, number};
 /// Moves the step of the FV curve at rest to Coulomb friction and gas force.
 ///
 /// The total force at all other points of the curve stays unchanged. Returns `None` if the curve has too few points, or
-/// if its step is small. Small means friction below the fraction `LEAST` of the force at the slowest speed.
+/// if its step is small or has the wrong sign. Small means friction below the fraction `LEAST` of the force at the
+/// slowest speed.
 pub fn read_step(params: &Params) -> Option<Params> {
     /// Fraction of the force at the slowest speed. If friction is smaller, bleed and friction have similar effects, and
     /// the curve may stay unchanged.

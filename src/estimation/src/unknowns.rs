@@ -1,11 +1,11 @@
-//! Unknowns of a fit, and the conversion of a vector of them to a parameter set.
+//! Unknowns of a fit, and the conversion of a vector of their values to a parameter set.
 
 use crate::scale::Scale;
 use dashpot_core::Params;
 use dashpot_core::parameter::{List, Number};
 use dashpot_core::{list, number};
 
-/// A named list of unknowns over a base parameter set.
+/// List of unknowns over a base parameter set.
 #[derive(Debug, Clone)]
 pub struct Unknowns {
     /// Fixed parameters, and enabled elements.
@@ -24,7 +24,8 @@ pub enum Unknown {
     /// Excess of a parameter over another, as a fraction of the other, for example of a break-away peak over the
     /// Coulomb level.
     Above(Number, Number),
-    /// Rise of a curve from one point to the next. The direction is away from the anchor of the curve near the origin.
+    /// Absolute change of force of a curve from one point to the next, away from the anchor of the curve near the
+    /// origin.
     Rise {
         /// The curve.
         curve: CurveName,
@@ -35,7 +36,7 @@ pub enum Unknown {
     Entry(List, usize),
 }
 
-/// Widest Stribeck velocity of a fit, m/s.
+/// Largest value in a fit, m/s, of the velocities in [`WIDTHS`], which are the widths of a Stribeck peak.
 const STRIBECK_WIDEST: f64 = 0.05;
 const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
@@ -89,7 +90,7 @@ impl Unknowns {
         (0..u.len()).filter(|point| *point != zero).map(|point| Unknown::Rise { curve, point }).collect()
     }
 
-    /// Returns the vector of the base set.
+    /// Returns the values of the unknowns in the base set, as a vector.
     pub fn start(&self) -> Vec<f64> {
         self.list
             .iter()
@@ -108,7 +109,7 @@ impl Unknowns {
             .collect()
     }
 
-    /// Returns bounds of the vector for a damper of this size.
+    /// Returns the lower and upper bounds of the unknowns, scaled to the size of the damper.
     pub fn bounds(&self) -> (Vec<f64>, Vec<f64>) {
         let scale = Scale::from_params(&self.base);
         self.list
@@ -129,7 +130,7 @@ impl Unknowns {
             .unzip()
     }
 
-    /// Returns the parameter set of a vector.
+    /// Returns the parameter set for values `theta` of the unknowns.
     pub fn params(&self, theta: &[f64]) -> Params {
         let mut params = self.base;
         for curve in [CurveName::Fv, CurveName::Spring] {
@@ -156,8 +157,8 @@ impl Unknowns {
             for point in (0..zero).rev() {
                 f[point] = f[point + 1] - rise(point);
             }
-            // With these bounds, every entry is within the range of the table. If the table rejected the list, the base
-            // curve would stay unchanged.
+            // Within the bounds of [`Unknowns::bounds`], every entry is within the range of the table. If the table
+            // rejected the list, the base curve would stay unchanged.
             let _ = params.set_list(curve.forces(), &f);
         }
         for (unknown, t) in self.list.iter().zip(theta) {
@@ -169,7 +170,7 @@ impl Unknowns {
                     values[*i] = *t;
                     let _ = params.set_list(*list, &values);
                 }
-                // The parameter below is already set, because it comes first in every list.
+                // The parameter `below` is already set, because it comes first in every list.
                 Unknown::Above(number, below) => {
                     let level = params.number(*below);
                     set_inside(&mut params, *number, level * (1.0 + t));

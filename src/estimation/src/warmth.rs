@@ -7,7 +7,7 @@ use dashpot_records::Record;
 const VARIES: f64 = 3.0;
 
 /// Returns the lowest and the highest temperature, °C. Returns `None` if a record has no temperature channel, or if the
-/// temperature hardly varies.
+/// temperatures vary by at most 3 K.
 pub fn temperatures(records: &[&Record]) -> Option<(f64, f64)> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for record in records {

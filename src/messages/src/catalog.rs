@@ -1,4 +1,4 @@
-//! The texts of one language, read from its Fluent file.
+//! Catalog of the texts of one language, read from its Fluent file.
 
 use crate::file;
 use fluent_bundle::concurrent::FluentBundle;
@@ -6,7 +6,7 @@ use fluent_bundle::{FluentArgs, FluentResource};
 use std::collections::HashMap;
 use std::fmt;
 
-/// The texts of a language by their ids.
+/// Texts of a language by the ids of their messages.
 ///
 /// A program makes one catalog for each language. Texts without arguments are formatted when the file is read.
 pub struct Catalog {
@@ -26,9 +26,10 @@ impl Catalog {
         let resource = FluentResource::try_new(source.to_owned()).unwrap_or_else(|(readable, _)| readable);
         let entries = file::entries(&resource);
         let mut bundle = FluentBundle::new_concurrent(vec![language.parse().unwrap_or_default()]);
-        // Arguments stand in running text of one direction, and reports are searched and compared as plain text.
+        // Arguments are not enclosed in Unicode isolation marks: texts have one direction, and reports are searched and
+        // compared as plain text.
         bundle.set_use_isolating(false);
-        // A second text of one id is rejected; the first one stays.
+        // If an id has a second text, the bundle rejects it and retains the first text.
         _ = bundle.add_resource(resource);
         let mut catalog = Catalog { bundle, plain: HashMap::new() };
         for entry in entries.into_iter().filter(|entry| entry.arguments.is_empty()) {
@@ -39,17 +40,17 @@ impl Catalog {
         catalog
     }
 
-    /// The texts of a Fluent file, kept until the program ends.
+    /// Reads a Fluent file into a catalog that exists until the program ends.
     pub fn keep(language: &str, source: &str) -> &'static Catalog {
         Box::leak(Box::new(Catalog::new(language, source)))
     }
 
-    /// A text without arguments; `None` where the language has none of this id.
+    /// Returns a text without arguments, or `None` if the language has no such text with this id.
     pub fn text(&self, id: &str) -> Option<&str> {
         self.plain.get(id).map(String::as_str)
     }
 
-    /// A text with its arguments; `None` where the language has none of this id.
+    /// Formats a text with its arguments. Returns `None` if the language has no text with this id.
     pub fn format(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
         let pattern = self.bundle.get_message(id)?.value()?;
         let arguments: FluentArgs<'_> = arguments.iter().map(|(name, text)| (*name, text.as_str())).collect();
@@ -69,7 +70,7 @@ mod tests {
         let catalog = Catalog::new("de", "off = um { $error } N\nlist = { \", \" }\nfit = Anpassung\n");
         let error = |text: &str| catalog.format("off", &[("error", text.to_owned())]);
         assert_eq!(error("2,50").as_deref(), Some("um 2,50 N"));
-        // A name with braces is no argument.
+        // A value with braces is inserted unchanged.
         assert_eq!(error("{ $error }").as_deref(), Some("um { $error } N"));
         assert_eq!((catalog.text("list"), catalog.text("fit")), (Some(", "), Some("Anpassung")));
         assert_eq!((catalog.text("off"), catalog.format("none", &[])), (None, None));

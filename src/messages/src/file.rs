@@ -4,18 +4,18 @@ use fluent_bundle::FluentResource;
 use fluent_syntax::ast::{Entry as Parsed, Expression, InlineExpression, Pattern, PatternElement};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A message of a file.
+/// Message of a Fluent file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// Its id.
+    /// Id of the message.
     pub id: String,
-    /// Its text, with `{name}` for an argument.
+    /// Text of the message, with `{name}` for an argument. The texts of all variants are concatenated.
     pub text: String,
-    /// Names of its arguments.
+    /// Names of the arguments of the message.
     pub arguments: BTreeSet<String>,
 }
 
-/// The messages of a file, in its order.
+/// Returns the messages of a Fluent file, in the order of the file.
 pub fn read(source: &str) -> Vec<Entry> {
     entries(&FluentResource::try_new(source.to_owned()).unwrap_or_else(|(readable, _)| readable))
 }
@@ -70,10 +70,11 @@ fn read_inline(inline: &InlineExpression<&str>, entry: &mut Entry) {
     }
 }
 
-/// Returns the faults of a file, each with the name of the file and the id.
+/// Returns the faults of a Fluent file. Each fault contains the name of the file, and the id of the message or the
+/// line.
 ///
-/// Faults are unreadable lines, and messages that are unused, missing, empty or duplicate, or whose arguments differ from those of the code.
-/// `used` contains the ids of the code with their arguments.
+/// Faults are unreadable lines, and messages that are unused, missing, empty or duplicate, or whose arguments differ
+/// from those of the code. `used` contains the ids of the code with their arguments.
 pub fn faults(file: &str, source: &str, used: &BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
     let mut faults = Vec::new();
     if let Err((_, errors)) = FluentResource::try_new(source.to_owned()) {

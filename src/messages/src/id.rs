@@ -1,10 +1,11 @@
-//! Ids of messages, made of the names that code gives them.
+//! Ids of messages, made from the names of constants and fields in code.
 
-/// A message with arguments, by its id; [`Catalog::format`](super::Catalog::format) puts them into its text.
+/// Id of a message with arguments. [`Catalog::format`](super::Catalog::format) inserts the arguments into the text of
+/// the message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Message(pub &'static str);
 
-/// The bytes of a name in kebab-case: small letters, and `-` for `_`.
+/// Returns the bytes of a name in kebab-case: lowercase letters, and `-` for `_`. `N` is the length of the name.
 pub const fn kebab<const N: usize>(name: &str) -> [u8; N] {
     let (from, mut bytes, mut k) = (name.as_bytes(), [0; N], 0);
     while k < N {
@@ -14,7 +15,8 @@ pub const fn kebab<const N: usize>(name: &str) -> [u8; N] {
     bytes
 }
 
-/// The id of a message, of a prefix and a name in code: `id!("diagnosis-", NOTHING_MISSING)` is `diagnosis-nothing-missing`.
+/// Makes the id of a message from a prefix and a name in code: `id!("diagnosis-", NOTHING_MISSING)` is
+/// `diagnosis-nothing-missing`.
 #[macro_export]
 macro_rules! id {
     ($prefix:expr, $name:ident) => {{

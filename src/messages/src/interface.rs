@@ -1,9 +1,12 @@
-//! The texts of an interface (the reports, the window) as fields of a structure. Code names them so, and a wrong name does not compile.
+//! Texts of an interface (the reports, the window) as fields of a structure, so that a wrong name of a text does not
+//! compile.
 
-/// A structure with every text of an interface, and `MESSAGES` with their ids and arguments.
+/// Defines a structure with every text of an interface, and the constant `MESSAGES` with the ids and arguments of the
+/// texts.
 ///
-/// First come fields of its own, then behind a semicolon the texts. `name` is one without arguments, a `&'static str`; `name(a b)` is one
-/// with arguments, a [`Message`](crate::Message) to format. The id of a text is the field's name in kebab-case.
+/// Ordinary fields come first, then a semicolon and the texts. `name` is a text without arguments, a `&'static str`.
+/// `name(a b)` is a text with arguments, a [`Message`](crate::Message) to format. The id of a text is the name of the
+/// field in kebab-case.
 #[macro_export]
 macro_rules! interface {
     (
@@ -23,7 +26,7 @@ macro_rules! interface {
             pub const MESSAGES: &[(&'static str, &'static [&'static str])] =
                 &[$(($crate::id!("", $name), &[$($(stringify!($argument)),*)?])),*];
 
-            /// The texts of a language; where it lacks one, its id stands instead.
+            /// Returns the texts of a language. If the language lacks a text, its id is used instead.
             pub(crate) fn read(catalog: &'static $crate::Catalog, $($own: $Own),*) -> Self {
                 Self {
                     $($own,)*

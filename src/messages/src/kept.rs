@@ -1,21 +1,22 @@
-//! Storage of sentences in files: ids of messages and their arguments, from which the sentences are restored.
+//! Storage of sentences in files, as ids of messages and their arguments. [`Restorer`] restores the sentences.
 
 use crate::sentence::{Sentence, Template, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 
-/// A sentence of a file, or a value in it.
+/// Stored form of a sentence, or of a value in a sentence.
 ///
-/// A table with the key `id` is a sentence, its other keys are the values. One with `word` or `foreign` is such a text, one with `list` and
-/// `between` is several values; a text alone is a number or a name.
+/// A table with the key `id` is a sentence, and its other keys are the values. A table with `word` or `foreign` is a
+/// word or an untranslated text. A table with `list` and `between` is a list of values. A plain text is a number or a
+/// name.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Kept {
-    /// A text.
+    /// A plain text, or the id of a message.
     Text(String),
     /// Values of a list.
     List(Vec<Kept>),
-    /// A sentence, a word or a list.
+    /// A sentence, a word, an untranslated text or a list.
     Table(BTreeMap<String, Kept>),
 }
 
@@ -55,18 +56,18 @@ impl Kept {
     }
 }
 
-/// Restores sentences from the messages of a file.
+/// Restorer of stored sentences, with the templates of all known messages by id.
 #[derive(Debug)]
 pub struct Restorer(HashMap<&'static str, Template>);
 
 impl Restorer {
-    /// Makes a restorer for sentences of these messages.
+    /// Makes a restorer for sentences of the given templates.
     pub fn new(templates: impl IntoIterator<Item = Template>) -> Restorer {
         let all = templates.into_iter().chain([Sentence::AS_IT_IS]);
         Restorer(all.map(|template| (template.id(), template)).collect())
     }
 
-    /// Restores a sentence. Returns `None` if it comes from a version with other messages or arguments.
+    /// Restores a sentence. Returns `None` if the sentence comes from a version with other messages or arguments.
     pub fn restore(&self, kept: &Kept) -> Option<Sentence> {
         let Kept::Table(entries) = kept else { return None };
         let template = *self.0.get(entries.get("id")?.text()?)?;
@@ -77,13 +78,14 @@ impl Restorer {
         Some(Sentence::of(template, values.collect::<Option<_>>()?))
     }
 
-    /// Restores the sentences of a file, by their English text.
+    /// Restores the sentences of a file. The keys of the result are their English texts.
     pub fn by_english(&self, kept: &[Kept]) -> HashMap<String, Sentence> {
         let all = kept.iter().filter_map(|kept| self.restore(kept));
         all.map(|sentence| (sentence.to_string(), sentence)).collect()
     }
 
-    /// Restores the sentence of a file that has this English text. Without such a sentence, the text itself is returned.
+    /// Restores the sentence of a file that has this English text. Without such a sentence, the text itself is
+    /// returned.
     pub fn find(&self, english: &str, kept: &[Kept]) -> Sentence {
         let mut all = kept.iter().filter_map(|kept| self.restore(kept));
         all.find(|sentence| sentence.to_string() == english).unwrap_or_else(|| Sentence::as_it_is(english))
@@ -141,7 +143,7 @@ mod tests {
             assert_eq!(all.restore(&kept).as_ref().map(Kept::from), Some(Kept::from(&sentence)));
             let found = all.find(&english, std::slice::from_ref(&kept));
             assert_eq!((Kept::from(&found), found.to_string()), (Kept::from(&sentence), english.clone()));
-            // A text that was changed by hand stays what it is, and so does one of another version.
+            // A text that was changed by hand stays unchanged, and so does a text of another version.
             assert_eq!(all.find("changed", std::slice::from_ref(&kept)), Sentence::as_it_is("changed"));
             assert_eq!(Restorer::new([]).find(&english, &[kept]).to_string(), english);
         }

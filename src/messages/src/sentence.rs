@@ -1,14 +1,15 @@
 //! Sentences in any language: a message with its English text, and values for its placeholders.
 //!
-//! Scripts and the terminal show the English text. Reports use a [`Locale`], which finds the message by its id and inserts the same values.
-//! A file stores message and values of a sentence in addition to its English text ([`Kept`](crate::Kept)).
+//! Scripts and the terminal show the English text. Reports use a [`Locale`], which finds the message by its id and
+//! inserts the same values. A file stores message and values of a sentence in addition to its English text
+//! ([`Kept`](crate::Kept)).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
-/// A message with its English text, which has `{name}` where a value stands.
+/// Message with its English text, which contains `{name}` as the placeholder of a value.
 ///
-/// Only [`phrases!`](crate::phrases) makes them, so that its list holds every one.
+/// Only [`phrases!`](crate::phrases) makes templates, so that its list contains all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Template {
     id: &'static str,
@@ -16,28 +17,29 @@ pub struct Template {
 }
 
 impl Template {
-    /// For [`phrases!`](crate::phrases) alone: a template that is in no list is in no test of the translations.
+    /// Makes a template. Only [`phrases!`](crate::phrases) may call this function, because the test of the translations
+    /// covers only templates in its list.
     #[doc(hidden)]
     pub const fn listed(id: &'static str, english: &'static str) -> Template {
         Template { id, english }
     }
 
-    /// The id by which other languages have it.
+    /// Returns the id by which the files of other languages refer to the message.
     pub fn id(self) -> &'static str {
         self.id
     }
 
-    /// The English text.
+    /// Returns the English text, with placeholders.
     pub fn english(self) -> &'static str {
         self.english
     }
 
-    /// The names of its places, as often as they stand in it.
+    /// Returns the names of the placeholders, in the order of the text and with repetitions.
     pub fn places(self) -> impl Iterator<Item = &'static str> {
         self.english.split('{').skip(1).filter_map(|rest| rest.split_once('}').map(|(name, _)| name))
     }
 
-    /// The English text with these values.
+    /// Formats the English text with these values.
     fn format(self, values: &[(&str, String)]) -> String {
         let (mut text, mut rest) = (String::new(), self.english);
         while let Some((before, after)) = rest.split_once('{') {
@@ -50,19 +52,20 @@ impl Template {
     }
 }
 
-/// How a language writes sentences.
+/// Language in which sentences are formatted.
 pub trait Locale {
-    /// The text of a message with its arguments; `None` where the language has none but the English one.
+    /// Formats a message with its arguments. Returns `None` if the language has no text for it; the English text is
+    /// then used.
     fn message(&self, id: &str, arguments: &[(&str, String)]) -> Option<String>;
 
-    /// The text of a word; `None` where it is the same as in English.
+    /// Returns the translation of a word, or `None` if the English word is used.
     fn word(&self, english: &str) -> Option<&str>;
 
-    /// A value, from the name of its place and the value itself.
+    /// Formats a value of the placeholder `place`, for example a number with a decimal comma.
     fn value(&self, place: &str, value: &str) -> String;
 }
 
-/// English as the crates write it.
+/// English, in which templates, words and values stay unchanged.
 struct English;
 
 impl Locale for English {
@@ -79,32 +82,34 @@ impl Locale for English {
     }
 }
 
-/// The id of a word: `word-` and its letters and figures; `None` for an identifier such as `gas_force`, which no language translates.
+/// Returns the id of a word: `word-` followed by its letters and digits. Returns `None` for an identifier such as
+/// `gas_force`, which no language translates.
 pub fn word_id(english: &str) -> Option<String> {
     let is_identifier = english.contains('_') && !english.contains(' ');
     let parts = english.split(|c: char| !c.is_ascii_alphanumeric()).filter(|part| !part.is_empty());
     (!is_identifier).then(|| parts.fold("word".to_owned(), |id, part| id + "-" + &part.to_ascii_lowercase()))
 }
 
-/// The messages of a crate: a prefix of their ids, then `NAME: "English with {places}";`, each a constant; `TEMPLATES` has all of them.
+/// Defines the messages of a crate as constants: a prefix of the ids, then lines of the form `NAME: "English with
+/// {places}";`. The constant `TEMPLATES` contains all of them.
 ///
-/// The id is the prefix and the name in kebab-case.
+/// The id of a message is the prefix followed by the name in kebab-case.
 #[macro_export]
 macro_rules! phrases {
     ($prefix:literal; $($name:ident: $text:literal;)*) => {
         $(pub(crate) const $name: $crate::Template = $crate::Template::listed($crate::id!($prefix, $name), $text);)*
-        /// Every message.
+        /// All messages of the crate.
         pub(crate) const TEMPLATES: &[$crate::Template] = &[$($name),*];
     };
 }
 
-/// Places where a name stands, and a name may look like a number: a test may be called 2.5.
+/// Placeholders of names. A name may look like a number: a test may have the name 2.5.
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 
-/// Whether what stands at a place of a sentence is a number, which every language writes in its own way.
+/// Returns whether the value of a placeholder is a number, which each language formats differently.
 ///
-/// A number alone, with a sign, or with a unit behind it. A name, an option of the command or a version is none.
+/// A number may have a sign, and a unit after it. Names, options of the command and versions are not numbers.
 pub fn is_number(place: &str, text: &str) -> bool {
     let unsigned = text.trim_start_matches(['+', '-', '±', '\u{2212}']);
     let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
@@ -116,25 +121,26 @@ pub fn is_number(place: &str, text: &str) -> bool {
         && figures.parse::<f64>().is_ok()
 }
 
-/// Longest unit, letters: `N s²/m²` and the like.
+/// Largest length of a unit in characters, for example `N s²/m²`.
 const LONGEST_UNIT: usize = 10;
 
-/// What stands at a place of a sentence.
+/// Value of a placeholder in a sentence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Value {
-    /// A number ([`is_number`]), or a unit, a name of a test or an effect, which are the same in every language.
+    /// A number ([`is_number`]), or a text that is equal in every language: a unit, or the name of a test or an effect.
     AsIs(String),
-    /// A word, such as a path; the same in every language where it is no word but a name.
+    /// A word that a language may translate, such as the name of a force path. Other words stay unchanged.
     Word(String),
-    /// A text of the system, of another library or of a reader of one file format, in whatever language it comes.
+    /// A text of the system, of another library or of a reader of one file format. It is not translated.
     Foreign(String),
-    /// A sentence in the sentence.
+    /// A sentence within the sentence.
     Said(Sentence),
-    /// Several, with the text between them.
+    /// Several values, with the template of the text between them.
     List(Vec<Value>, Template),
 }
 
-/// A sentence. Serialized and shown, it is the English text; read back from that alone, it stays English.
+/// Message with the values of its placeholders. It is serialized and displayed as English text. A sentence that is
+/// deserialized from that text stays English.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Sentence {
     template: Template,
@@ -147,32 +153,32 @@ impl From<Template> for Sentence {
     }
 }
 
-/// What may be put into a sentence.
+/// Construction, access and formatting.
 impl Sentence {
-    /// A text that nobody can translate.
+    /// Template of a text that is not translated.
     pub(crate) const AS_IT_IS: Template = Template::listed("", "{text}");
 
-    /// With a number or a name.
+    /// Adds a number or a name as the value of a placeholder.
     pub fn with(self, name: &'static str, value: impl ToString) -> Self {
         self.and(name, Value::AsIs(value.to_string()))
     }
 
-    /// With a text of the system, of another library or of a reader of one file format, which nobody translates.
+    /// Adds a text of the system, of another library or of a reader of one file format. It is not translated.
     pub fn with_foreign(self, name: &'static str, text: impl ToString) -> Self {
         self.and(name, Value::Foreign(text.to_string()))
     }
 
-    /// With a word.
+    /// Adds a word, which a language may translate.
     pub fn with_word(self, name: &'static str, word: &str) -> Self {
         self.and(name, Value::Word(word.to_owned()))
     }
 
-    /// With another sentence.
+    /// Adds another sentence as the value of a placeholder.
     pub fn with_sentence(self, name: &'static str, sentence: impl Into<Sentence>) -> Self {
         self.and(name, Value::Said(sentence.into()))
     }
 
-    /// With another sentence where there is one; its place stays empty otherwise.
+    /// Adds another sentence if there is one. Otherwise, the placeholder becomes empty.
     pub fn with_any(self, name: &'static str, sentence: Option<Sentence>) -> Self {
         match sentence {
             Some(sentence) => self.with_sentence(name, sentence),
@@ -180,7 +186,7 @@ impl Sentence {
         }
     }
 
-    /// With names.
+    /// Adds a list of names, with the text of `between` between them.
     pub fn with_names<T: ToString>(
         self,
         name: &'static str,
@@ -191,32 +197,32 @@ impl Sentence {
         self.and(name, Value::List(list, between))
     }
 
-    /// With several sentences.
+    /// Adds a list of sentences, with the text of `between` between them.
     pub fn with_list(self, name: &'static str, list: Vec<Sentence>, between: Template) -> Self {
         self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
     }
 
-    /// Several sentences in one.
+    /// Makes one sentence from several, with the text of `between` between them.
     pub fn list(list: Vec<Sentence>, between: Template) -> Self {
         Sentence::from(Sentence::AS_IT_IS).with_list("text", list, between)
     }
 
-    /// A text that stays as it is in every language.
+    /// Makes a sentence from a text that stays unchanged in every language.
     pub fn as_it_is(text: impl ToString) -> Self {
         Sentence::from(Sentence::AS_IT_IS).with("text", text)
     }
 
-    /// The text that it was made of.
+    /// Returns the template of the sentence.
     pub fn template(&self) -> Template {
         self.template
     }
 
-    /// One of a message with these values.
+    /// Makes a sentence from a template and the values of its placeholders.
     pub(crate) fn of(template: Template, values: Vec<(&'static str, Value)>) -> Self {
         Sentence { template, values }
     }
 
-    /// What stands at its places.
+    /// Returns the values of the placeholders with their names.
     pub(crate) fn values(&self) -> &[(&'static str, Value)] {
         &self.values
     }
@@ -227,7 +233,8 @@ impl Sentence {
         self
     }
 
-    /// Formats the sentence in a language; what that has no text for stays English. A place without a value is left empty.
+    /// Formats the sentence in a language. Messages and words without a translation stay English. A placeholder without
+    /// a value becomes empty.
     pub fn to_text(&self, locale: &dyn Locale) -> String {
         let mut values: Vec<(&str, String)> = Vec::new();
         for place in self.template.places() {
@@ -334,7 +341,7 @@ mod tests {
     #[test]
     fn values_keep_their_places_in_every_language() {
         let sentence = Sentence::from(TWO).with_names("names", ["a", "{place}"], AND).with_word("place", "rig");
-        // A name with braces is no place.
+        // A value with braces is not a placeholder.
         assert_eq!(sentence.to_string(), "a and {place} in rig");
         assert_eq!(sentence.to_text(&German), "in Prüfstand: a und {place}");
         let noted = sentence.with_sentence("note", Sentence::from(NOTE).with("what", 3));

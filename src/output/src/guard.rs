@@ -33,7 +33,8 @@ const LOOKED_INTO: u64 = 1 << 28;
 /// Follows links and determines the target. `new` is the kind of the output, if known.
 ///
 /// # Errors
-/// A message if the output would destroy an existing file and the user did not give `--force`.
+/// Without `--force`, a message if the output would destroy an existing file or go to a device, or if the extension
+/// implies another kind of file. A folder, a disk or a socket is always an error.
 pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
     target_forced(path, new, FORCE.load(Ordering::Relaxed) || run::is_forced())
 }
@@ -91,7 +92,7 @@ fn target_forced(path: &Path, new: Option<&Kind>, force: bool) -> anyhow::Result
     }
 }
 
-/// Follows symbolic links, whether or not a file exists at their end.
+/// Follows symbolic links, whether or not a file exists at their end. Links that form a circle are an error.
 fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     let mut at = path.to_owned();
     for _ in 0..LINKS {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io::Read as _;
 
-/// Kind of a file, detected from its beginning.
+/// Kind of a file, detected from its content.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Kind {
     /// An empty file, for example from `touch` or `mktemp`.
@@ -14,13 +14,13 @@ pub enum Kind {
     Profile,
     /// A model of the literature. It is not a model file and serves only for comparison.
     Comparison,
-    /// Results of a verb as JSON.
+    /// Results of a command of dashpot as JSON.
     Figures,
     /// A report of dashpot.
     Report,
     /// A picture.
     Picture,
-    /// A damper property file of dashpot, in either format.
+    /// A damper property file of dashpot, as text or XML.
     Property,
     /// A file with which CarMaker uses an FMU of dashpot as its damper.
     PlugInfo,
@@ -40,7 +40,8 @@ pub enum Kind {
     Other(&'static str),
 }
 
-/// Sets of top-level keys in the JSON of the verbs. A JSON file of another program contains none of these sets.
+/// Sets of top-level keys in the JSON of dashpot's commands. A JSON file of another program contains none of these
+/// sets.
 const OWN_KEYS: [&[&str]; 11] = [
     &["quantities", "contradictions"],
     &["effects", "settings"],
@@ -59,15 +60,16 @@ const LITERATURE: &str = "literature_model";
 /// Author in every workbook of dashpot. A program that changes a workbook records its own user, so an edited workbook
 /// does not count as an output of dashpot.
 pub const AUTHOR: &str = "dashpot";
-/// Largest list of properties that is read, bytes. That of dashpot is less than one kilobyte.
+/// Largest list of properties that is read, bytes. The list of dashpot is less than one kilobyte.
 const PROPERTIES: u64 = 1 << 16;
 /// Generator tag in the HTML head of every report of dashpot.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
 
-/// Beginning of the first comment in every property file of dashpot. The files of the vendor begin with the same XML
-/// line.
+/// Beginning of the first comment in every property file of dashpot. In XML, the first line does not identify dashpot,
+/// because files of other programs begin with the same declaration.
 pub const WRITTEN: &str = "Written by dashpot ";
-/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, is equal in most models.
+/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, does not identify dashpot,
+/// because most models have the same title.
 const ROUTINES: &str = "dashpot_adams::";
 
 /// Extensions that imply a kind. Another kind with this extension would be misinterpreted, for example a model in
@@ -81,7 +83,7 @@ const PROMISES: [(&str, &[Kind]); 7] = [
     ("fmu", &[Kind::Fmu]),
     ("csv", &[]),
 ];
-/// Kinds with a customary extension.
+/// Kinds that have a customary extension, so that the extension of another kind is rejected.
 const NAMED: [Kind; 7] =
     [Kind::Model, Kind::Profile, Kind::Comparison, Kind::Figures, Kind::Report, Kind::Workbook, Kind::Fmu];
 
@@ -137,7 +139,7 @@ impl Kind {
         if text.starts_with(&format!("$ {WRITTEN}")) {
             return Kind::Property;
         }
-        // All files of CarMaker begin with the same line.
+        // All info files of CarMaker begin with the same line, so the comment identifies those of dashpot.
         if begins("#INFOFILE") {
             return if commented("#") { Kind::PlugInfo } else { Kind::Other("a file of CarMaker") };
         }
@@ -175,7 +177,8 @@ impl Kind {
     }
 }
 
-/// Returns whether dashpot wrote a workbook, and nobody changed it.
+/// Returns whether a workbook is an output of dashpot that no other program has saved. Its author and last editor
+/// indicate this.
 fn is_own_workbook(bytes: &[u8]) -> bool {
     let properties = || -> Option<String> {
         let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).ok()?;
@@ -249,7 +252,8 @@ mod tests {
         assert!(matches!(Kind::detect(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::detect(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::detect(b"\x7fELF12"), Kind::detect(b"MZ\x90\x00"));
-        // A newer property file replaces an older one, but never a file of the vendor, which has the same first line.
+        // A newer property file replaces an older one, but never a file of another program, which may have the same
+        // first line.
         assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
         assert_eq!(
             of("<?xml version=\"1.0\"?>\n<afc>\n  <!-- Written by dashpot 0.1.0 from b.toml -->\n</afc>\n"),
@@ -258,7 +262,7 @@ mod tests {
         assert!(matches!(of("<?xml version=\"1.0\"?>\n<afc>\n</afc>\n"), Kind::Other(_)));
         assert_eq!(of("#INFOFILE1.1\nFMU.Name = a\n# Written by dashpot 0.1.0 from a.toml\n"), Kind::PlugInfo);
         assert!(matches!(of("#INFOFILE1.1\nFMU.Name = a\n"), Kind::Other(_)));
-        // Most models have the same title.
+        // Most Adams models have the same title.
         let model = "Adams View model name: MODEL_1\n!\nEND\n";
         assert!(matches!(of(model), Kind::Text(_)));
         assert_eq!(of(&model.replace("END", ", ROUTINE = dashpot_adams::Dashpot_sfosub\nEND")), Kind::Adams);

@@ -1,4 +1,4 @@
-//! Output of results, for all verbs: files, which are replaced as a whole and only by their own kind, or standard
+//! Output of results, for all commands: files, which are replaced as a whole and only by their own kind, or standard
 //! output for `-`.
 
 mod format;
@@ -40,7 +40,7 @@ pub fn check<'a>(paths: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()
     check_each(paths.into_iter().map(|path| (path, None)))
 }
 
-/// Checks outputs and their kinds before the work, and rejects a file of another kind.
+/// Checks outputs and their kinds before long work, and rejects an existing file of another kind.
 ///
 /// # Errors
 /// The errors of [`check`], or an existing file of another kind.

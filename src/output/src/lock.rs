@@ -39,7 +39,7 @@ impl Drop for FolderLock {
     }
 }
 
-/// Error if another run has the lock.
+/// Error of a folder that another run has locked.
 struct Held;
 
 /// Locks a folder. Returns `None` if the file system has no locks.

@@ -1,6 +1,6 @@
 //! Detection of a closed standard output, before the runtime replaces it by the null device.
 
-/// Returns an error if the parent process closed standard output.
+/// Returns an error message if the parent process closed standard output.
 pub fn closed() -> Option<&'static str> {
     was_closed().then_some("standard output is closed; send it to a file, or to /dev/null if nobody reads it")
 }
@@ -18,10 +18,9 @@ mod at_start {
     }
 
     // Before `main`, the language runtime opens the null device on closed standard descriptors. A closed output is then
-    // indistinguishable from an output that the user redirected to the null device. Functions in this section run
-    // earlier.
-    // SAFETY: the section contains pointers to functions without arguments, which the loader calls once. `look` uses
-    // nothing that the runtime initializes later.
+    // indistinguishable from an output that the user redirected to the null device. Functions in the section of
+    // initializers run earlier. SAFETY: the section contains pointers to functions without arguments, which the loader
+    // calls once. `look` uses nothing that the runtime initializes later.
     #[used]
     #[cfg_attr(target_os = "linux", unsafe(link_section = ".init_array"))]
     #[cfg_attr(target_os = "macos", unsafe(link_section = "__DATA,__mod_init_func"))]

@@ -10,14 +10,14 @@ use dashpot_records::Record;
 use dashpot_records::measurement_correction::correct_record;
 use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options, Plan, TestPoint, Truth};
 
-/// Specification of a case.
+/// Specification of a campaign with injected effects, and of its base model.
 #[derive(Debug, Clone)]
 pub struct Case {
     /// Names of the injected effects with their severities; `name:form` selects a form.
     pub effects: Vec<(String, f64)>,
     /// Plan of the tests.
     pub plan: Plan,
-    /// Seed, noise, channels.
+    /// Options of the rig: seed, noise, channels.
     pub options: Options,
     /// Whether the base model's FV curve is piecewise linear, regardless of the damper's curve.
     pub linear_curve: bool,

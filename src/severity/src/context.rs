@@ -13,22 +13,22 @@ use dashpot_diagnosis::refitted;
 use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
-/// Largest logarithmic deviation from the requested severity.
+/// Logarithmic deviation from the requested severity below which the search for the strength ends.
 const NEAR: f64 = 0.08;
 /// Largest number of trial strengths.
 const TRIES: usize = 7;
-/// Range of strengths of a case.
+/// Range of trial strengths.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the rig's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
 /// The neutral damper's campaign, relative to which the severity of an effect is measured.
 pub struct SeverityContext {
-    /// The base model refitted to that campaign.
+    /// The base model refitted to the campaign of the neutral damper.
     base: Params,
     /// Noise of each record, N.
     noise: Vec<f64>,
-    /// Residual of the base model for that campaign, relative to the noise.
+    /// Residual of the base model for the campaign of the neutral damper, relative to the noise.
     own: Vec<f64>,
 }
 
@@ -93,7 +93,8 @@ impl SeverityContext {
         Ok((of_effect / left.len().max(1) as f64).sqrt())
     }
 
-    /// Finds the strength at which an effect has the requested severity.
+    /// Finds the strength at which an effect has the requested severity. If the trials end before, a logarithmic
+    /// deviation below 0.35 is accepted.
     ///
     /// # Errors
     /// Errors of rig or reader, or a severity that no strength reaches.

@@ -39,14 +39,14 @@ pub enum SeverityError {
     /// No strength has this severity with these tests.
     #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
     OutOfReach {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
-        /// The largest severity found.
+        /// The severity of a trial that is nearest to the requested one.
         reached: f64,
         /// The requested severity.
         wanted: f64,
     },
-    /// A severity is requested with tests outside the rig's plans.
+    /// A severity is requested for tests that are not those of a plan of the rig.
     #[error("a severity needs one of the rig's plans; with tests of your own (--matrix), give strengths (--strength)")]
     OwnTests,
     /// A severity is requested without noise.

@@ -8,11 +8,12 @@ use dashpot_records::{self as records, Record};
 use dashpot_rig::Campaign;
 use std::path::Path;
 
-/// Elements of the diagnosed model: those of the thesis's model without the break-away peak.
+/// Elements of the fit in [`base_model`]: those of the thesis's model without the break-away peak.
 pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
-/// Identifies the diagnosed model: an ordinary fit to the records, with a weak linear spring in the start.
+/// Identifies the diagnosed model: an ordinary fit to the records, to which side-force friction and a weak linear
+/// spring are added.
 pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     let options =
         FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };
@@ -37,7 +38,7 @@ pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     Ok(params)
 }
 
-/// Copies a campaign with ideal force sensors.
+/// Copies a campaign with the forces that sensors without noise would measure.
 pub fn without_noise(campaign: &Campaign) -> Campaign {
     let mut clean = campaign.clone();
     for record in &mut clean.records {

@@ -23,9 +23,9 @@ fn refused(problem: String) -> SeverityError {
     RigError::Option { option: "hide", problem }.into()
 }
 
-/// Converts requested effects to names with strengths. Empty for `nothing`. Severities require a `plan` of the rig,
-/// because its tests determine the strengths. For every trial strength, `watch` receives the number of measured tests
-/// and of all tests.
+/// Converts requested effects to names with strengths. An effect without a number has the strength of a typical strong
+/// case. The result is empty for `nothing`. Severities require a `plan` of the rig, because its tests determine the
+/// strengths. For every trial strength, `watch` receives the number of measured tests and of all tests.
 ///
 /// # Errors
 /// `nothing` together with an effect, an invalid number, severities without plan or noise, a severity that no strength

@@ -10,7 +10,8 @@ use crate::uncertain::Uncertain;
 use dashpot_core::number;
 use dashpot_messages::Sentence;
 
-/// Adds the contradictions: parameters with an interval that does not overlap that of the drawing.
+/// Adds the contradictions: parameters whose interval in the model does not overlap the interval that the drawing
+/// implies.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
     let column = all.iter().find(|e| e.number == number!("oil_stiffness"));

@@ -21,7 +21,7 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     volume(model, drawing, pressure, to);
 }
 
-/// Adds the pressure from the gas force, if the model has one, and returns it.
+/// Adds the pressure from the gas force and returns it. If it cannot be determined, adds a gap and returns `None`.
 fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "gas_pressure";
     let gap = |why: Template, parameters: Vec<&'static str>| Gap {

@@ -15,7 +15,7 @@ use crate::phrases;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_messages::Sentence;
 
-/// Explains a model by a drawing.
+/// Determines physical quantities of a damper from its model and its drawing, and the contradictions between both.
 ///
 /// The intervals include the uncertainties of model file, drawing and handbook data, and the form error of the model.
 pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {

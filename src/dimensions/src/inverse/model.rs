@@ -16,7 +16,7 @@ pub(super) enum Standing {
     Known(Uncertain),
 }
 
-/// A model with its intervals.
+/// Model file whose parameters are read together with their intervals.
 pub(super) struct Identified<'a>(pub &'a ModelFile);
 
 impl Identified<'_> {
@@ -52,7 +52,7 @@ impl Identified<'_> {
     }
 
     /// Returns speeds and forces of one stroke, slowest first. Speeds and forces are positive, and the force at zero
-    /// velocity is subtracted.
+    /// velocity is subtracted. Points whose force has the wrong sign are omitted.
     pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
         let Identified(file) = self;
         let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));

@@ -52,9 +52,10 @@ struct Column {
 }
 
 /// Returns the column stiffness: from the model's oil column, from its series spring without the eyes, or as a bound
-/// from the whole series spring.
+/// from the whole series spring. The error contains the missing parameters of the model.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
-    // In compression, the column of a twin tube is the softest element in series. In rebound, the eyes are softer.
+    // The stiffness in compression comes first, because in compression, the column of a twin tube is the softest
+    // element in series. In rebound, the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
         (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
         && ratio.value != 1.0

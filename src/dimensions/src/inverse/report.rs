@@ -18,7 +18,7 @@ pub struct Quantity {
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
-    /// Parameters of the model and entries of the drawing from which it follows.
+    /// Parameters of the model and entries of the drawing from which the quantity follows.
     pub from: Vec<&'static str>,
     /// Error factor due to the model's form in 95 of 100 dampers. The interval includes this error.
     pub model_error: f64,
@@ -51,11 +51,11 @@ pub struct Contradiction {
     pub dimensions: f64,
     /// Ratio of the model's value to that of the drawing.
     pub ratio: f64,
-    /// Unit of both.
+    /// Unit of both values.
     pub unit: &'static str,
     /// Entries of the drawing from which the value was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
-    /// Message.
+    /// The contradiction as a sentence.
     pub text: Sentence,
 }
 

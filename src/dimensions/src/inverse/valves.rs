@@ -20,7 +20,8 @@ const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
 /// Ratio of the slope to the steepest slope below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Largest number of bleed points that are used. More points add no information.
+/// Largest number of points below the knee that are used. If there are more, only the fastest are used, because further
+/// points add no information.
 const POINTS: usize = 8;
 
 /// A stroke with the names of its quantities.
@@ -41,7 +42,8 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     }
 }
 
-/// Returns the number of points up to the end of the steepest segment. Beyond it, a valve has opened.
+/// Returns the number of points up to the first segment whose slope is below [`KNEE`] times the steepest slope before
+/// it. Beyond these points, a valve has opened.
 fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
     let ends = std::iter::once((0.0, 0.0)).chain(points.iter().map(|(w, h)| (*w, h.value)));
     let slopes: Vec<f64> =
@@ -139,7 +141,7 @@ impl Stroke {
             to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
             let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            // Without an upper end the curve has no laminar part. A lower end would then be read as a leak.
+            // Without an upper end the curve has no laminar part. Users would misread a lower end as a leak.
             match quantity.high {
                 Some(_) => to.quantities.push(quantity),
                 None => to.unknown.push(Gap {

@@ -1,10 +1,11 @@
-//! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the test.
+//! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the
+//! test.
 //!
 //! The damper at constant settings is known. The free parameters are those of the actuator, and relative errors of the
-//! family's force. There is one error for each direction at each setting of the grid, and one midway between two
-//! settings. Without these errors, an error of the family would become a part of the response. The
-//! [instant](super::command_time) within a sample at which the command changes is unknown. This uncertainty widens the
-//! intervals.
+//! family's force. There is one error for each direction of motion at each setting of the grid, and one midway between
+//! two neighboring settings. Without these errors, an error of the family's force would be attributed to the response
+//! of the actuator. The [instant](super::command_time) within a sample at which the command changes is unknown. This
+//! uncertainty widens the intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -19,7 +20,7 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
-/// Directions of the valve to which a parameter applies.
+/// Directions of the valve, rising and falling setting, to which a parameter applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ways {
     /// The parameter does not exist.
@@ -33,18 +34,18 @@ pub enum Ways {
 /// Set of parameters of an actuator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ActuatorForm {
-    /// Time constants.
+    /// Directions that have a time constant.
     pub lag: Ways,
     /// Whether there is a dead time.
     pub dead_time: bool,
-    /// Rate limits.
+    /// Directions that have a rate limit.
     pub rate: Ways,
     /// Whether there is hysteresis over the setting.
     pub hysteresis: bool,
 }
 
 impl ActuatorForm {
-    /// No actuator.
+    /// No actuator: the valve follows the command without delay.
     pub const NONE: ActuatorForm =
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
@@ -60,23 +61,24 @@ pub struct ActuatorNumber {
     pub start: f64,
     /// Step of a finite difference.
     pub step: f64,
-    /// Bounds.
+    /// Bounds of the free parameter.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of its distribution over valves.
+    /// Mean and standard deviation of the free parameter over valves.
     pub prior: (f64, f64),
 }
 
-/// Response time of a proportional damper valve, s. Published response times are 5 to 30 ms (Savaresi et al.,
-/// Semi-Active Suspension Control Design for Vehicles, 2010, chapter 2). The spread includes a magneto-rheological coil
-/// and a slow pilot stage.
+/// Median response time of a proportional damper valve, s, and the standard deviation of its logarithm. Published
+/// response times are 5 to 30 ms (Savaresi et al., Semi-Active Suspension Control Design for Vehicles, 2010, chapter
+/// 2). The spread includes a magneto-rheological coil and a slow pilot stage.
 const TIME: f64 = 0.01;
 const TIME_SPREAD: f64 = 1.0;
-/// Dead time of driver and pilot stage, s: a few milliseconds, rarely ten.
+/// Mean and standard deviation of the dead time of driver and pilot stage, s: a few milliseconds, rarely ten.
 const DEAD_TIME: (f64, f64) = (0.003, 0.004);
-/// Hysteresis of solenoid valves as a fraction of their range: friction and magnetic remanence cause one to six
-/// percent.
+/// Mean and standard deviation of the hysteresis of solenoid valves, as a fraction of their range: friction and
+/// magnetic remanence cause one to six percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
-/// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds.
+/// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds. [`RATE_SPREAD`] is the standard
+/// deviation of its logarithm.
 const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
 /// Standard deviation of the error of the force at a setting, as a fraction of the force.
@@ -84,9 +86,10 @@ const LEVEL_SPREAD: f64 = 0.05;
 /// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. If
 /// the error is larger, the family is unusable.
 const MOST_BETWEEN: f64 = 0.3;
-/// Bound of the error of a force between neighbors, in standard deviations.
+/// Bound of the force error midway between neighbors of the grid, in its standard deviations.
 const WITHIN: f64 = 2.0;
-/// Standard deviation of the force error if the force is fixed. It is far below the resolution of any record.
+/// Standard deviation of the force errors in a refit with a fixed force of the family, as a fraction of the force. It
+/// is far below the resolution of any record.
 const HELD_SPREAD: f64 = 1e-6;
 /// Largest hysteresis as a fraction of the range. The kernel accepts a quarter.
 const MOST_HYSTERESIS: f64 = 0.24;
@@ -183,17 +186,19 @@ pub struct ActuatorProblem<'a> {
 /// Result of a refit of an actuator.
 #[derive(Debug, Clone)]
 pub struct ActuatorRefit {
-    /// The form.
+    /// Form of the actuator.
     pub form: ActuatorForm,
-    /// Its parameters.
+    /// Parameters of the form.
     pub numbers: Vec<ActuatorNumber>,
-    /// Values of the free parameters, followed by the relative errors of the force at each setting and between neighbors.
+    /// Values of the free parameters, followed by the relative errors of the force at each setting and between
+    /// neighbors.
     pub theta: Vec<f64>,
     /// Standard deviations of the relative force errors.
     spreads: Vec<f64>,
     /// Derivatives and weighted residuals of each test, computed minus measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
-    /// Negative log prior: half the sum of squared distances from the prior means, each divided by its variance.
+    /// Negative log prior: half the sum of squared distances from the prior means, each divided by its variance. Force
+    /// errors between settings are excluded.
     pub negative_log_prior: f64,
 }
 
@@ -232,7 +237,7 @@ fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2]
     [(first + right - 1, 1.0 - part), (first + right, part)]
 }
 
-/// Derivatives of the forces to compute.
+/// Derivatives that are computed together with the forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Wanted {
     /// No derivatives.
@@ -306,7 +311,8 @@ impl<'a> ActuatorProblem<'a> {
         residual.iter().all(|r| r.is_finite()).then_some(residual)
     }
 
-    /// Refits the parameters from a start. If there is no start, begins with the typical valve.
+    /// Refits the parameters from a start. Without a start, the refit begins with the typical valve. Returns `None` if
+    /// the model gives no finite force.
     pub fn refit(
         &self,
         form: ActuatorForm,
@@ -343,8 +349,8 @@ impl<'a> ActuatorProblem<'a> {
         // Each direction has its own errors between settings.
         let spreads: Vec<f64> =
             std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
-        // A form error is equal at all samples of a step, but the sum of squares counts every sample. Therefore, a
-        // prior alone would be too weak, and bounds apply.
+        // An error of the family's force is equal at all samples of a command step, but the sum of squares counts every
+        // sample. Therefore, a prior alone would be too weak, and bounds apply.
         let most: Vec<f64> = spreads
             .iter()
             .enumerate()
@@ -396,8 +402,8 @@ impl<'a> ActuatorProblem<'a> {
 }
 
 impl ActuatorProblem<'_> {
-    /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change within a sample, in
-    /// samples.
+    /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
+    /// within a sample, in samples.
     pub fn timing_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
         let of_test = |block: usize| {

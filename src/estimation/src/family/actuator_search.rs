@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Prior log odds of a lag: every valve has a lag, but records of slow loggers do not resolve the lag.
 const LAG: f64 = 1.0;
-/// Prior log odds that rising and falling have different time constants.
+/// Prior log odds that rising and falling settings have different time constants.
 const EACH_WAY: f64 = -0.5;
 /// Prior log odds of a dead time.
 const DEAD_TIME: f64 = 0.0;
@@ -25,9 +25,9 @@ const RISE: f64 = 0.5;
 /// longest typical time constant of dampers, 30 ms (Savaresi et al. 2010, chapter 2). With the whole test and 60 N
 /// noise, the search found one time constant of 18 ms instead of two, 10 ms and 18 ms.
 const RESPONSE: f64 = 0.15;
-/// Starts of the time constant, s.
+/// Start values of the time constant, s, for a form that adds a lag.
 const STARTS: [f64; 3] = [0.003, 0.012, 0.08];
-/// Steps and tolerance of a refit for comparison, and of the final refit.
+/// Number of steps and tolerance of a refit for comparison. [`FINE`] applies to the final refit.
 const COMPARE: (usize, f64) = (8, 1e-3);
 const FINE: (usize, f64) = (20, 1e-5);
 
@@ -44,7 +44,7 @@ pub struct ActuatorPart {
 
 /// The most probable actuator.
 pub struct ActuatorSearch {
-    /// Its refit.
+    /// Refit of the most probable actuator.
     pub best: ActuatorRefit,
     /// All parts, present or absent.
     pub parts: Vec<ActuatorPart>,
@@ -55,7 +55,8 @@ pub struct ActuatorSearch {
     pub timing: Vec<Vec<f64>>,
 }
 
-/// Adds a part to a form or removes it.
+/// Returns the form with a part added, or removed if it is present. Returns `None` for separate lags of a form without
+/// a lag.
 fn toggled(form: ActuatorForm, part: &str) -> Option<ActuatorForm> {
     let with = match part {
         "lag" if form.lag == Ways::Neither => ActuatorForm { lag: Ways::Shared, ..form },
@@ -81,7 +82,8 @@ const VALVES: [ActuatorForm; 4] = {
     [lag, ActuatorForm { dead_time: true, ..lag }, each, ActuatorForm { dead_time: true, ..each }]
 };
 
-/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, its weight is below one in a thousand.
+/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, the weight of the
+/// form in the intervals is below one in a thousand, because the weight divides log posteriors by 2.
 const RULED_OUT: f64 = 14.0;
 
 /// Number of fits after which the search is usually half done. It only scales the displayed progress, because the
@@ -180,8 +182,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     };
     let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;
     known.insert(ActuatorForm::NONE, Some((best_posterior, best.clone())));
-    // If rising and falling settings differ, a shared lag may be less probable than no lag. A search that changes
-    // single parts would then miss the correct form.
+    // If the time constants of rising and falling settings differ, a shared lag may be less probable than no lag. A
+    // search that changes single parts would then miss the correct form.
     let mut from = best.clone();
     for form in VALVES {
         let found = fit(form, Some(&from));
@@ -197,7 +199,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         if cancel::asked() {
             break;
         }
-        // Two lags and a dead time may be worth adding together where neither is alone.
+        // Two lags and a dead time together may raise the log posterior although neither does alone.
         let valves = VALVES.map(|form| ActuatorForm { lag: form.lag, dead_time: form.dead_time, ..best.form });
         let single = PARTS.iter().filter_map(|part| toggled(best.form, part));
         let moves: Vec<ActuatorForm> = single.chain(valves).filter(|form| *form != best.form).collect();

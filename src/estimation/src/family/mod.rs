@@ -14,8 +14,8 @@
 //! | [`search`] | the search for effects and for parameters that depend on the setting |
 //! | [`command_time`] | the instant within a sample at which a command changes |
 //! | [`response`] | simulation of the damper under a changing setting |
-//! | [`actuator`] | the estimation problem of its actuator |
-//! | [`actuator_search`] | the search for the parts of the actuator |
+//! | [`actuator`] | the estimation problem of the actuator that moves the valve of an adjustable damper |
+//! | [`actuator_search`] | the search for the most probable parts of the actuator: lag, dead time, rate limit, hysteresis |
 
 pub mod actuator;
 pub mod actuator_search;

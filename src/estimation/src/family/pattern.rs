@@ -15,11 +15,11 @@ const DISSIPATED: f64 = -1.5;
 /// Prior log odds that a parameter of an energy store depends on the setting. Gas, springs and oil are outside the
 /// valve.
 const STORED: f64 = -3.0;
-/// Number of free parameters for which the FV curve counts at each further setting. Curves of one valve differ by
-/// little more than one factor for each stroke.
+/// Number of free parameters as which the FV curve counts at each setting after the first. Curves of one valve differ
+/// by little more than one factor for each stroke.
 const FURTHER_CURVE: f64 = 2.0;
 
-/// A quantity that may depend on the setting as a whole.
+/// Quantity of the model that depends on the setting as a whole or not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Site {
     /// The forces of the FV curve.
@@ -59,12 +59,13 @@ pub fn sites(template: &Hypothesis) -> Vec<Site> {
     all
 }
 
-/// Returns for each parameter of a hypothesis whether it varies, given the sites that vary.
+/// Returns for each parameter of a hypothesis whether it varies with the setting, given the sites that vary.
 pub fn varies(template: &Hypothesis, sites: &[Site]) -> Vec<bool> {
     template.numbers.iter().map(|number| site_of(&number.free).is_some_and(|site| sites.contains(&site))).collect()
 }
 
-/// Returns the sites that vary under a pattern.
+/// Returns the sites that vary under a pattern. The pattern states for each parameter whether it varies with the
+/// setting.
 pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
     let is_varying = |site: &Site| {
         template.numbers.iter().zip(varies).any(|(number, varies)| *varies && site_of(&number.free) == Some(*site))
@@ -72,7 +73,7 @@ pub fn varying_sites(template: &Hypothesis, varies: &[bool]) -> Vec<Site> {
     sites(template).into_iter().filter(is_varying).collect()
 }
 
-/// Computes the log prior odds of a pattern.
+/// Computes the log prior odds of a pattern: the sum over its varying sites.
 pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     let odds = |site: &Site| match site {
         Site::Curve => CURVE,

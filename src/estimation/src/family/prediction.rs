@@ -12,7 +12,8 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest change, in steps of a parameter, at which a linear estimate counts as reliable.
+/// Largest change of a parameter in a linear estimate, in steps of the parameter. Beyond it, the linearization is
+/// unreliable.
 const TRUSTED: f64 = 5.0;
 /// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
 /// bounds in earlier solutions.
@@ -27,7 +28,7 @@ pub struct Linearization<'a> {
     settings: &'a [SettingTests],
     /// Values of the template's parameters at each setting.
     thetas: Vec<Vec<f64>>,
-    /// Derivatives with respect to these parameters.
+    /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
     jacobians: Vec<DMatrix<f64>>,
     /// Weighted normal matrices and right sides of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
@@ -92,7 +93,8 @@ impl<'a> Linearization<'a> {
         Some(Prediction { hypothesis, log_posterior })
     }
 
-    /// Solves the linear problem for parameters within their bounds and near the current values.
+    /// Solves the linear problem for parameters within their bounds and near the current values. Returns `None` if the
+    /// normal matrix is not positive definite.
     fn solve(&self, hypothesis: &FamilyHypothesis, columns: &[Vec<usize>]) -> Option<Vec<f64>> {
         let numbers = hypothesis.numbers();
         let n = numbers.len();

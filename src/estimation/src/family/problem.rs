@@ -62,12 +62,12 @@ impl FamilyHypothesis {
         columns
     }
 
-    /// Returns the length of the family's vector.
+    /// Returns the length of the family's parameter vector.
     pub fn len(&self) -> usize {
         self.varies.iter().map(|varies| if *varies { self.settings() } else { 1 }).sum()
     }
 
-    /// Whether the family has no free parameters.
+    /// Returns whether the family has no free parameters.
     pub fn is_empty(&self) -> bool {
         self.varies.is_empty()
     }
@@ -95,7 +95,8 @@ impl FamilyHypothesis {
         numbers
     }
 
-    /// Returns all free parameters as one hypothesis, for functions that need only parameters and priors. The hypothesis gives no forces.
+    /// Returns all free parameters as one hypothesis, for functions that need only parameters and priors. The
+    /// hypothesis gives no forces.
     pub fn joint(&self) -> Hypothesis {
         Hypothesis { base: self.template.base, numbers: self.numbers(), heating: None, priors: PriorSet::default() }
     }
@@ -124,7 +125,8 @@ impl FamilyHypothesis {
         less
     }
 
-    /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and the degree of determination of each.
+    /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and the degree of
+    /// determination of each.
     pub fn covariance(&self, refit: &FamilyRefit, settings: &[SettingTests]) -> Option<(DMatrix<f64>, Vec<f64>)> {
         let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
         let residual_at = |theta: &[f64]| self.residual_by(Accuracy::Derivatives, settings, theta);
@@ -170,7 +172,8 @@ impl FamilyHypothesis {
         Refit::from_point(&self.joint(), refit.theta.clone(), residual, jacobian)
     }
 
-    /// Converts a refit to that of the ordinary damper at a setting. Its derivatives are with respect to the template's parameters.
+    /// Converts a refit to that of the ordinary damper at a setting. Its derivatives are with respect to the template's
+    /// parameters.
     pub fn refit_at(&self, refit: &FamilyRefit, setting: usize) -> Refit {
         let columns = &self.columns()[setting];
         let theta = self.theta_at(&refit.theta, setting);

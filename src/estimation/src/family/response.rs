@@ -5,13 +5,16 @@ use dashpot_core::Input;
 use dashpot_core::family::Family;
 use dashpot_core::input::Path;
 
-/// Parts of a sample while the valve moves. A time step uses the setting at its end, so a moving valve leads slower
-/// states by half a step. With steps of a whole sample, 1 ms, an identified lag was 0.3 ms too long.
+/// Number of simulation steps for each sample while the valve moves. A time step uses the setting at its end, so a
+/// moving valve leads slower states by half a step. With steps of a whole sample, 1 ms, an identified lag was 0.3 ms
+/// too long.
 const PARTS: u32 = 4;
-/// Change of the valve's position within a sample, as a fraction of the grid's range, above which the valve counts as moving.
+/// Change of the valve's position within a sample, as a fraction of the grid's range, above which the valve counts as
+/// moving.
 const MOVING: f64 = 1e-3;
 
-/// Computes the forces and the valve's positions at the samples of a segment. The simulation begins at the equilibrium of the first sample.
+/// Computes the forces and the valve's positions at the samples of a segment. The simulation begins at the equilibrium
+/// of the first sample.
 pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
     run_commanded(family, segment, segment.setting.as_deref())
 }

@@ -1,9 +1,10 @@
 //! The search for the most probable family.
 //!
 //! Each setting is first searched as an ordinary damper. Each structure from these searches gives a start in which
-//! every parameter varies. Parameters that do not depend on the setting are then shared. From each start, a move makes
-//! one parameter vary or shared, removes an effect, or adds an effect from the search of a setting. Moves end when the
-//! log posterior no longer rises. The result is the most probable family at the end of the moves.
+//! every parameter varies with the setting if possible. Parameters that do not depend on the setting are then shared.
+//! From each start, a move makes one parameter vary or shared, removes an effect, or adds an effect from the search of
+//! a setting. Moves end when the log posterior no longer rises. The result is the most probable family at the end of
+//! the moves.
 
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
@@ -21,20 +22,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
-/// Largest decrease of the predicted log posterior, relative to the current one, at which the family is refitted.
+/// Largest deficit of the predicted log posterior, relative to the current one, at which a predicted family is
+/// refitted.
 const PREDICTED: f64 = 3.0;
 /// Largest number of predicted families that are refitted in each iteration.
 const REFITTED: usize = 3;
-/// Largest difference between a setting's best log posterior and that of a structure at which its effect is tried in
-/// the family.
+/// Largest deficit of log posterior, relative to the best structure of a setting, at which the family search tries a
+/// structure's effect.
 const ASKED_FOR: f64 = 15.0;
 /// Largest number of effects that are tried in addition to those of the best structures.
 const EFFECTS: usize = 16;
 /// Largest number of moves.
 const MOVES: usize = 24;
 
-/// Number of moves after which the search is usually half done. It only scales the displayed progress, because the number
-/// of moves is unknown in advance.
+/// Number of moves after which the search is usually half done. It only scales the displayed progress, because the
+/// number of moves is unknown in advance.
 const USUAL_MOVES: usize = 8;
 
 /// Dependence of a quantity on the setting, with the log odds of the dependence.
@@ -45,12 +47,12 @@ pub struct Dependence {
     /// Whether the quantity varies in the most probable family.
     pub varies: bool,
     /// Log posterior of the family in which the quantity varies, minus that of the family in which it is shared. The
-    /// smaller of the two is a first-order estimate.
+    /// log posterior of the family that the search did not choose is a first-order estimate.
     pub log_odds: f64,
 }
 
-/// Searches for the most probable family. `found` contains the search of each setting alone. Returns `None` if no start gives a finite
-/// force.
+/// Searches for the most probable family. `found` contains the search of each setting alone. Returns `None` if no start
+/// gives a finite force.
 pub fn search_family(
     settings: &[SettingTests],
     found: &[StructureSearch],
@@ -81,8 +83,8 @@ pub fn search_family(
     Some(likelier_at_rest(best, settings))
 }
 
-/// Returns the family with the more probable of the two forms of the FV curve at rest, which have the same number of
-/// parameters.
+/// Returns the family with the more probable of the two forms of the FV curve at rest. Both forms have the same number
+/// of parameters, so the smaller χ² decides.
 fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
@@ -95,7 +97,7 @@ fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilySt
     }
 }
 
-/// Makes moves as long as the posterior rises.
+/// Makes moves as long as the log posterior rises, but at most [`MOVES`].
 fn climb(
     start: FamilyStructure,
     settings: &[SettingTests],
@@ -118,7 +120,8 @@ fn climb(
     best
 }
 
-/// Shares, in one step, all parameters for which the prediction shows a higher posterior if they are shared.
+/// Shares, in one step, all parameters for which the prediction shows a higher log posterior if they are shared. The FV
+/// curve stays separate at each setting.
 fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let varying = start.varying();
     let linear = Linearization::new(&start, settings);
@@ -205,7 +208,8 @@ fn better(from: &FamilyStructure, among: Vec<FamilyStructure>) -> Option<FamilyS
     (best.log_posterior > from.log_posterior + RISE).then_some(best)
 }
 
-/// Returns structures of single settings with effects to try in the family, in order of decreasing gain.
+/// Returns structures of single settings with effects to try in the family. Structures with a higher log posterior,
+/// relative to the best structure of their setting, come first.
 fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     let mut by_form: BTreeMap<Form, (f64, &Structure)> = BTreeMap::new();
     let mut note = |form: Form, gain: f64, structure| {

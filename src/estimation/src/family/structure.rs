@@ -56,8 +56,8 @@ pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> 
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
 }
 
-/// Computes the reduction of the cost of parameters that are better known for this damper than for other dampers. A
-/// varying parameter counts once for each setting.
+/// Computes by how much known facts about this damper reduce the cost of its free parameters, in log odds. A varying
+/// parameter counts once for each setting.
 fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
     let FamilyHypothesis { template, varies, .. } = hypothesis;
     let scale = Scale::from_params(&template.base);

@@ -17,15 +17,15 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Smallest ratio of the speeds of a knee's point and of any other point. The points that the search of a setting adds are at
-/// least a factor of 1.13 from their neighbors there. Points of other settings closer than half of that show the same
-/// knee, and would have too few samples between them.
+/// Smallest ratio of the speeds of a knee's point and of any other point. The points that the search of a setting adds
+/// are at least a factor of 1.13 from their neighbors at that setting. Points of other settings closer than about half
+/// of that show the same knee, and would have too few samples between them.
 const APART: f64 = 1.06;
 
 /// Returns the velocities of the FV table that all settings share.
 ///
 /// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
-/// the first alone, a knee that moves over the setting is rounded off.
+/// the velocities of the tests alone, a knee that moves with the setting is rounded off.
 fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
     let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
     let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());
@@ -78,8 +78,9 @@ pub fn varying_family(
     Some((FamilyHypothesis { template, varies, starts: starts? }, from.components.clone()))
 }
 
-/// Adds one effect to the family from a structure of one setting. All settings share the parameters of the effect. With
-/// `varies`, each setting has separate parameters where possible.
+/// Adds one effect to the family from a structure of one setting. Without `varies`, all settings share the parameters
+/// of the effect. With `varies`, each setting has separate parameters where possible. Returns `None` if the structure
+/// lacks the effect, or if `varies` is true but no parameter of the effect can vary.
 pub fn with_effect(
     family: &FamilyStructure,
     source: &Structure,

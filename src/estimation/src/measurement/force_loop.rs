@@ -1,7 +1,7 @@
 //! Hysteresis of a load cell: a rate-independent loop over the force.
 
-/// Adds `share` of the force while the force rises and subtracts it while the force falls. After a reversal of the
-/// force, the sign changes exponentially over a force of `width`, N.
+/// Adds `share` of the absolute force while the force rises and subtracts it while the force falls. After a reversal of
+/// the force, the sign changes exponentially over a force of `width`, N.
 pub(super) fn loop_over_force(share: f64, width: f64, forces: &mut [f64]) {
     let (mut way, mut last) = (0.0, forces.first().copied().unwrap_or(0.0));
     for force in forces {

@@ -28,7 +28,7 @@ pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], force
     }
 }
 
-/// Computes the mean of the forces on both sides of each reversal of the motion.
+/// Computes the mean of the forces on both sides of each reversal of the motion, or 0 without a reversal.
 fn at_rest(inputs: &[Input], forces: &[f64]) -> f64 {
     let turns = inputs.windows(2).zip(forces.windows(2)).filter(|(i, _)| i[0].velocity * i[1].velocity <= 0.0);
     let (sum, count) = turns.fold((0.0, 0.0), |(sum, count), (_, f)| (sum + 0.5 * (f[0] + f[1]), count + 1.0));

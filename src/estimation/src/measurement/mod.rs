@@ -1,6 +1,7 @@
-//! Measurement errors that the rig adds to a record: skew between channels, load-cell zero, drift.
+//! Measurement errors that the rig adds to a record, for example skew between channels, a load-cell zero, drift.
 //!
-//! The comparison of forces corrects these errors. The model of the damper does not contain them.
+//! For the comparison with the record, these errors are added to the computed forces. The model of the damper does not
+//! contain them.
 
 mod force_loop;
 mod guide;
@@ -19,25 +20,26 @@ pub use low_pass::low_pass;
 pub use motion::{earlier, finer};
 use resonance::resonance;
 
-/// A measurement error of the rig.
+/// Measurement error of the rig. Each variant states the parameter of the error and its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Artefact {
-    /// The force channel lags the motion channels, s.
+    /// Lag of the force channel relative to the motion channels, s.
     Delay,
-    /// A low-pass filter delays the force channel by this time, s.
+    /// Delay by a low-pass filter of the force channel, s.
     LowPass,
-    /// A mass between load cell and damper moves with the damper's end, kg.
+    /// Mass between load cell and damper that moves with the damper's end, kg.
     Mass,
-    /// The gain of the load cell drifts with the campaign's clock, 1/s.
+    /// Drift of the load cell's gain with the campaign's clock, 1/s.
     GainDrift,
-    /// The reading of the load cell without load differs from zero, N.
+    /// Reading of the load cell without load, N.
     Offset,
-    /// The zero changed by a step, N, at this time on the campaign's clock, s, because it was set again.
+    /// Step of the load cell's zero, N, because it was set again. The number of the variant is the time of the step on
+    /// the campaign's clock, s.
     Step(u32),
-    /// The zero of the load cell drifts with the campaign's clock, N/s.
+    /// Drift of the load cell's zero with the campaign's clock, N/s.
     Drift,
-    /// The zero drifts exponentially by a total drift, N, while the rig warms up. This is the time constant on the
-    /// campaign's clock, s.
+    /// Total drift of the load cell's zero, N, which grows exponentially while the rig warms up. The number of the
+    /// variant is the time constant on the campaign's clock, s.
     WarmUp(u32),
     /// Friction as a fraction of the force, for example because a tilted cross-head loads the guides.
     Guide(Load),
@@ -45,17 +47,20 @@ pub enum Artefact {
     GuideAlong(Load),
     /// Rate-independent hysteresis of the load cell, as a fraction of the force.
     ///
-    /// After a reversal, the sign of the added force changes over this force range, N.
+    /// The number of the variant is the force range, N, over which the sign of the added force changes after a
+    /// reversal.
     Loop(u32),
-    /// A resonance at this frequency, Hz, in phase with the force, as a fraction of the force.
+    /// Fraction of the force that a resonance adds in phase with the force. The number of the variant is the frequency
+    /// of the resonance, Hz.
     Ring(u32),
-    /// A resonance at this frequency, Hz, in quadrature with the force: in phase with the rate of the force, and a
-    /// fraction of that rate.
+    /// Fraction of the force that a resonance adds in quadrature with the force, in phase with its rate. The number of
+    /// the variant is the frequency of the resonance, Hz.
     RingAcross(u32),
 }
 
 impl Artefact {
-    /// Returns the name of the error in the vocabulary. Only fits search for a gain drift.
+    /// Returns the name of the error. All names except `gain_drift`, for which only fits search, are in the vocabulary
+    /// of the diagnosis.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
@@ -111,7 +116,8 @@ impl Artefact {
         (if matches!(self, Artefact::LowPass | Artefact::Mass) { 0.0 } else { -most }, most)
     }
 
-    /// Returns the position between the damper and the record: mechanical parts, then the load cell, then its gain, then its zero.
+    /// Returns the position of the error between the damper and the record. The order is mechanical parts, load cell,
+    /// gain, zero, delay.
     pub fn position_in_channel(self) -> u8 {
         match self {
             Artefact::Mass | Artefact::Guide(_) | Artefact::GuideAlong(_) => 0,

@@ -37,7 +37,7 @@ pub fn earlier(segment: &Segment, tau: f64) -> Segment {
     delayed
 }
 
-/// Returns the segment with `parts` times the number of samples.
+/// Returns the segment with each step divided into `parts` equal steps.
 pub fn finer(segment: &Segment, parts: usize) -> Segment {
     let mut fine = segment.clone();
     (fine.dt, fine.input) = (Vec::new(), Vec::new());
@@ -64,7 +64,8 @@ pub fn finer(segment: &Segment, parts: usize) -> Segment {
 }
 
 /// Interpolates displacement and velocity at a time `ahead` after a sample. The next sample is `h` later. Between the
-/// samples, the curve is a Hermite cubic. Outside, it is a straight line.
+/// samples, the displacement is a Hermite cubic. Outside, it is a straight line. Without a displacement, the velocity
+/// is linear between the samples and constant outside.
 fn between(before: &Input, after: &Input, h: f64, ahead: f64) -> (Option<f64>, f64) {
     let (Some(x0), Some(x1)) = (before.displacement, after.displacement) else {
         let share = (ahead / h).clamp(0.0, 1.0);

@@ -1,6 +1,6 @@
 //! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F, exact for a force that is linear between samples.
 
-/// A filter of the second order.
+/// Filter of the second order.
 pub(super) struct SecondOrder {
     /// Natural frequency, rad/s.
     pub omega: f64,
@@ -13,8 +13,8 @@ pub(super) struct SecondOrder {
 const ALIKE: f64 = 1e-9;
 
 impl SecondOrder {
-    /// Filters the forces and calls `then` for each sample. Its arguments are the force, the filter's output and the
-    /// rate of the output.
+    /// Filters the forces and calls `then` for each sample after the first. The arguments of `then` are the force, the
+    /// filter's output and the rate of the output.
     pub fn follow(&self, dt: &[f64], forces: &mut [f64], mut then: impl FnMut(&mut f64, f64, f64)) {
         let SecondOrder { omega, damping } = *self;
         let (falls, turns) = (damping * omega, omega * (1.0 - damping * damping).sqrt());

@@ -11,7 +11,8 @@ const FORM: f64 = 0.002;
 /// force jumps, and this fraction of the samples is on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 
-/// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant.
+/// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant. `noise` is the
+/// variance of a sample, `top` the largest force.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
@@ -31,7 +32,8 @@ pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
 }
 
-/// Computes the allowed errors, N; `beside(i, k)` is the index of neighbor k of sample i, from 0 (two before) to 4 (two after).
+/// Computes the allowed errors, N; `beside(i, k)` is the index of neighbor k of sample i, from 0 (two before) to 4 (two
+/// after).
 fn allowed(
     segment: &Segment,
     noise: f64,

@@ -1,4 +1,5 @@
-//! A test whose setting changes: short steps of the model during the response of the valve to a command, long steps otherwise.
+//! A test whose setting changes: short steps of the model during the response of the valve to a command, long steps
+//! otherwise.
 
 use super::Test;
 use super::road::ROAD;
@@ -8,17 +9,17 @@ use dashpot_core::Input;
 use dashpot_records::smoothing::Motion;
 use dashpot_records::{Record, SettingPattern, SettingSignal};
 
-/// Largest step of the model at constant command, s: the internal state still changes between two steps.
+/// Largest step of the model at constant command, s. A longer step would not resolve changes of the internal state.
 const STEP: f64 = 2e-3;
 /// Largest step of the model during the response of the valve to a command, s: a fraction of the response time.
 const ANSWER_STEP: f64 = 5e-4;
 /// Longest response of a valve to a change of its command, s.
 const ANSWER: f64 = 0.3;
-/// Stride of the scored samples after the response of the valve.
+/// Stride, in steps, of the scored samples outside the responses of the valve.
 const SCORED: usize = 5;
 /// Largest number of steps of a test. A record with more samples has longer steps.
 const MOST: usize = 40_000;
-/// Ratio of the number of samples to the length of the lead-in.
+/// Ratio of the number of steps of a test to the number of steps of its lead-in.
 const LEAD: usize = 20;
 
 /// Selects the samples that become steps of the model. A flag marks samples during the response of the valve to a

@@ -18,7 +18,8 @@ const WINDOW: f64 = 1.0 / 400.0;
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
     let ahead = (mean - motion.displacement[index]) / motion.velocity[index];
-    // Near the crossing, the displacement is almost linear. If the computed time is further away, it is not a crossing.
+    // Near the crossing, the displacement is almost linear. A computed time that is more than two samples away is not a
+    // crossing.
     if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
 }
 
@@ -29,7 +30,7 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     let right = restrict(time.partition_point(|x| *x <= t), 1, n - 1);
     let first = right.saturating_sub(2).min(n.saturating_sub(4));
     let around = first..(first + 4).min(n);
-    // The cubic has Lagrange's form. Beyond the ends, the last value applies.
+    // The cubic has Lagrange's form. Beyond the ends of the record, the value at the nearest end applies.
     let t = restrict(t, time[0], time[n - 1]);
     around
         .clone()
@@ -104,7 +105,7 @@ pub fn mean_cycle(place: usize, record: &Record, motion: &Motion, cycles: &[Rang
     };
     let phases = phases(time, cycles, &bounds, in_cycle.min(PER_CYCLE));
     let count = phases.len();
-    // If a jump separates the samples of another cycle, use only the sample of the middle cycle.
+    // If the force of any cycle jumps at a phase, use only the sample of the middle cycle.
     let (from, to) = bounds[bounds.len() / 2];
     let alone: Vec<bool> =
         phases.iter().map(|phase| bounds.iter().any(|(a, b)| across_a_jump(record, a + phase * (b - a)))).collect();

@@ -1,7 +1,7 @@
-//! Samples for a diagnosis: the mean cycle of every test, and its accuracy under noise.
+//! Samples of the tests for a fit or a diagnosis: as a rule the mean cycle of a test, and its accuracy under noise.
 //!
-//! Averaging over cycles at equal phase removes most of the noise and preserves the damper's force. A long test is first cut into a few
-//! stretches, so that slow changes (heating, drift) stay visible from stretch to stretch.
+//! Averaging over cycles at equal phase removes most of the noise and preserves the damper's force. A long test is
+//! first cut into a few stretches, so that slow changes (heating, drift) stay visible from stretch to stretch.
 
 mod allowed;
 mod changing;
@@ -36,7 +36,7 @@ const MOST_STRETCHES: usize = 4;
 pub struct Test {
     /// Index of the test's record in the given list.
     pub record: usize,
-    /// Motion and mean measured force; `scale` is the typical allowed error.
+    /// Motion and mean measured force. [`Segment::scale`] is the typical allowed error.
     pub segment: Segment,
     /// Allowed error of every scored sample, N: noise of the mean, form, timing.
     pub allowed: Vec<f64>,
@@ -91,7 +91,8 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
-/// Makes the tests of a record: at most `most` stretches of its cycles, or a road in the given extent.
+/// Makes the tests of a record. These are at most `most` stretches of its cycles, a road in the given extent, or one
+/// test with a changing setting.
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {
     let motion = smooth(record);
     let cycles = record.cycles.len();

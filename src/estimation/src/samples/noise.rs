@@ -1,5 +1,5 @@
-//! Noise of the compared samples. It comes from the differences of cycles, for any noise spectrum, or from the estimate
-//! in the record.
+//! Noise of the samples that are compared with the model. It comes from the differences of cycles, for any noise
+//! spectrum, or from the estimate in the record.
 
 use dashpot_records::restrict;
 
@@ -21,6 +21,7 @@ pub struct Repeat {
 }
 
 /// Computes the statistics from the deviations of cycles from their mean at equal phase, for any noise spectrum.
+/// Returns `None` for too few cycles or samples, and without deviations.
 pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
     let count = mean.len();
     if bounds.len() < REPEATS || count < 16 {
@@ -58,7 +59,8 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     })
 }
 
-/// Computes the growth of the force from cycle to cycle in standard deviations, from each cycle's gain relative to the mean cycle.
+/// Computes the growth of the force from cycle to cycle in standard deviations, from each cycle's gain relative to the
+/// mean cycle.
 fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 {
     let middle = mean.iter().map(|m| m.1).sum::<f64>() / mean.len() as f64;
     let shape: Vec<f64> = mean.iter().map(|m| m.1 - middle).collect();

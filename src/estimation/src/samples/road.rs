@@ -11,7 +11,8 @@ use dashpot_records::smoothing::Motion;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Largest step of the model, s: the internal state still changes between two scored samples.
+/// Largest step of the model, s. A longer step would not resolve changes of the internal state between two scored
+/// samples.
 const STEP: f64 = 2e-3;
 /// Largest number of steps of a road that is simulated whole. A record with more samples has longer steps.
 const MOST: usize = 40_000;
@@ -22,7 +23,8 @@ const STRETCH: usize = 150;
 /// Number of samples of the lead-in of a stretch. An internal state with a time constant above 0.2 s keeps its initial
 /// error. Such slow states belong to temperature and gas, which are inputs.
 const LEAD: usize = 100;
-/// Numbers of cells of displacement and of velocity over the range of the road: an end stop has a separate cell.
+/// Numbers of cells of displacement and of velocity over the range of the road: the displacements at an end stop have
+/// separate cells.
 const CELLS: f64 = 10.0;
 /// Number of tests that a record without cycles represents, because it has the amplitudes and speeds of several sines.
 pub const ROAD: f64 = 4.0;
@@ -77,7 +79,7 @@ pub fn shortened(tests: &[Test]) -> Option<Shortened> {
     Some(Shortened { roads: cut.len(), stretches, seconds })
 }
 
-/// A road at the steps of the model.
+/// Record without cycles, sampled at the steps of the model.
 struct Road<'a> {
     place: usize,
     record: &'a Record,

@@ -16,7 +16,7 @@ pub fn input_at(record: &Record, motion: &Motion, sample: usize) -> Input {
     }
 }
 
-/// Samples that become steps of the model.
+/// Samples of a record that become steps of the model.
 pub struct Sampling<'a> {
     /// Sample indices of the record.
     pub picks: &'a [usize],
@@ -31,7 +31,8 @@ pub struct Sampling<'a> {
 }
 
 impl Sampling<'_> {
-    /// Makes the test. `setting` is the command of each step if it changes; `is_scored` is called for each step after the lead-in.
+    /// Makes the test. `setting` is the command of each step if it changes; `is_scored` is called for each step after
+    /// the lead-in.
     pub fn test(
         &self,
         place: usize,

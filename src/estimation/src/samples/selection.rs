@@ -1,4 +1,4 @@
-//! Selects the tests of a very large campaign that a fit uses.
+//! Selection of the tests of a very large campaign that a fit uses.
 //!
 //! Every test costs about the same time. Beyond a few hundred tests, further tests rarely contain a new motion, so a
 //! selection represents all of them. The selection includes every kind of motion in turn, and covers the whole order of
@@ -30,7 +30,7 @@ const SETTINGS: f64 = 4.0;
 /// Kind of motion of a test.
 ///
 /// It consists of the bins of amplitude, peak velocity, mean displacement, temperature and side force, and a flag for a
-/// test with cycles. For a changing setting, it also contains a flag for steps, and the lowest and highest value.
+/// test without cycles. For a changing setting, it also contains a flag for steps, and the lowest and highest value.
 type Kind = (i64, i64, i64, i64, i64, bool, Option<(bool, i64, i64)>);
 
 /// Ranges of the campaign that are divided into bins.
@@ -49,7 +49,7 @@ fn bin(channel: Option<&Vec<f64>>, width: f64) -> i64 {
     channel.filter(|c| !c.is_empty()).map_or(0, |c| (c.iter().sum::<f64>() / c.len() as f64 / width).round() as i64)
 }
 
-/// Returns the bin of a value in a range with `bins` bins.
+/// Returns the bin of a value in a range with `bins` bins. A range below `least` counts as `least`.
 fn bin_of_range(value: f64, (low, high): (f64, f64), bins: f64, least: f64) -> i64 {
     (bins * (value - low) / (high - low).max(least)).round() as i64
 }
@@ -130,8 +130,8 @@ pub fn most_at_setting(settings: usize) -> usize {
     2 * MOST_TESTS / settings.max(1)
 }
 
-/// Largest number of tests with a changing setting for the identification of an actuator: each test is simulated sample
-/// by sample over its full length.
+/// Largest number of tests with a changing setting for the identification of an actuator. Each test is simulated over
+/// its full length, with short steps during the responses of the valve.
 pub const MOST_CHANGING: usize = 24;
 
 #[cfg(test)]

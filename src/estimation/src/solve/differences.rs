@@ -8,8 +8,8 @@ const STEP: f64 = 6e-6;
 /// Smallest assumed magnitude of a parameter, so that a parameter of zero also has a step.
 const SMALLEST: f64 = 1e-3;
 
-/// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model is invalid on one
-/// side.
+/// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model
+/// is invalid on one side. Returns `None` if both sides are invalid.
 pub(super) fn central(
     problem: &dyn Problem,
     block: usize,

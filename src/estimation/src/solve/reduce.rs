@@ -1,4 +1,4 @@
-//! Reduces a linear least-squares problem to an equivalent problem with one row per parameter.
+//! Reduction of a linear least-squares problem to an equivalent problem with one row per parameter.
 
 use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
@@ -13,7 +13,7 @@ const APART: f64 = 1e-4;
 ///
 /// The factor is the Cholesky factor of the normal equations, because a matrix product is several times faster than
 /// reflections. For nearly dependent columns, Cholesky would lose half of the digits, so the method is Householder QR
-/// factorization.
+/// factorization. A problem without surplus rows is returned unchanged.
 pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let n = jacobian.ncols();
     if jacobian.nrows() <= n {

@@ -1,8 +1,8 @@
 //! Structures that remain probable in addition to the most probable one, and the wider intervals that they imply.
 //!
 //! An interval within one structure ignores the other structures. For example, a linear spring parallel to a gas column
-//! has a probability of a tenth. A structure with the gas column alone assigns the stiffness of both to the column.
-//! Therefore, the interval of a parameter is that of the average over the alternatives, weighted with their
+//! may have a probability of a tenth. A structure with the gas column alone then assigns the stiffness of both to the
+//! column. Therefore, the interval of a parameter is that of the average over the alternatives, weighted with their
 //! probabilities (Hoeting et al., Bayesian Model Averaging, Stat. Sci. 14, 1999).
 
 use super::context::Structure;
@@ -12,8 +12,8 @@ use crate::refit::Effort;
 use crate::samples::Test;
 use rayon::prelude::*;
 
-/// Smallest probability at which an alternative is included, if it and the best structure are the only candidates. Below
-/// it, a 95 % interval may omit the alternative.
+/// Smallest probability at which an alternative is included. The probability assumes that the alternative and the best
+/// structure are the only candidates. Below it, a 95 % interval may omit the alternative.
 const LEAST: f64 = 0.05;
 /// Largest number of alternatives. Each alternative costs a refit, and further alternatives are even less probable.
 /// With 3, other forms of the effects use up the number, and a spring parallel to a gas column is lost (system test
@@ -33,11 +33,12 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
 
-/// Returns structures that differ from `best` by one added, removed or exchanged effect, refitted and most probable
-/// first.
+/// Returns the probable structures that differ from `best` by one added, removed or exchanged effect. They are
+/// refitted, and the most probable structure is first.
 ///
-/// Each is so probable that a 95 % interval must include it. `best` is the most probable structure of the search, or
-/// that structure without some effects. In the second case, the most probable structure is an alternative.
+/// Each has a probability of at least 5 % relative to `best`, so that a 95 % interval must include it. `best` is the
+/// most probable structure of the search, or that structure without some effects. In the second case, the most probable
+/// structure is an alternative.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
     // Refit `best` with the effort of the alternatives: a more accurate integration changes the log posterior by units.
     let judged = best.refitted(tests, Effort::JUDGE);
@@ -90,7 +91,7 @@ const HALVES: usize = 30;
 pub struct Part {
     /// Weight relative to the other structures.
     pub weight: f64,
-    /// Value.
+    /// Value of the parameter in the structure.
     pub value: f64,
     /// Ends of the interval within this structure.
     pub ends: [f64; 2],
@@ -110,7 +111,7 @@ impl Part {
 }
 
 /// Computes the ends of a parameter's 95 % interval over several structures. The interval contains the interval of the
-/// first structure, so alternatives never make it narrower.
+/// first structure, so alternatives never make it narrower. Returns `None` if `parts` is empty.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);
@@ -159,8 +160,8 @@ mod tests {
         assert_eq!(mixed_interval(&[part(1.0, 3.0)]), Some([3.0 - DEVIATIONS, 3.0 + DEVIATIONS]));
         // Two equal estimates give the interval of a single estimate.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(0.4, 0.0)]), [-DEVIATIONS, DEVIATIONS]));
-        // A quarter of the weight is around 100. The upper end is at 1.28 deviations, so a tenth of that quarter is
-        // above the interval.
+        // A quarter of the weight is around 100. The upper end is 1.28 deviations above 100, so a tenth of that quarter
+        // is above the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1.0 / 3.0, 100.0)]), [-DEVIATIONS, 101.282]));
         // A structure with negligible weight does not widen the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1e-6, 100.0)]), [-DEVIATIONS, DEVIATIONS]));

@@ -77,7 +77,7 @@ pub fn element_of(free: &Free) -> Option<Element> {
     element.filter(|element| *element != element!("fv_curve"))
 }
 
-/// Returns the count of a free parameter: 0.5 if it is weakly determined, else 1.
+/// Returns as how many parameters a free parameter counts: 0.5 if it is weakly determined, else 1.
 pub fn weight(free: &Free) -> f64 {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,
@@ -134,8 +134,9 @@ impl Component {
         all
     }
 
-    /// Returns whether all forces of the component are zero at `theta`. The structure is then equivalent to the
-    /// structure without the component.
+    /// Returns whether all force parameters of the component are at a lower bound of zero at `theta`. The structure is
+    /// then equivalent to the structure without the component. Returns `false` if the component has no free force
+    /// parameter.
     pub fn is_absent(&self, of: &Hypothesis, theta: &[f64]) -> bool {
         let mut forces = of.numbers.iter().zip(theta).filter(|(number, _)| {
             let Free::Model(Unknown::Linear(force)) = number.free else { return false };

@@ -15,12 +15,12 @@ use crate::unknowns::{CurveName, Unknown};
 use crate::vocabulary::Candidate;
 use dashpot_records::Record;
 
-/// An effect with its form.
+/// Names of an effect and of its form.
 pub type Form = (&'static str, &'static str);
 
 /// Inputs of a structure search.
 pub struct SearchContext<'a> {
-    /// The records.
+    /// The records of the campaign.
     pub records: &'a [&'a Record],
     /// Tests of the records.
     pub tests: &'a [Test],
@@ -30,7 +30,7 @@ pub struct SearchContext<'a> {
     pub changes: &'a [Candidate],
     /// Priors from known facts about this damper.
     pub priors: &'a PriorSet,
-    /// Largest number of effects that may be added.
+    /// Largest number of rare effects that may be added, such as faults. With 0, no effect is added.
     pub most: usize,
     /// Callback for the progress of the search, 0 to 1.
     pub progress: &'a (dyn Fn(f64) + Sync),
@@ -93,7 +93,7 @@ impl Structure {
         key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
-    /// Removes one effect and refits.
+    /// Returns the structure without one effect, refitted. Returns `None` if the model gives no finite force.
     pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
@@ -101,8 +101,8 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Removes one effect and refits. After a few steps, the refit continues only if the log posterior has decreased by
-    /// at most `reach`.
+    /// Returns the structure without one effect, refitted. After a few steps, the refit continues only if the log
+    /// posterior has decreased by at most `reach`.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {
@@ -126,7 +126,8 @@ impl Structure {
         Structure::fit(self.hypothesis.clone(), self.components.clone(), tests, effort)
     }
 
-    /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough.
+    /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough. The refit also
+    /// tries the other form of the curve at rest, and restarts an implausible series element.
     pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
         let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
             return self.clone();

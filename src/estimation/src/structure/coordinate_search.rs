@@ -10,9 +10,9 @@ use crate::refit::{Refit, chi2, prior_cost};
 use dashpot_records::restrict;
 use std::ops::Range;
 
-/// Step sizes relative to the typical step of a parameter.
+/// Step sizes of the successive sweeps, relative to the typical step of a parameter.
 const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
-/// Largest number of model evaluations.
+/// Number of model evaluations after which no further sweep over the parameters begins.
 const RUNS: usize = 60;
 
 /// Returns the parameters that minimize the cost of `residual`. Only the parameters at `places` change.

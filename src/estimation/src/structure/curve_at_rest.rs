@@ -1,5 +1,4 @@
-//! Selects the form of the FV curve at rest: smooth with a single derivative, or a kink with one derivative on each
-//! side.
+//! The two forms of the FV curve at rest: smooth with a single derivative, or a kink with one derivative on each side.
 //!
 //! Rebound and compression of a damper have different valves, so its curve has a kink. A model from another source may
 //! be smooth at rest. Both forms have the same parameters, so the form with the smaller residual is more probable.
@@ -22,8 +21,8 @@ pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     Some(params)
 }
 
-/// Returns the hypothesis with the other form of its FV curve at rest. Returns `None` if the curve is not fitted, for
-/// example for a reference.
+/// Returns the hypothesis with the other form of its FV curve at rest. Returns `None` if the curve is piecewise linear.
+/// Also returns `None` if the curve has no free points, for example because it is that of a reference.
 pub fn with_other_form(of: &Hypothesis) -> Option<Hypothesis> {
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     of.numbers.iter().find(|number| is_point(&number.free))?;

@@ -1,4 +1,4 @@
-//! Refinement of an FV curve if a dozen points for each stroke do not resolve the valves.
+//! Refinement of an FV curve whose dozen points for each stroke do not resolve the valves.
 //!
 //! The error of a coarse curve must not count as a missing effect.
 

@@ -5,9 +5,9 @@
 //! square of a test's form error therefore counts as [`OBSERVATIONS`] observations. The form errors are exponentially
 //! distributed with a scale that all tests share and that is estimated with the structure. The likelihood is this scale
 //! to the power of minus the number of observations. With a sum of squares, the worst test alone would determine the
-//! result. With a sum of logarithms, one test could have any error. Below [`FORM`], a smaller residual has no further
-//! effect. Each free parameter costs half the logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a
-//! rare value costs its negative log prior.
+//! result. With a sum of logarithms, one test could have any error. A residual below the noise has no further effect,
+//! and [`FORM`] limits the gain close to the noise. Each free parameter costs half the logarithm of the number of tests
+//! (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
@@ -18,7 +18,7 @@ use crate::samples::Test;
 use crate::scale::Scale;
 use nalgebra::DVector;
 
-/// Mean square of the form error, in units of noise and curve discretization, below which a model counts as exact. With
+/// Mean square form error that every test is assumed to have at least, in units of noise and curve discretization. With
 /// a smaller value, reports contain effects that explain only the discretization of the FV curve. With a larger value,
 /// effects below the noise are lost.
 const FORM: f64 = 0.3;

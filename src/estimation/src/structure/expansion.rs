@@ -33,12 +33,13 @@ pub struct Trial {
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects and their visibility: the squared norm, in σ², of the part of the response that the rest of the model
-    /// cannot reproduce.
+    /// Effects and their visibility. This is the squared norm, in σ², of the part of an effect's response that the
+    /// other parameters of the model cannot reproduce.
     pub visible: Vec<(&'static str, f64)>,
 }
 
-/// Expands a structure. Returns `None` if the model gives no finite force.
+/// Refits structures with one more effect than `from`, within a budget. Only candidates for which `is_tried` is true
+/// are tried. Returns `None` if the model gives no finite force.
 pub fn expand(
     context: &SearchContext,
     from: &Structure,
@@ -133,7 +134,7 @@ pub fn expand(
 }
 
 /// Selects the starts to refit by first-order gain: the best starts of every form, then the best of all forms up to the
-/// budget. The first start of every effect is always included, because the first-order gain is too small for effects
+/// budget. The best start of every effect is always included, because the first-order gain is too small for effects
 /// that act only beyond a threshold.
 fn choose(screened: &[Screened], list: &[Candidate], budget: Budget) -> Vec<usize> {
     let mut order: Vec<usize> = (0..screened.len()).collect();

@@ -1,4 +1,5 @@
-//! Extends a hypothesis by one effect: enables its elements, frees its parameters and applies one of its starts.
+//! Extension of a hypothesis by one effect: elements of the effect are enabled, its parameters are made free, and one
+//! of its starts is applied.
 
 use crate::hypothesis::{Free, Hypothesis, Number, number};
 use crate::scale::Scale;
@@ -58,8 +59,9 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     }
 }
 
-/// Prior standard deviation of a change of a parameter, in steps of the parameter. [`CURVE`] is that of a part of the
-/// FV curve, as a fraction.
+/// Ratio of the prior standard deviation of a parameter's change from a reference to that of the parameter itself. The
+/// latter counts at most as two steps of the parameter. [`CURVE`] is the prior standard deviation of the relative
+/// change of a part of the FV curve.
 const CHANGED: f64 = 2.0;
 const CURVE: f64 = 0.4;
 
@@ -101,7 +103,7 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
     }
 }
 
-/// Multiplies a free parameter of the base.
+/// Multiplies the start value of a free parameter of the base by a factor.
 fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     for number in &mut to.numbers {
         let (low, high) = number.bounds;
@@ -145,7 +147,8 @@ fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     }
 }
 
-/// Subtracts a force from the innermost rises of the FV curve, on both strokes.
+/// Subtracts a force from the innermost rises of the FV curve, on both strokes. Each rise keeps at least a tenth of its
+/// value.
 fn level(to: &mut Hypothesis, force: f64) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     for stroke in [1.0, -1.0] {
@@ -159,7 +162,8 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Extrapolates one branch of the FV curve linearly beyond the force up to which the branch counts as correct.
+/// Raises the slope of one FV branch beyond the force `drawn.from` to at least `drawn.steepness` times the slope below
+/// that force.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

@@ -13,14 +13,15 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// Largest decrease of the log posterior, relative to the most probable form after the second stage, at which a form is
+/// Largest deficit of log posterior, relative to the most probable form after the second stage, at which a form is
 /// fully refitted.
 ///
-/// The gain of a full refit is rarely larger.
+/// A full refit rarely gains more.
 const REACH: f64 = 8.0;
 
-/// Rise of the log likelihood above which the search makes a longer refit. Every parameter costs at least 1, so a
-/// smaller rise cannot justify a parameter.
+/// Rise of the log likelihood above which an effect counts as explaining a part of the records. Such effects come first
+/// in every stage, and only they are fully refitted. Every parameter costs at least 1, so a smaller rise cannot justify
+/// a parameter.
 ///
 /// Without this threshold, effects near zero strength would use up the budget, because their prior cost is small.
 const BEGUN: f64 = 0.5;
@@ -47,7 +48,7 @@ impl Rating {
     }
 }
 
-/// A start and the Jacobian at the start.
+/// Start of a refit, with the Jacobian at the start.
 pub struct Entrant {
     /// Index among the screened starts.
     pub screened: usize,

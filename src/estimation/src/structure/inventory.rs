@@ -29,7 +29,9 @@ pub struct InventoryItem {
     pub effect: &'static str,
     /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
-    /// Force of the effect, N rms over all fitted tests: the change of the force if only this effect is removed.
+    /// Force of the effect, N rms over all fitted tests: the change of the force if only this effect is removed. If the
+    /// model without the effect gives no finite force, it is infinite for an effect of the most probable model. It is 0
+    /// for a removed effect.
     pub force_n_rms: f64,
     /// Ratio of that force to the root mean square of the measured force. The JSON key is `share`, because scripts
     /// depend on this name.
@@ -65,7 +67,7 @@ fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
 
-/// Computes the correlation of the forces of two components over all tests.
+/// Computes the correlation of the forces of two components over all tests, without subtraction of their means.
 fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let dot = |x: &[Vec<f64>], y: &[Vec<f64>]| -> f64 {
         x.iter().zip(y).map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>() / x.len().max(1) as f64).sum()
@@ -84,7 +86,8 @@ fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole:
 /// Smallest correlation of the forces of two effects at which one effect counts as the replacement of the other.
 const REPLACES: f64 = 0.5;
 
-/// Makes the inventory of `best` compared with a given model. Without a given model, every effect counts as added.
+/// Makes the inventory of `best` compared with a given model. Without a given model, every effect counts as added. The
+/// inventory is empty if `best` gives no finite force.
 pub fn inventory(
     best: &Structure,
     given: Option<&Structure>,

@@ -8,8 +8,8 @@
 //! | [`evidence`], [`prior_odds`] | probability of the records under a structure; prior probability of the structure |
 //! | [`extend`] | a hypothesis with one more effect |
 //! | [`screening`] | first-order gain of every start of every effect |
-//! | [`halving`] | refits of the promising ones by successive halving |
-//! | [`expansion`] | all structures with one more effect than a given one |
+//! | [`halving`] | refits of the promising starts by successive halving |
+//! | [`expansion`] | all structures with one more effect than a given structure |
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
 //! | [`alternatives`] | structures that the records do not rule out, and the intervals over them |
 //! | [`curve_points`], [`curve_at_rest`], [`series_restart`], [`coordinate_search`], [`nearby`] | methods for the refits |

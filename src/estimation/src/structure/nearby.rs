@@ -13,11 +13,11 @@ use crate::sensitivity::Accuracy;
 use dashpot_core::element;
 use nalgebra::DMatrix;
 
-/// Starting point of an iteration.
+/// Refitted hypothesis at which an iteration begins, with the error of its low-accuracy integration.
 pub struct Nearby<'a> {
     /// Error of the low-accuracy integration at the starting point, weighted.
     off: Residual,
-    /// Accuracy of the integration.
+    /// Accuracy of the low-accuracy integration.
     accuracy: Accuracy,
     /// The derivatives at the starting point.
     jacobian: &'a DMatrix<f64>,

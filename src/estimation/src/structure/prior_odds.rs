@@ -33,7 +33,7 @@ const FREQUENT: [(&str, f64); 11] = [
 ];
 
 /// Frequent changes relative to a reference, with their log odds: adjustments, wear and leaks. Any other parameter
-/// changes rarely.
+/// changes rarely, with the log odds [`CHANGE`].
 const CHANGES: [(&str, f64); 13] = [
     ("fv_curve", -1.0),
     ("gas_force", -0.7),
@@ -58,9 +58,9 @@ fn log_prior_odds_of_change(name: &str) -> f64 {
 
 /// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// In a comparison with a reference, effects of every second damper count as rare. The reference already had them, or
-/// they were too weak for the records. With ordinary odds, such an effect would be reported instead of a changed
-/// parameter of the reference.
+/// In a comparison with a reference, effects that at least every second damper has count as rare. The reference already
+/// had them, or they were too weak for the records. With ordinary odds, such an effect would be reported instead of a
+/// changed parameter of the reference.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
@@ -75,7 +75,8 @@ fn log_prior_odds_of_faults(count: usize) -> f64 {
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that are certain if the parameter on which they depend is known: an oil column, a gas.
+/// Effects that count as common if a prior of this damper states the parameter on which they depend: an oil column, a
+/// gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 

@@ -1,5 +1,5 @@
-//! Screens effects for a refit: computes the reduction of χ² by each effect if the rest of the model adapts to first
-//! order.
+//! Screening of effects for a refit: the reduction of χ² by each effect if the other parameters of the model adapt to
+//! first order.
 //!
 //! The base parameters absorb a part of every effect. Therefore, a candidate's response is evaluated after its
 //! projection onto the orthogonal complement of the base's Jacobian (Frisch & Waugh, Econometrica 1, 1933; Lovell, J.
@@ -89,7 +89,8 @@ pub struct Screened {
     pub moved: bool,
 }
 
-/// Returns the weighted force of a constant measurement error, or `None` for any other candidate.
+/// Returns the weighted force of a measurement error that adds a constant force in each test, or `None` for any other
+/// candidate.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
     let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
@@ -102,7 +103,7 @@ fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> 
 /// response is no longer proportional.
 const FURTHEST: f64 = 3.0;
 
-/// Screens every start of every candidate.
+/// Screens every start of every candidate. Starts at which the model gives no finite force are omitted.
 pub fn screen(
     hypothesis: &Hypothesis,
     at: &Refit,
@@ -145,8 +146,8 @@ pub fn screen(
                     gain = used * (2.0 * left.dot(&response) - used * visible);
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
-                    // Many responses are also proportional to such a parameter. The response at the scaled value tests
-                    // whether the response is proportional here.
+                    // Many responses are also proportional to a parameter whose logarithm is free. The response at the
+                    // scaled value tests whether the response is proportional here.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {

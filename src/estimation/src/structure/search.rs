@@ -16,14 +16,14 @@ use crate::vocabulary::{Candidate, Unnamed};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A row of the table of visited structures.
+/// Result of a visited structure, as a row of the table of a search.
 #[derive(Debug, Clone)]
 pub struct Visited {
     /// Log posterior of the best refit.
     pub log_posterior: f64,
     /// Log prior of the effects and of their parameter values.
     pub log_prior: f64,
-    /// Mean square residual.
+    /// Mean square residual over all tests, relative to noise and curve discretization.
     pub mean_square: f64,
 }
 
@@ -37,7 +37,8 @@ pub struct StructureSearch {
     pub unnamed: Vec<(Unnamed, f64)>,
     /// The last expansion of the best structure.
     pub last: Vec<Trial>,
-    /// Structures in which a competing effect, or another form of the same effect, replaces an effect of the best structure.
+    /// Structures in which a competing effect, or another form of the same effect, replaces an effect of the best
+    /// structure.
     pub rivals: Vec<Trial>,
     /// All screened effects with the squared norm of their response in σ². A small norm means that the records cannot
     /// show the effect.
@@ -198,7 +199,7 @@ impl StructureSearch {
         most_probable(less.iter()).cloned()
     }
 
-    /// Removes effects as long as each removal increases the posterior.
+    /// Removes effects as long as each removal increases the log posterior.
     fn remove_needless(&mut self, context: &SearchContext) {
         while let Some(less) = self.best_removal(context, &self.best.clone()) {
             if less.log_posterior <= self.best.log_posterior {
@@ -208,7 +209,8 @@ impl StructureSearch {
         }
     }
 
-    /// Tries the rivals of every contested effect as its replacement. Returns whether a replacement was better.
+    /// Tries replacements of each effect of the best structure: competing effects, and other forms of the effect.
+    /// Returns whether a replacement was better.
     fn swap(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, done: &mut BTreeSet<Vec<Form>>) -> bool {
         for place in 0..self.best.components.len() {
             if !done.insert(self.best.key_without(place)) {
@@ -265,7 +267,7 @@ impl StructureSearch {
 
 /// Divisors of log evidence and log prior in the probabilities of structures.
 ///
-/// No law has exactly the form of the damper, and the table contains only the best structures. Therefore, the
+/// No model has exactly the form of the damper, and the table contains only the best structures. Therefore, the
 /// likelihood overstates the support of the records for a structure.
 #[derive(Debug, Clone, Copy)]
 pub struct Temperatures {
@@ -280,9 +282,9 @@ impl Temperatures {
     /// of the second laboratory. With 1, named effects are correct less often than their probability states. With 4,
     /// half of the names are lost.
     pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
-    /// Divisors for a comparison with a reference. An error in the form of the laws affects both dampers equally, and a
-    /// change is likely because users compare for a reason. If the prior counted in full, a fifth of the correct names
-    /// would be lost.
+    /// Divisors for a comparison with a reference. An error in the form of the model affects both dampers equally, and
+    /// a change is likely because users compare for a reason. If the prior counted in full, a fifth of the correct
+    /// names would be lost.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
 
     /// Returns the log weight of a structure relative to other structures.

@@ -1,5 +1,5 @@
-//! Restarts a series element with implausible parameters. A fit produces them to compensate for a missing effect, and
-//! they may remain after the effect is added.
+//! Restart of a series element with implausible parameters. A fit produces such parameters to compensate for a missing
+//! effect, and they may remain after the effect is added.
 //!
 //! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity
 //! F/c_s. The fitted curve compensates for the shift. The restart reverses both changes.
@@ -55,8 +55,8 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
     tests.iter().map(of).fold(0.0, f64::max)
 }
 
-/// Restarts the refit from distant series elements and returns the best refit. A local search fails, because the cost
-/// first increases.
+/// Restarts the refit from distant parameters of the series element and returns the best refit. A local search fails,
+/// because the cost first increases.
 pub fn restart_series(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
     let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));

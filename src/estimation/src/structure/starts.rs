@@ -32,7 +32,7 @@ pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
 }
 
 /// Makes models from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and a model
-/// without a series path.
+/// without a series path. Elements for which `may` is false stay disabled.
 pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<StartModel> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);

@@ -8,11 +8,11 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 
-/// Largest ratio of the internal mass to that of the model: two standard deviations of its distribution over dampers.
-/// The mass of a rod does not increase. If records require a larger mass, they contradict the model, and the mass
-/// becomes a separate effect. Without this bound, the parameter would absorb any mass of the rig. With a bound from the
-/// rods of one laboratory, every heavier rod would count as a mass of the rig. There is no lower bound, because a
-/// lighter rod cannot absorb an effect.
+/// Largest ratio of the internal mass to its value in the given model: two standard deviations of its distribution over
+/// dampers. The mass of a rod does not increase. If records require a larger mass, they contradict the model, and the
+/// mass becomes a separate effect. Without this bound, the parameter would absorb any mass of the rig. With a bound
+/// from the rods of one laboratory, every heavier rod would count as a mass of the rig. There is no lower bound,
+/// because a lighter rod cannot absorb an effect.
 const NEAR: f64 = 1.8 * 1.8;
 /// Smallest mass of a car damper, kg, as a bound and as a start. Its inertia force is half a newton at 16.7 Hz and 10
 /// mm, below the noise of a rig. With 0.05 kg, the mass of a massless damper stayed at the bound, and its series spring
@@ -44,8 +44,9 @@ const LISTED: [Element; 8] = [
 /// term.
 const SWITCHED_OFF: f64 = 5.0;
 
-/// Returns parameters of the other elements of the model, such as presliding friction. A fit or an earlier diagnosis
-/// has added these elements. If the parameters were fixed, other effects would absorb their changes.
+/// Returns the parameters of enabled elements that [`LISTED`] does not contain, such as presliding friction. A fit or
+/// an earlier diagnosis has added these elements. If their parameters were fixed, other effects would absorb the errors
+/// of the fixed values.
 fn of_other_elements(base: &Params) -> Vec<Unknown> {
     let scale = Scale::from_params(base);
     let mut all = Vec::new();

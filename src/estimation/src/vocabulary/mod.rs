@@ -33,12 +33,12 @@ pub struct Fresh {
     /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
     /// lower end of 0, all small values are plausible.
     pub plausible: (f64, f64),
-    /// Prior standard deviation of a weakly determined parameter, which stays near its prior and costs half of a free
-    /// parameter. For heat, the deviation of the expected value.
+    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start. The prior of a
+    /// parameter of the model does not depend on it, see [`crate::priors`].
     pub deviation: Option<f64>,
 }
 
-/// Start of a search.
+/// Start of the refit of a candidate.
 #[derive(Debug, Clone)]
 pub struct Start {
     /// Values of the new parameters in physical units, in the order of the parameters.
@@ -113,12 +113,12 @@ pub struct Candidate {
     pub fixed: Vec<(Number, f64)>,
     /// Parameters that the effect makes free.
     pub fresh: Vec<Fresh>,
-    /// Starts of the search.
+    /// Starts of the candidate's refits.
     pub starts: Vec<Start>,
     /// Whether the effect makes the force jump at positions that its parameters determine.
     pub jumps: bool,
     /// Kind of an unnamed error. Such a candidate is never added, but competes with known effects. If the unnamed error
-    /// explains a deviation better, the deviation has no known name.
+    /// explains a deviation better than every known effect, the diagnosis names no effect for it.
     pub unnamed: Option<Unnamed>,
 }
 
@@ -199,7 +199,8 @@ fn above(number: Number, below: Number, plausible: (f64, f64)) -> Fresh {
     fresh(Free::Model(Unknown::Above(number, below)), plausible)
 }
 
-/// Makes a weakly determined parameter near its expected value. `deviation` has the unit of the parameter.
+/// Makes a weakly determined parameter near its expected value. `deviation` has the unit of the parameter; like all
+/// deviations of model parameters, it has no effect on the search.
 fn near(number: Number, plausible: (f64, f64), deviation: f64) -> Fresh {
     Fresh { deviation: Some(deviation), ..linear(number, plausible) }
 }
@@ -219,7 +220,7 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
     a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
 }
 
-/// Returns all effects that could be added in a situation: those of disabled elements, and those of the rig.
+/// Returns all candidates that could be added in a situation: effects of disabled elements, and errors of the rig.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
     // All sizes and starts apply to a car damper. For another damper, the candidates are made for a car damper and then
     // scaled.

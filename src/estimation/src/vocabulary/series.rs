@@ -5,8 +5,8 @@ use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// Energy loss of rubber: the fixed parameter that disables the other loss mechanism, and the free parameter of this
-/// one.
+/// Energy loss of rubber: the fixed parameter that disables the other loss mechanism, and the free parameter of the
+/// chosen mechanism.
 type Loss = ((Number, f64), Fresh);
 
 fn by_time() -> Loss {
@@ -56,7 +56,8 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
                 [2.5e-4, 6e-4, 2e-3]
                     .iter()
                     .flat_map(|d| lasts.map(|t| Start::at(&[*d, 0.3, t])))
-                    // The base has the stiffness at the working deflection; the stiffness at small deflections is lower.
+                    // The base has the stiffness at the working deflection; the stiffness at small deflections is
+                    // lower.
                     .chain(
                         [3e-4, 1e-3].map(|d| Start::moving(&[d, 0.5, lasts[0]], &[(number!("series_stiffness"), 0.6)])),
                     )
@@ -143,7 +144,8 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
 /// which carries only the force of the valves.
 pub const CARRIES_WHOLE: &str = "friction and gas act behind it";
 
-/// Returns whether the damper has forces that such a spring carries in addition to the hydraulic force.
+/// Returns whether the damper has forces that a series spring of the form [`CARRIES_WHOLE`] carries in addition to the
+/// hydraulic force.
 fn carries_more(s: &Situation) -> bool {
     [
         element!("coulomb_friction"),

@@ -9,7 +9,8 @@ const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];
 /// Force ranges over which the hysteresis of a load cell changes its sign after a reversal, N.
 const TURNS_OVER: [u32; 3] = [50, 150, 400];
 
-/// Makes an unnamed error that consists of the given measurement errors.
+/// Makes the candidate for an unnamed measurement error. `artefacts` are its parameters, and `start` contains their
+/// start values.
 fn looks_like(unnamed: Unnamed, artefacts: &[Artefact], start: &[f64]) -> Candidate {
     let numbers = artefacts.iter().map(|a| fresh(Free::Rig(*a), a.bounds())).collect();
     Candidate { unnamed: Some(unnamed), ..of_the_rig(artefacts[0], numbers, vec![Start::at(start)]) }
