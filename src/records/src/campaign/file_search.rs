@@ -121,6 +121,10 @@ impl Search<'_> {
         }
         if own.subfolders {
             for sub in subfolders {
+                // A link to a parent folder would be followed again and again.
+                if !self.seen.insert(std::fs::canonicalize(&sub).unwrap_or_else(|_| sub.clone())) {
+                    continue;
+                }
                 let own = self.options(&sub, Some(own))?;
                 self.folder(&sub, &format!("{within}{}/", file_name(&sub)), &own)?;
             }

@@ -477,6 +477,11 @@ mod tests {
             tests(&folder);
             let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
             assert!(message.contains("sine, tri") && message.contains("--subfolders"), "{message}");
+            // A link to the campaign's own folder adds nothing.
+            #[cfg(unix)]
+            std::os::unix::fs::symlink(folder.path().join("sine"), folder.path().join("tri/again")).unwrap();
+            #[cfg(unix)]
+            std::os::unix::fs::symlink(folder.path(), folder.path().join("tri/slow/above")).unwrap();
             let campaign = load_folder(&folder, &deep).unwrap();
             assert_eq!(names(&campaign), ["sine/a", "sine/b", "tri/slow/a"]);
             let left_out = |n: &&Note| n.kind == "left_out";
