@@ -1,4 +1,4 @@
-//! C sources of an FMU: the sources embedded in the command, and the tables of this model.
+//! C sources of an FMU: the sources embedded in the command, and the data of one model.
 
 use super::scales::Scales;
 use super::variables::{Inputs, Variable};
@@ -19,7 +19,7 @@ macro_rules! bundled {
     };
 }
 
-/// Returns every C source of the FMU.
+/// Returns name and text of the C sources that all FMUs share.
 pub fn bundled() -> Vec<(&'static str, &'static str)> {
     let all = bundled![
         "dashpot.h" from "include",
@@ -62,7 +62,7 @@ pub fn contents(
     (inputs, explicit_step): (Inputs, f64),
     guid: &str,
 ) -> String {
-    // Numbers are written as the bits of a double, because the host's locale affects how C parses decimals.
+    // Numbers are written as the bits of a double, because the locale of the host affects how C parses decimal numbers.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
         "dashpot-fmu 3\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\nsolver {} {}\n",
@@ -85,7 +85,8 @@ pub fn contents(
     out
 }
 
-/// Writes `model_data.c`: contents and models as texts, for a binary of this FMU alone.
+/// Writes `model_data.c`, which contains `contents` and the model files as string constants. A binary compiled with it
+/// serves this FMU only.
 pub fn model_data(contents: &str, texts: &[String]) -> String {
     let mut out = String::from("/* Written by dashpot export. */\n#include \"contents.h\"\n\n");
     let text = |out: &mut String, text: &str| {
@@ -104,7 +105,7 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
     out
 }
 
-/// Script for a simulator team that compiles the FMU for its own target.
+/// Shell script that compiles the FMU for another platform.
 pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 
 /// Explanation of the build script.
