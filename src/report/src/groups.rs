@@ -19,7 +19,7 @@ fn finding(finding: &Finding, words: &Words) -> String {
     words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &fraction(finding.confidence))])
 }
 
-/// Builds the report for people.
+/// Builds the report on all groups.
 pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Words) -> Page {
     let mut first: Vec<Block> = curves(answers, words).map(Block::Wide).into_iter().collect();
     first.push(Block::Table(of_groups(answers, words)));
@@ -85,8 +85,8 @@ const SIZE: [f64; 2] = [880.0, 400.0];
 /// Number of groups with a distinct hue. Further groups are gray.
 const HUES: usize = 8;
 
-/// Draws the FV curves of all groups and of the reference in one figure. They include friction and gas force, over the velocity range of
-/// each group's tests.
+/// Draws the FV curves of all groups and of the reference in one figure. The curves include friction and gas force. Each covers the
+/// velocity range of the group's tests.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
@@ -130,7 +130,7 @@ fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
 }
 
-/// Tests whether the records of a group determine a parameter, so that a comparison with the reference is valid.
+/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
     if diagnosis.reference.is_none() {
         return false;

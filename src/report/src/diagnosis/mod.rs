@@ -13,7 +13,8 @@
 //! | [`tried`] | all tested hypotheses, by iteration |
 //! | [`over_settings`] | one damper diagnosed at several settings |
 //!
-//! The brief print consists of the first five sections and the loops of the worst test.
+//! The brief print consists of the first six rows. From [`loops`], it includes only the worst test, and from
+//! [`limits`], it omits the remarks.
 
 mod answer;
 mod both_curves;
@@ -48,7 +49,7 @@ pub struct DiagnosisReport<'a> {
     pub data: String,
     /// Result of the diagnosis.
     pub found: &'a Diagnosis,
-    /// The records. They contain the motion of each test.
+    /// The records, from which the error matrix uses the motion of each test.
     pub records: &'a [&'a Record],
     /// Remarks on reading: the detected sign, and notes of the cleaning.
     pub reading: Vec<String>,
