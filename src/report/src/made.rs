@@ -29,7 +29,7 @@ pub struct Made {
     pub version: String,
     /// Date given by the user or by `SOURCE_DATE_EPOCH`.
     pub date: Option<String>,
-    /// The command line without the options that name output files.
+    /// The command line without output options, `--date` and `--force`.
     pub command: String,
     /// The input files of the report.
     pub files: Vec<MadeFrom>,
