@@ -117,7 +117,7 @@ fn target_folder(out: &Path) -> Option<PathBuf> {
     Some(if of_a_triple { nearest.parent()? } else { nearest }.to_owned())
 }
 
-/// Returns the sources as one text, in the order and format of runtimes.sh.
+/// Returns the sources of the compiled files as one text, in the order and format of `sources.txt` from runtimes.sh.
 fn sources(project: &Path) -> Vec<u8> {
     let mut files = Vec::new();
     for part in ["core", "abi", "dll"] {

@@ -59,7 +59,7 @@ fn name_of(limit: &Limit) -> String {
     format!("{}, {unit}{at}", limit.name)
 }
 
-/// Formats numbers and verdict of a limit.
+/// Formats the bounds, the values and the verdict of a limit.
 fn row(one: &Checked) -> String {
     let Limit { velocity_m_s, low, high, setting, .. } = &one.limit;
     let (_, factor) = one.limit.quantity.display();

@@ -57,7 +57,7 @@ enum Verb {
 static VERSION: LazyLock<String> =
     LazyLock::new(|| format!("{} (interface version {DASHPOT_ABI_VERSION})", env!("CARGO_PKG_VERSION")));
 
-/// Returns the whole command line.
+/// Returns the definition of the command line: all verbs and options.
 fn command() -> clap::Command {
     Cli::command().version(VERSION.as_str())
 }

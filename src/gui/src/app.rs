@@ -1,4 +1,4 @@
-//! The window: views of a session.
+//! The window, which draws the views of a session.
 
 use crate::dialogs::{Ask, Dialogs, Reply};
 use crate::session::recent::Recent;
@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-/// The window.
+/// The window: an open session, the state of the display, and the dialogs.
 pub struct App {
     /// The open session.
     pub session: Session,

@@ -26,7 +26,7 @@ pub struct CertificateInput<'a> {
     pub curve: &'a [[f64; 2]],
     /// Origin of the results.
     pub made: &'a Made,
-    /// The language.
+    /// Texts in the language of the certificate.
     pub words: &'a Words,
 }
 
@@ -202,7 +202,7 @@ mod tests {
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
-        // The certificate leaves missing metadata blank for handwriting. It does not read the clock.
+        // The certificate leaves missing metadata blank for handwriting, and has no date from the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(

@@ -49,7 +49,7 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     Page { subtitle, sections, made, words }
 }
 
-/// Formats the name of a group. If the group's reference differs from the common reference, the name includes it.
+/// Formats the name of a group. If the group has another reference than the first group, the name includes this reference.
 fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String {
     if answer.reference == answers.reference {
         return answer.group.clone();
@@ -136,7 +136,7 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
         return false;
     }
     match velocity {
-        // A point beyond the velocities of the group's tests is extrapolated.
+        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared.
         Some(v) => {
             diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).any(|of| of * v > 0.0 && of.abs() >= v.abs())
         }

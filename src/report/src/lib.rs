@@ -76,7 +76,7 @@ pub struct ReportInput<'a> {
     pub parameters: Vec<ParameterRow>,
     /// Description of the identification as paragraphs, warnings and tables. The report omits an empty description.
     pub identification: Vec<Block>,
-    /// Further sections, placed before the single tests.
+    /// Further sections, placed after the tables of errors and hysteresis.
     pub extra: Vec<Section>,
     /// The adjustable damper, whose curves come first, or `None` for an ordinary damper.
     pub family: Option<FamilyReport<'a>>,

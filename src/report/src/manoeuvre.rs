@@ -79,7 +79,7 @@ pub struct Figures {
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,
-    /// Every corner.
+    /// Key figures of every corner.
     pub corners: Vec<CornerFigures>,
 }
 
@@ -100,7 +100,7 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 }
 
 impl Covered {
-    /// Takes the loops from records.
+    /// Makes the loops and their region from records.
     pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
@@ -226,7 +226,7 @@ pub struct ManoeuvreInput<'a> {
     pub speed: f64,
     /// Origin of the report.
     pub made: &'a Made,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'a Words,
 }
 

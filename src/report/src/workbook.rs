@@ -24,7 +24,7 @@ pub struct Workbook<'a> {
     pub sections: Vec<Section>,
     /// Origin of the results.
     pub made: Made,
-    /// The language.
+    /// Texts in the language of the workbook.
     pub words: &'a Words,
 }
 

@@ -1,4 +1,4 @@
-//! `dashpot bench`: cost and accuracy of the step.
+//! `dashpot bench`: cost and accuracy of the integration step.
 
 use crate::progress::Progress;
 use anyhow::bail;

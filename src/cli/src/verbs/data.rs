@@ -251,7 +251,7 @@ impl DataArgs {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
-        // Every verb prints the notes that affect the selection of records before its work.
+        // These notes affect the selection of records, so every verb prints them before its results.
         for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));

@@ -1,4 +1,4 @@
-//! Model files from the command line.
+//! Reading of the model files that the command line names.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};

@@ -55,7 +55,8 @@ pub fn start() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Returns whether the command was started from the desktop. In that case Windows created a console for this process alone.
+/// Returns whether the command was started from the desktop. In that case, Windows created a console to which only this process is
+/// attached.
 #[cfg(windows)]
 pub fn was_double_clicked() -> bool {
     let mut processes = [0u32; 2];

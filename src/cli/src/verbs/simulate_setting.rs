@@ -196,7 +196,7 @@ pub fn heading(axis: &Axis) -> String {
     text.chars().map(|letter| if letter.is_alphanumeric() { letter } else { '_' }).collect()
 }
 
-/// Returns the lowest and the highest value.
+/// Returns the lowest and the highest setting of a motion.
 fn range(of: &MotionSetting) -> (f64, f64) {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     of.values.iter().fold(ends, |(low, high), value| (low.min(*value), high.max(*value)))
@@ -294,7 +294,8 @@ mod tests {
             (matches!(found.source, Source::Motion), found.notes.concat())
         };
         assert!(source("current", false, 1.0).0 && source("current", true, 0.4).0);
-        // The text may number the motions. A value outside the grid, or a setting of another quantity, is ignored.
+        // A number in a file name may number the motions. A value outside the range of the model, or a setting of another quantity, is
+        // ignored.
         assert!(!source("current", false, 9.0).0);
         let (is_read, notes) = source("clicks", false, 1.0);
         assert!(!is_read && !notes.contains("clicks"), "{notes}");

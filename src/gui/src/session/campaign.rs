@@ -10,14 +10,14 @@ use std::path::PathBuf;
 
 /// A campaign that was read from files, with prepared data of each test.
 pub struct Loaded {
-    /// Files and folders that were given.
+    /// Files and folders that the user opened.
     pub paths: Vec<PathBuf>,
     /// The common folder of the records, or `None` if they have none. It is determined during reading, because the folder may disappear
     /// later.
     pub folder: Option<PathBuf>,
     /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,
-    /// The records.
+    /// The records, with the measurement corrections if there are any.
     pub campaign: Campaign,
     /// Prepared data of each test, in the order of the records.
     pub tests: Vec<Seen>,
@@ -39,7 +39,7 @@ pub struct Seen {
     pub cycle_samples: usize,
     /// Decimation factor: `cycle` contains every `stride`-th sample of the record.
     pub stride: usize,
-    /// Motion of `cycle`.
+    /// Smoothed motion of `cycle`.
     pub cycle_motion: Motion,
     /// Largest measured force, N.
     pub max_force: f64,

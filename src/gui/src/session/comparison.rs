@@ -27,7 +27,7 @@ pub struct Comparison {
 }
 
 impl Session {
-    /// Takes a snapshot of the model and the ticked tests. Returns `None` if either is missing.
+    /// Takes a snapshot of the model and the ticked tests. Returns `None` without a model or without records.
     pub fn comparison(&self) -> Option<Comparison> {
         let (loaded, model) = (self.campaign.clone()?, self.model.as_ref()?);
         let at = model.over_setting().filter(|_| self.own_settings).map(|(_, at)| at);

@@ -125,7 +125,7 @@ impl Dampers {
     }
 }
 
-/// The damper at a setting.
+/// The damper at a setting, ready for simulation.
 struct AtSetting {
     setting: f64,
     params: Params,

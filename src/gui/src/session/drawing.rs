@@ -34,7 +34,7 @@ impl Session {
         }
     }
 
-    /// Explains the current model by the dimensions. Returns `None` if either is missing.
+    /// Explains the current model by the dimensions. Returns `None` without a model or without dimensions.
     pub fn explain(&mut self) -> Option<&Explanation> {
         let (drawing, model) = (self.drawing.as_mut()?, self.model.as_ref()?);
         let params = model.params();

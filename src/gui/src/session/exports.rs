@@ -42,7 +42,7 @@ impl Host {
 
 /// Input of an export.
 pub struct Export {
-    /// Target.
+    /// Target of the export.
     pub host: Host,
     /// Values of the model.
     pub params: Params,

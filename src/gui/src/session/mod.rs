@@ -67,7 +67,7 @@ pub type Waker = Arc<dyn Fn() + Send + Sync>;
 /// A message in the status line.
 #[derive(Debug, Clone)]
 pub struct Message {
-    /// The sentence.
+    /// Text of the message.
     pub text: Sentence,
     /// Whether the message reports an error.
     pub wrong: bool,
@@ -75,11 +75,11 @@ pub struct Message {
 
 /// All open data and running tasks.
 pub struct Session {
-    /// The records.
+    /// The open records.
     pub campaign: Option<Arc<Loaded>>,
     /// The reference: another campaign of the same tests, for comparison.
     pub reference: Option<Arc<Loaded>>,
-    /// The model.
+    /// The model on screen.
     pub model: Option<Tuned>,
     /// Indices of the plotted tests.
     pub selected: BTreeSet<usize>,
@@ -93,7 +93,7 @@ pub struct Session {
     pub identified: Option<Arc<Simulated>>,
     /// Results of the verbs.
     pub results: Results,
-    /// Responses of the open tests' force to steps of the setting.
+    /// Responses of the force to steps of the setting in the open tests.
     pub responses: valve::Responses,
     /// The dimensions of the damper.
     pub drawing: Option<drawing::Drawing>,
@@ -329,7 +329,7 @@ impl Session {
     /// Moves to another setting of an adjustable damper.
     pub fn move_to(&mut self, setting: f64) {
         if self.step(|model| model.move_to(setting)) {
-            // Forces at the previous setting are not comparable.
+            // Forces of the identified model at the previous setting are not comparable, so they are discarded.
             self.identified = None;
         }
     }

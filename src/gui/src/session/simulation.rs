@@ -26,7 +26,7 @@ pub struct Simulated {
     pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
-    /// One entry per test.
+    /// Forces and errors of each test.
     pub tests: Vec<OfTest>,
     /// Whether the simulation covers only one cycle of each test.
     pub quick: bool,

@@ -18,7 +18,7 @@ pub struct Question {
     pub range: [f64; 2],
     /// Whether the ratio of successive values is constant.
     pub factors: bool,
-    /// Number of values.
+    /// Number of values of the parameter.
     pub count: usize,
     /// Index of the test whose motion is the input.
     pub test: usize,

@@ -61,7 +61,7 @@ pub enum Outcome {
 
 /// A running task.
 pub struct Task {
-    /// Kind.
+    /// Kind of the task.
     pub kind: Kind,
     /// Start time.
     pub began: Instant,
@@ -74,11 +74,11 @@ pub struct Task {
 // A box would not save memory, because there is only one value at a time, and it is consumed immediately.
 #[allow(clippy::large_enum_variant)]
 pub enum Standing {
-    /// Running.
+    /// The task is running.
     Working,
-    /// Stopped after a request to cancel.
+    /// The task has stopped after a request to cancel.
     Cancelled,
-    /// Complete.
+    /// The task is complete, with its result.
     Done(Result<Outcome, Sentence>),
 }
 
@@ -119,7 +119,7 @@ impl Task {
         self.cancel.asked()
     }
 
-    /// Returns the progress.
+    /// Returns the progress of the task.
     pub fn progress(&self) -> Progress {
         self.progress.lock().map(|p| p.clone()).unwrap_or_default()
     }

@@ -88,8 +88,8 @@ pub fn within_cycle(session: &Session, test: usize, factor: f64) -> Vec<AtVeloci
     rows
 }
 
-/// Returns round velocities below the fastest velocity: multiples of 1, 2 or 5 times a power of ten. Their number is limited to the rows of
-/// a table.
+/// Returns round velocities below the fastest velocity: multiples of 1, 2 or 5 times a power of ten. At most [`ROWS`] velocities are
+/// returned.
 fn round(fastest: f64) -> Vec<f64> {
     if !(fastest.is_finite() && fastest > 0.0) {
         return Vec::new();

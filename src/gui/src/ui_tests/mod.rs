@@ -1,7 +1,7 @@
 //! Tests of the window from its user's view, without a screen. They find widgets by their accessible names.
 //!
-//! The tests are part of the crate. For integration tests, cargo would also build the program, and eframe a second time. The program aborts
-//! on a panic, but a test has to unwind.
+//! The tests are part of the crate, because cargo would build the program for integration tests, and eframe a second time. The program
+//! aborts on a panic, but a test has to unwind.
 
 mod drawings;
 mod made_up;
@@ -50,7 +50,7 @@ fn message(harness: &Harness<'_, App>) -> (String, bool) {
     harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.to_string(), m.wrong))
 }
 
-/// Finds the widget of a kind with this name. Ignores a label with equal text.
+/// Finds the widget with this role and this name. Ignores a label with equal text, because it has another role.
 #[track_caller]
 fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
     let found = harness.query_all(by().role(role).label(label)).next();
@@ -144,7 +144,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
-    // Scroll first, because the row may lie outside the visible part of the panel.
+    // The row may lie outside the visible part of the panel, so the test scrolls to it first.
     widget(&harness, Role::Slider, "series stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
@@ -592,7 +592,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
     assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
     let headlines = Language::ALL.map(|(_, of)| (of, dashpot_report::diagnosis::headline(found, of.words())));
-    // English comes last, for the following steps.
+    // English comes last, because the following steps use English texts.
     for (language, headline) in headlines.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();

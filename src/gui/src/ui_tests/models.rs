@@ -274,7 +274,7 @@ fn the_tables_of_velocities_are_shown_and_saved() {
             found.unwrap_or_else(|| panic!("table {k} has no button")).rect().center()
         };
         harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().scroll_to_me();
-        // Wait for the animated scroll.
+        // The scroll is animated, so the test waits for its end.
         harness.run_steps(30);
         let at = button(&harness);
         harness.hover_at(at);

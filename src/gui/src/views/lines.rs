@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// Source of a line's forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Whose {
-    /// The rig.
+    /// Measurement on the rig.
     Measured,
     /// The corresponding test of the reference campaign.
     Reference,
@@ -35,7 +35,7 @@ pub enum Whose {
 pub struct Line {
     /// Source of the forces.
     pub whose: Whose,
-    /// Index among the selected tests.
+    /// Index of the test among the selected tests, which determines the hue.
     pub place: usize,
     /// Name that the cursor shows.
     pub name: String,

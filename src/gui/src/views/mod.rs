@@ -120,7 +120,7 @@ pub struct View {
 }
 
 impl View {
-    /// Returns all texts.
+    /// Returns the texts of the window in the selected language.
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
     }

@@ -559,7 +559,7 @@ mod tests {
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
         let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");
-        // The points lie on the line.
+        // The draggable points lie on the line.
         for (v, force) in handles(&params) {
             assert_eq!(at_velocities(&model, &[v])[0][1], force);
         }

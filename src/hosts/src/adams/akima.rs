@@ -55,7 +55,8 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // If the slope does not change on either side, Akima uses the mean. Rounding errors must not affect this decision.
+        // If the chord slope does not change on either side, Akima uses the mean. The tolerance keeps rounding errors from affecting this
+        // decision.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
@@ -118,7 +119,7 @@ impl Difference {
         self.share <= 1.0
     }
 
-    /// Describes the difference.
+    /// Formats the difference and its velocity.
     pub fn describe(&self) -> String {
         format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
     }

@@ -183,11 +183,11 @@ impl Statement {
     /// Returns the points of a spline.
     ///
     /// # Errors
-    /// Points are in a separate file, points are not numbers, or the numbers of X and Y differ.
+    /// Points are in a separate file, points are not numbers, the numbers of X and Y differ, or X does not increase.
     pub fn spline(&self) -> anyhow::Result<Spline> {
         let mut spline = Spline { x: Vec::new(), y: Vec::new() };
         let mut key = String::new();
-        // The first part is NAME/id.
+        // The first part, NAME/id, is skipped.
         for piece in self.text.split([',', JOINT]).skip(1).map(str::trim).filter(|p| !p.is_empty()) {
             let number = match piece.split_once('=') {
                 Some((k, value)) => {
@@ -215,7 +215,7 @@ impl Statement {
             }
         }
         let count = spline.x.len();
-        // The spline is a surface: it has several lists of Y, and a value of Z precedes each list.
+        // In a spline with several lists of Y, which is a surface, a value of Z precedes each list. It is removed.
         if spline.y.len() > 1 && spline.y.iter().all(|y| y.len() == count + 1) {
             spline.y.iter_mut().for_each(|y| *y = y.split_off(1));
         }

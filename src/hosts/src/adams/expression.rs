@@ -6,9 +6,9 @@ use anyhow::{Context as _, bail};
 pub struct Meaning<'a> {
     /// Markers of the SFORCE, if known.
     pub markers: [Option<u64>; 2],
-    /// Velocity VR between the markers of the SFORCE.
+    /// Velocity VR between the markers of the SFORCE, in model units.
     pub speed: f64,
-    /// Function that returns the value of a spline by its id.
+    /// Function that returns the value of the spline with an id at an abscissa.
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 

@@ -4,7 +4,7 @@ use super::native;
 use dashpot_core::{Model, Params};
 use std::fmt::Write as _;
 
-/// A sine test on the rig.
+/// A sine test that the rig model of the run folder simulates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SineTest {
     /// Amplitude, m.
@@ -13,7 +13,7 @@ pub struct SineTest {
     pub frequency_hz: f64,
 }
 
-/// A file of the folder.
+/// A text file of the run folder.
 pub struct File {
     /// Name of the file.
     pub name: &'static str,
@@ -75,7 +75,7 @@ pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
-/// Appends the remarks on chatter to the text of README.txt, and states for which users they matter.
+/// Appends the remarks on chatter to the text of README.txt, and states which users the remarks concern.
 ///
 /// Adams solves for the force with the derivatives of dashpot's user subroutines and chooses its own steps, so the damper does not chatter
 /// in Adams. It may chatter in a program that evaluates the force once a step.
@@ -105,9 +105,9 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// Writes the command file of the tests on the rig, with one line for each command.
+/// Writes the command file that simulates the tests with the rig model.
 ///
-/// Every test begins and ends at rest in the middle, so that the next test can follow.
+/// Every test begins and ends at rest at zero displacement, so that the next test can follow.
 fn acf(tests: &[SineTest]) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");

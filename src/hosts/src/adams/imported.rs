@@ -35,7 +35,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);
-    // Adams does not use Akima's method for a linear rate, or for a spline with the mark linear.
+    // Adams does not use Akima's method for a linear rate, or for a spline whose `interpolation_method` is linear.
     let (curve, interpolation, remark) = if read.linear {
         let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));

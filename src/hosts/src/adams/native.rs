@@ -64,7 +64,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    // The spline contains only velocity-dependent friction.
+    // The spline contains only velocity-dependent friction, because a differential equation models presliding friction.
     let mut of_velocity = *params;
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;

@@ -70,12 +70,12 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
     let lines = dataset::lines(adm);
     let strings = lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1);
     let last = strings.max().unwrap_or(0);
-    // The ids of the STRINGs, at most one per damper, must fit into the number range.
+    // The ids of the added STRING statements, at most one per damper, must not overflow.
     let string = last.checked_add(1).filter(|first| first.checked_add(dampers.len() as u64).is_some());
     let string = string.with_context(|| format!("STRING/{last} leaves no number for another STRING; renumber it"))?;
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
     let ending = dataset::ending(lines[0].1);
-    // Each model file gets one STRING.
+    // Each model file gets one STRING statement.
     let mut paths: Vec<&str> = Vec::new();
     for damper in dampers {
         let path = damper.model_file.as_str();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// A damper to replace, as stated by the user. A length without a unit has the unit of the model.
 #[derive(Debug, Clone)]
 pub struct Named {
-    /// Name of its SFORCE, or `SFORCE/id`.
+    /// Name of the damper's SFORCE, or `SFORCE/id`.
     pub name: String,
     /// Length at zero displacement: a number in the unit of the model, or a number with its own unit.
     pub length: String,

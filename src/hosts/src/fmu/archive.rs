@@ -49,7 +49,7 @@ mod tests {
         };
         let bytes = make();
         assert_eq!(bytes, make());
-        // First local header: time and date of 1 January 1980.
+        // These bytes of the first local header are the time and date: 1 January 1980.
         assert_eq!(bytes[10..14], [0, 0, 0x21, 0]);
         let mut read = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
         let mut text = String::new();

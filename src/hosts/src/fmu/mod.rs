@@ -90,11 +90,11 @@ pub struct Options<'a> {
 
 /// An FMU with its platforms.
 pub struct Made {
-    /// The bytes of its file.
+    /// The bytes of the FMU file.
     pub bytes: Vec<u8>,
     /// Folders below `binaries`.
     pub platforms: Vec<String>,
-    /// Identifier, which must be equal in description and binary.
+    /// Identifier of the FMU, which must be equal in description and binary.
     pub guid: String,
 }
 
@@ -131,7 +131,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     if options.conceal_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
-    // The recommended step would reveal stiffness and mass.
+    // The recommended step would reveal stiffness and mass, so an FMU with concealed parameters has none.
     let explicit_step = if options.conceal_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
@@ -189,7 +189,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let mut archive = Archive::new();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes())?;
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON)?;
-    // Remarks on chatter would reveal stiffness and damping.
+    // Remarks on chatter would reveal stiffness and damping, so an FMU with concealed parameters has none.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
     for (platform, suffix, content) in &binaries {

@@ -54,7 +54,7 @@ pub fn bundled() -> Vec<(&'static str, &'static str)> {
 /// Icon of the FMU.
 pub const ICON: &[u8] = include_bytes!("../../../../vi-crt-bridge/fmu/model.png");
 
-/// Writes `contents.txt`, the data of this FMU for the runtime.
+/// Writes `contents.txt`, from which the runtime reads the data of an FMU.
 pub fn contents(
     corners: usize,
     variables: &[Variable],
@@ -108,7 +108,7 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
 /// Shell script that compiles the FMU for another platform.
 pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 
-/// Explanation of the build script.
+/// Text of README.txt, which explains the build script.
 pub const README: &str = "The damper FMU from its sources, which are all in this folder:\n\n\
      \x20   sh build.sh\n\n\
      compiles it into ../binaries with a C compiler alone, on the platform that lib/platform names: lib holds the kernel compiled\n\

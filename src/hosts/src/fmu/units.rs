@@ -8,7 +8,7 @@
 
 use super::scales::Scales;
 
-/// A unit.
+/// A unit that an FMU may declare.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
     /// Name of the unit. It is "-" for a pure number, and if the host's unit has no name.

@@ -53,7 +53,8 @@ pub struct DiagnosisReport<'a> {
     pub records: &'a [&'a Record],
     /// Remarks on reading: the detected sign, and notes of the cleaning.
     pub reading: Vec<String>,
-    /// Errors of the models over whole records. `dashpot validate` reports the same errors.
+    /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
+    /// errors.
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
@@ -61,7 +62,7 @@ pub struct DiagnosisReport<'a> {
     pub made: Made,
     /// Extent of the printed report.
     pub print: Print,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'static Words,
 }
 

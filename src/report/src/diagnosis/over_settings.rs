@@ -29,7 +29,7 @@ pub struct SettingsReport<'a> {
     pub made: Made,
     /// Extent of the printed report.
     pub print: Print,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'static Words,
 }
 

@@ -11,7 +11,7 @@ use dashpot_identification::validation::{PeakForce, Validation};
 use dashpot_simulation::comparison::at_constant_velocity;
 use dashpot_simulation::prediction::at_velocities;
 
-/// Size of the first figure, px, for the full width of a printed page.
+/// Size of the figure of the curves by setting, px, for the full width of a printed page.
 const WIDE: [f64; 2] = [880.0, 400.0];
 /// Number of points of a line over the setting.
 const POINTS: usize = 61;

@@ -11,11 +11,11 @@ pub const SIZE: [f64; 2] = [460.0, 330.0];
 /// without visible improvement.
 pub const LINE_LIMIT: usize = 260;
 
-/// Size of the title, px.
+/// Font size of the title, px.
 pub const TITLE: f64 = 13.0;
-/// Size of axis titles and legend, px.
+/// Font size of axis titles and legend, px.
 pub const LABEL: f64 = 12.0;
-/// Size of tick labels, px.
+/// Font size of tick labels, px.
 pub const TICK: f64 = 11.0;
 
 /// One axis: its title with unit, and its visible range.

@@ -9,7 +9,7 @@ use crate::words::Words;
 use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
-/// Number of whole cycles in a loop.
+/// Number of whole cycles that the figures of loops show.
 pub const CYCLES_SHOWN: usize = 2;
 
 /// Draws force over velocity.
@@ -76,7 +76,7 @@ pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Draws the gap between the strokes over velocity, averaged over all whole cycles.
+/// Draws the gap of the hysteresis loop over velocity, averaged over all whole cycles.
 pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,

@@ -165,7 +165,7 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    // At less than 0.1 ms from the reversal, even the fastest tests have no samples.
+    // The axis begins at 0.1 ms or later, because even the fastest tests have no samples closer to the reversal.
     let low = low.max(0.1);
     if low * 1.001 >= high {
         return None;

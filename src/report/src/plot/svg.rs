@@ -24,7 +24,7 @@ pub enum Anchor {
 pub struct TextStyle {
     /// Size, px.
     pub size: f64,
-    /// Anchor.
+    /// Alignment of the text at its point.
     pub anchor: Anchor,
     /// Rotation about the point, degrees clockwise.
     pub turn: f64,

@@ -62,9 +62,9 @@ pub struct Properties {
 /// Format of a property file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// `.dpr`. It cannot represent a gas force.
+    /// TeimOrbit, `.dpr`. This format cannot represent a gas force.
     TeimOrbit,
-    /// `.xml`.
+    /// XML, `.xml`.
     Xml,
 }
 
@@ -140,7 +140,7 @@ fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
 /// A row of a table with its line number.
 type Row = ([f64; 2], usize);
 
-/// Makes a curve from rows whose abscissae increase throughout or decrease throughout.
+/// Makes a curve from rows. Their abscissae must increase throughout or decrease throughout.
 ///
 /// If `rises` is set, the ordinates must not decrease. This applies to the curve of a damper, because a model cannot represent a decreasing
 /// curve.
