@@ -1,4 +1,5 @@
-//! The two tables that a dyno prints: forces at the peak velocity of every test (PVP), and forces at given velocities within one cycle (CVP).
+//! Contents of the two tables that a dyno prints. One has the forces at the peak velocities of every test (PVP), the other the forces at
+//! given velocities within one cycle (CVP).
 
 use crate::session::Session;
 use crate::session::campaign::Seen;

@@ -51,8 +51,8 @@ pub fn between(fit: &FamilyFit, words: &Words) -> String {
     words.fill(text, &values)
 }
 
-/// Builds a table of the errors at each setting: of an ordinary fit, of the family, and of the family that was fitted
-/// without the setting.
+/// Builds a table of the errors at each setting. The models are an ordinary fit at the setting, the family, and the
+/// family that was fitted without the setting.
 pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
     let pair = |of: Option<&SettingError>| match of {
         Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],
