@@ -33,7 +33,7 @@ fn main() {
     runtimes(src.parent().expect("the project"));
 }
 
-/// Compiled files for each platform, by its name in FMI 2.0.
+/// Compiled files to embed, each with its platform. The platforms have their names of FMI 2.0.
 const COMPILED: [(&str, &str); 5] = [
     ("linux64", "dashpot_damper.so"),
     ("linux64", "kernel.o"),
@@ -42,7 +42,7 @@ const COMPILED: [(&str, &str); 5] = [
     ("win64", "dashpot_adams.dll"),
 ];
 
-/// Embeds the files in target/runtimes, or in the folder of DASHPOT_RUNTIMES, if they were compiled from the current sources.
+/// Embeds the compiled files of target/runtimes, or of the folder DASHPOT_RUNTIMES, if they were compiled from the current sources.
 fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_RUNTIMES");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo runs build scripts"));
@@ -58,7 +58,8 @@ fn runtimes(project: &Path) {
     println!("cargo::rerun-if-env-changed=DASHPOT_COMPILE_RUNTIMES");
     let wanted = sources(project);
     let is_current = |folder: &Path| fs::read(folder.join("sources.txt")).is_ok_and(|text| text == wanted);
-    // If maturin alone builds the Python package, nobody ran the script before. The package still exports FMUs, so compile here.
+    // If maturin alone builds the Python package, nobody ran runtimes.sh before. DASHPOT_COMPILE_RUNTIMES makes this build run it, so that
+    // the package can export FMUs.
     let compiles = env::var_os("DASHPOT_COMPILE_RUNTIMES").is_some() && env::var_os("DASHPOT_RUNTIMES").is_none();
     let folder = if compiles && !is_current(&folder) { compiled_here(project, &out).unwrap_or(folder) } else { folder };
     let (built, current) = (folder.join("sources.txt").is_file(), is_current(&folder));
@@ -84,8 +85,8 @@ fn runtimes(project: &Path) {
 fn compiled_here(project: &Path, out: &Path) -> Option<PathBuf> {
     let to = out.join("compiled");
     let mut script = Command::new("sh");
-    // The script has a separate target folder, because cargo locks its own. The environment variables that cargo sets for this build must
-    // not affect the script.
+    // The script uses a separate target folder, because cargo locks the target folder of this build. The script must not inherit the
+    // environment variables that cargo sets for this build.
     for (name, _) in env::vars_os() {
         let name = name.to_string_lossy().into_owned();
         let prefixes = ["CARGO_PKG_", "CARGO_CFG_", "CARGO_FEATURE_", "CARGO_PROFILE_"];
@@ -116,7 +117,7 @@ fn target_folder(out: &Path) -> Option<PathBuf> {
     Some(if of_a_triple { nearest.parent()? } else { nearest }.to_owned())
 }
 
-/// Returns the sources as one text, in the order and format of runtimes.sh.
+/// Returns the sources of the compiled files as one text, in the order and format of `sources.txt` from runtimes.sh.
 fn sources(project: &Path) -> Vec<u8> {
     let mut files = Vec::new();
     for part in ["core", "abi", "dll"] {

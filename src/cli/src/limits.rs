@@ -3,7 +3,7 @@
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
 use dashpot_report::numbers::digits;
 
-/// Formats the certificate as text: every limit, and the verdict.
+/// Formats the results of the limits as text: a row for every limit, and the verdict.
 pub fn table(found: &Certificate) -> String {
     let names: Vec<String> = found.limits.iter().map(|one| name_of(&one.limit)).collect();
     let width = names.iter().map(|name| name.chars().count()).fold(0, usize::max).max(LEAST);
@@ -48,7 +48,8 @@ pub fn table(found: &Certificate) -> String {
     out
 }
 
-/// Smallest width of the names. Longer names widen their column, because they end with the setting.
+/// Smallest width of the column of names, characters. Longer names widen the column, because their end, the setting,
+/// must not be truncated.
 const LEAST: usize = 28;
 
 /// Formats the name of a limit with its unit and its setting.
@@ -58,7 +59,7 @@ fn name_of(limit: &Limit) -> String {
     format!("{}, {unit}{at}", limit.name)
 }
 
-/// Formats numbers and verdict of a limit.
+/// Formats the bounds, the values and the verdict of a limit.
 fn row(one: &Checked) -> String {
     let Limit { velocity_m_s, low, high, setting, .. } = &one.limit;
     let (_, factor) = one.limit.quantity.display();

@@ -57,17 +57,17 @@ enum Verb {
 static VERSION: LazyLock<String> =
     LazyLock::new(|| format!("{} (interface version {DASHPOT_ABI_VERSION})", env!("CARGO_PKG_VERSION")));
 
-/// Returns the whole command line.
+/// Returns the definition of the command line: all verbs and options.
 fn command() -> clap::Command {
     Cli::command().version(VERSION.as_str())
 }
 
 fn main() -> ExitCode {
-    // If the command has no arguments and has its own console, a user without a terminal double-clicked it.
+    // A user without a terminal has double-clicked the command if it has no arguments and its own console.
     if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {
-            // The console and its messages disappear when the command ends.
+            // The console and its messages disappear when the command ends, so the command waits for the user.
             dashpot_output::warn("Press Enter to close.");
             let _ = std::io::stdin().read_line(&mut String::new());
         }
@@ -108,7 +108,8 @@ fn main() -> ExitCode {
     ended(done)
 }
 
-/// Returns the exit code of a verdict: 1 if a damper violates its limits, or chatters.
+/// Returns the exit code of a verdict: 1 if a damper violates its limits or chatters, or if a limit could not be
+/// tested.
 fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
     match found {
         Ok(verbs::Verdict::Failed) => ExitCode::FAILURE,
@@ -116,7 +117,7 @@ fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
     }
 }
 
-/// Returns the exit code of a result.
+/// Returns the exit code of a result: 2 for an error, which is also printed.
 fn ended(done: anyhow::Result<()>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,4 +1,4 @@
-//! Options of every report, and the inputs of a report.
+//! Options of every report, and the origin of a report.
 
 use crate::inputs::OUTPUTS;
 use dashpot_report::words::{Language, Words};
@@ -35,26 +35,26 @@ pub struct DateArgs {
 }
 
 impl PageArgs {
-    /// Returns the texts, and the printed part of the report.
+    /// Returns the texts in the chosen language, and the extent of the printed report.
     pub fn words_and_print(&self) -> (&'static Words, Print) {
         (self.text.words(), self.print())
     }
 
-    /// Returns the printed part of the report.
+    /// Returns the extent of the printed report.
     pub fn print(&self) -> Print {
         if self.full { Print::Whole } else { Print::Brief }
     }
 }
 
 impl TextArgs {
-    /// Returns the texts.
+    /// Returns the texts in the chosen language.
     pub fn words(&self) -> &'static Words {
         self.language.words()
     }
 }
 
 impl DateArgs {
-    /// Returns the inputs of a report that is based on these files.
+    /// Returns the origin of a report that is based on these files: date, command line, and hashes of the files.
     pub fn made(&self, files: impl IntoIterator<Item = PathBuf>) -> anyhow::Result<Made> {
         let date = made::date(self.date.as_deref())?;
         let files: Vec<PathBuf> = files.into_iter().collect();
@@ -63,7 +63,7 @@ impl DateArgs {
     }
 }
 
-/// Returns the command line in shell syntax, without its output options, which do not affect the result.
+/// Returns the command line in shell syntax, without output options, `--date` and `--force`, which do not affect the results.
 fn command(arguments: impl Iterator<Item = String>) -> String {
     let outputs: Vec<String> =
         OUTPUTS.iter().chain(&["date"]).map(|name| format!("--{}", name.replace('_', "-"))).collect();

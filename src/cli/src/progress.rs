@@ -1,4 +1,4 @@
-//! Progress of long work: a line on a terminal, nothing in a pipe.
+//! Progress of long work, which only a terminal shows.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
@@ -25,13 +25,13 @@ impl Progress {
         self.0.set_position((1000.0 * done) as u64);
     }
 
-    /// Sets the fraction done and the next step.
+    /// Sets the fraction done, 0..1, and the text on the current work.
     pub fn say(&self, done: f64, text: &str) {
         self.set(done);
         self.0.set_message(dashpot_output::printable(text).into_owned());
     }
 
-    /// Shows the progress of counted work.
+    /// Sets the fraction done from counts of items.
     pub fn count(&self, done: usize, total: usize) {
         self.set(done as f64 / total.max(1) as f64);
     }

@@ -1,4 +1,4 @@
-//! Numbers of the command line with an optional unit: 5ms, 0.4in, 1.2kN. Without a unit they are in SI units.
+//! Numbers of the command line with an optional unit: 5ms, 0.4in, 1.2kN. Numbers without a unit are in SI units.
 
 use anyhow::bail;
 use dashpot_core::family::Axis;
@@ -65,10 +65,10 @@ impl SettingText {
     /// Converts the value to the unit of a damper's setting.
     ///
     /// # Errors
-    /// The unit belongs to another quantity.
+    /// The unit belongs to another quantity, or the damper's setting has no unit.
     pub fn in_unit_of(&self, axis: &Axis) -> anyhow::Result<f64> {
         let own = axis.unit();
-        // Clicks have the name `clicks` instead of a unit.
+        // A setting in clicks has the name `clicks` and no unit, so the text may use `clicks` as its unit.
         let is_clicks = own.is_empty() && axis.name() == "clicks" && setting_factor(&self.unit, "clicks").is_some();
         match setting_factor(&self.unit, own) {
             Some(factor) if is_clicks => Ok(factor * self.value),

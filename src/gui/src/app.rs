@@ -1,4 +1,4 @@
-//! The window: views of a session.
+//! The window, which draws the views of a session.
 
 use crate::dialogs::{Ask, Dialogs, Reply};
 use crate::session::recent::Recent;
@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-/// The window.
+/// The window: an open session, the state of the display, and the dialogs.
 pub struct App {
     /// The open session.
     pub session: Session,
@@ -47,18 +47,18 @@ struct Picture {
     image: Arc<ColorImage>,
 }
 
-/// Smallest font size, px.
+/// Smallest font size, points.
 const SMALLEST: f32 = 11.0;
-/// Interval of polling running tasks while nothing else changes.
+/// Interval at which running tasks are polled while nothing else changes.
 const LOOK: Duration = Duration::from_millis(60);
 
 impl App {
-    /// Opens an empty window in the language of the system, if the texts exist in that language.
+    /// Makes an empty window in the language of the system, if the texts exist in that language.
     pub fn new(ctx: &egui::Context, dialogs: Box<dyn Dialogs>) -> App {
         App::with_recent(ctx, dialogs, Recent::read(Recent::place()))
     }
 
-    /// Opens the window with a given list of recent campaigns.
+    /// Makes an empty window with a given list of recent campaigns.
     pub fn with_recent(ctx: &egui::Context, dialogs: Box<dyn Dialogs>, recent: Recent) -> App {
         let called = Arc::new(AtomicBool::new(false));
         let (own, calls) = (ctx.clone(), called.clone());
@@ -66,7 +66,7 @@ impl App {
             calls.store(true, Ordering::Release);
             own.request_repaint();
         });
-        // egui's small letters have 9 px. They are unreadable on a screen in a rig's control room.
+        // The small letters of egui have 9 points and are unreadable on a screen in a rig's control room, so they are enlarged.
         ctx.all_styles_mut(|style| {
             for font in style.text_styles.values_mut() {
                 font.size = font.size.max(SMALLEST);
@@ -86,8 +86,8 @@ impl App {
 
     /// Collects results of tasks, and requests a frame while a task runs or a requested frame is pending.
     ///
-    /// If a frame is a quarter of a second late (busy or hidden window), eframe runs only the logic and drops the
-    /// request. A single request would then stay without effect until the mouse moves.
+    /// If a frame is a quarter of a second late (busy or hidden window), eframe runs only [`eframe::App::logic`] and drops the request. A
+    /// single request would then stay without effect until the mouse moves.
     fn stay_awake(&mut self, ctx: &egui::Context) {
         if self.session.poll() || self.called.load(Ordering::Acquire) {
             ctx.request_repaint_after(LOOK);
@@ -99,7 +99,7 @@ impl App {
         (self.session.generation, self.session.selected.len(), self.view.language, self.view.corner, self.view.units)
     }
 
-    /// Draws everything.
+    /// Draws a frame: all views, dialogs and replies of dialogs.
     pub fn show(&mut self, ui: &mut Ui) {
         let layout = self.layout();
         if self.drawn.replace(layout.clone()) != Some(layout) {
@@ -108,7 +108,7 @@ impl App {
         self.take_drops(ui);
         self.called.store(false, Ordering::Release);
         self.stay_awake(ui.ctx());
-        // Show a new result. The panel of a fit was not selected at the start of the fit.
+        // Select the panel of results, because another panel may be selected when a result arrives.
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
             self.view.side = Side::Result;
         }
@@ -154,7 +154,7 @@ impl App {
         }
     }
 
-    /// Carries out a request with the chosen files.
+    /// Carries out a request with the chosen paths. Does nothing if the user cancelled.
     fn obey(&mut self, ctx: &egui::Context, ask: Ask, paths: Vec<PathBuf>) {
         let Some(first) = paths.first().cloned() else { return };
         let session = &mut self.session;
@@ -216,8 +216,8 @@ fn png(image: &ColorImage, part: [f32; 4], scale: f32) -> anyhow::Result<Vec<u8>
     Ok(bytes)
 }
 
-/// Draws in the remaining space of a panel, and clips wider contents. A wider panel would move its tabs away from the pointer and shrink
-/// the plots.
+/// Draws in the remaining space of a panel, and clips wider contents. Without the clip, the panel would grow, move its tabs away from the
+/// pointer, and shrink the plots.
 fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
     let rest = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rest));
@@ -317,7 +317,8 @@ mod waking {
     use super::*;
     use crate::dialogs::Message;
 
-    /// A frame shows the result of a task, even if eframe runs the logic several times without a frame. Then the window idles.
+    /// A frame shows the result of a task, even if eframe runs the logic several times without a frame. After that frame, the window
+    /// requests no more frames.
     #[test]
     fn a_call_is_not_forgotten_before_it_is_drawn() {
         let ctx = egui::Context::default();

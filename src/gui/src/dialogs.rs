@@ -1,4 +1,4 @@
-//! Non-blocking dialogs of the system for files and folders.
+//! Non-blocking dialogs of the operating system for files and folders.
 
 use crate::session::Waker;
 use crate::session::exports::Host;
@@ -9,7 +9,7 @@ use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
-/// A file or folder to request from the user.
+/// A request for a file or a folder, which a dialog shows to the user.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ask {
     /// A folder of records.
@@ -22,15 +22,15 @@ pub enum Ask {
     Model,
     /// A file of dimensions.
     Dimensions,
-    /// File for the model.
+    /// File to which the model is saved.
     SaveModel,
     /// File or folder for an export.
     Export(Host),
     /// File for a report or a workbook.
     Paper(Paper),
-    /// File for a text, with the proposed name.
+    /// File for a text: the proposed name, and the text.
     Text(&'static str, String),
-    /// File for a picture of a part of the window: left, top, right, bottom.
+    /// File for a picture of a part of the window: left, top, right, bottom, points.
     Picture([f32; 4]),
 }
 
@@ -73,7 +73,7 @@ pub enum Reply {
     NoDialog,
 }
 
-/// Source of the user's choices.
+/// Source of the paths that the user chooses.
 pub trait Dialogs {
     /// Opens a dialog that begins in a folder. Returns without waiting for the user.
     fn ask(&mut self, ask: Ask, from: Option<PathBuf>, waker: Waker);
@@ -81,11 +81,12 @@ pub trait Dialogs {
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// Shortest duration of a dialog that the user saw. No user is faster. A desktop portal that is missing or has no backend fails within this
-/// time.
+/// Shortest time after which an empty reply means that the user cancelled. No user is faster, but a desktop portal that is missing or has
+/// no backend fails within this time.
 const SHOWN: Duration = Duration::from_millis(800);
 
-/// Tests whether the system may show dialogs: over the desktop portal (D-Bus) or by zenity. Returns `true` on Windows and macOS.
+/// Returns whether the system may be able to show dialogs: over the desktop portal (D-Bus) or by zenity. Returns `true` on Windows and
+/// macOS.
 fn may_show() -> bool {
     if cfg!(any(windows, target_os = "macos")) {
         return true;
@@ -97,7 +98,7 @@ fn may_show() -> bool {
     bus || zenity
 }
 
-/// The system's dialogs.
+/// Dialogs of the operating system.
 pub struct Native {
     send: Sender<(Ask, Reply)>,
     answers: Receiver<(Ask, Reply)>,
@@ -143,7 +144,7 @@ impl Dialogs for Native {
     }
 }
 
-/// Prepared replies, for tests.
+/// Dialogs that return prepared replies, for tests.
 #[derive(Default)]
 pub struct Message {
     paths: Vec<Vec<PathBuf>>,

@@ -12,7 +12,7 @@ use eframe::Renderer;
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Returns the graphics backends. The preferred one comes first.
+/// Returns the graphics backends with their names. The preferred one comes first.
 fn ways() -> Vec<(&'static str, Renderer)> {
     vec![
         #[cfg(windows)]
@@ -21,11 +21,11 @@ fn ways() -> Vec<(&'static str, Renderer)> {
     ]
 }
 
-/// Opens the window with the first backend that works. `open` sets its flag once the window is open.
+/// Opens the window with the first backend that works. `open` sets the flag that it receives once the window is open.
 ///
 /// # Errors
-/// Returns a sentence with the error of each backend. If a window fails after it was open, it does not reopen. Its contents are lost, and
-/// the user must know.
+/// Returns a sentence with the error of each tried backend. If a window fails after it was open, no further backend is tried. The contents
+/// of the window are lost, and the user must know.
 pub fn run(open: impl Fn(Renderer, &Rc<Cell<bool>>) -> eframe::Result) -> Result<(), String> {
     first_that_works(ways(), open)
 }

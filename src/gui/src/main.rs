@@ -1,6 +1,6 @@
 //! `dashpot-window [CAMPAIGN] [MODEL]`: the program that `dashpot open` starts.
 
-// This attribute prevents a console window on Windows.
+// Without this attribute, Windows opens a console window.
 #![cfg_attr(windows, windows_subsystem = "windows")]
 
 use dashpot_gui::app::App;

@@ -1,6 +1,6 @@
-//! Converts SI to the units on screen, and back. All conversions of the window are here.
+//! Conversion between SI and the units on screen. The module contains all conversions of the window.
 
-/// Factor from SI and the displayed symbol.
+/// A unit on screen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
     /// Displayed value divided by the SI value.
@@ -122,7 +122,8 @@ pub fn digits(value: f64) -> String {
     dashpot_report::numbers::digits(value, 4)
 }
 
-/// Formats a number for an input field, with the fewest digits that represent it to six significant digits.
+/// Formats a number for an input field, with six significant digits and without trailing zeros. Very large and very small numbers have an
+/// exponent.
 pub fn typed(value: f64) -> String {
     if value == 0.0 {
         return "0".into();

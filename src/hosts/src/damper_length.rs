@@ -1,20 +1,21 @@
 //! Parsing of the length of a damper.
 //!
-//! Adams uses mm, and CarMaker uses m, so a number may have a unit. If the length is impossible for a damper, the user probably meant the
-//! other unit, and the length is rejected.
+//! Adams uses mm, and CarMaker uses m, so the user may write a unit after the number. A length that no damper has is rejected, because the
+//! user probably meant the other unit.
 
 use crate::fmu::LONGEST;
 
-/// Shortest damper, m. The damper of a model car has 50 mm, and the limit leaves a margin.
+/// Shortest accepted length of a damper, m. The damper of a model car is 50 mm long, and the limit leaves a margin.
 const SHORTEST: f64 = 0.03;
 
-/// Splits a text into a number and an optional unit of length.
+/// Splits a text into a number and its unit, `mm` or `m`, if the text ends with one.
 pub fn parts(text: &str) -> (&str, Option<&'static str>) {
     let given = ["mm", "m"].into_iter().find_map(|unit| Some((text.strip_suffix(unit)?.trim_end(), Some(unit))));
     given.unwrap_or((text, None))
 }
 
-/// Parses a length. A number without a unit is in the model's own unit, given by its name and its size in meters.
+/// Parses a length and converts it to the model's unit. `unit` is the name of that unit, and `metres` is its size in meters. A number
+/// without a unit is in the model's unit.
 ///
 /// # Errors
 /// The text is not the length of a damper.

@@ -34,13 +34,13 @@ fn static_library_of(program: &Path) -> PathBuf {
     of_package.filter(|library| library.is_file() && !beside.is_file()).unwrap_or(beside)
 }
 
-/// Routine that every model of `export adams` and `export adm` calls.
+/// Name of the user subroutine that every model of `export adams` and `export adm` calls.
 const ROUTINE: &[u8] = b"Dashpot_sfosub";
 
-/// Returns the name of a library for Adams in a run folder. The name depends on the platform of the library.
+/// Returns the file name of a library for Adams in a run folder. The name depends on the platform of the library.
 ///
 /// # Errors
-/// The library does not contain the routines.
+/// The library does not contain dashpot's user subroutine.
 pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
     if !content.windows(ROUTINE.len()).any(|part| part == ROUTINE) {
         bail!(
@@ -48,7 +48,7 @@ pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
             String::from_utf8_lossy(ROUTINE)
         );
     }
-    // A library for Windows has the same name if the command runs on Linux.
+    // The name depends on the library, not on the computer, because a user on Linux may export for Windows.
     Ok(if content.starts_with(b"MZ") { "dashpot_adams.dll" } else { "dashpot_adams.so" })
 }
 
@@ -60,7 +60,7 @@ pub struct PropertyFile {
     pub points: usize,
     /// Elements of the model that the file cannot represent.
     pub left_out: Vec<&'static str>,
-    /// Remarks about the contents of the file in addition to the curve.
+    /// Remarks on the origin of the curve, omitted elements, Adams's interpolation, and chatter in other programs.
     pub remarks: Vec<String>,
 }
 
@@ -68,11 +68,12 @@ pub struct PropertyFile {
 ///
 /// With `own`, the property file contains the model's own curve even if the model file has a plain FV curve.
 ///
-/// `named` is the name of the model. Property files require ASCII, so any other name is omitted. `text` is the text of the model file.
-/// `chatters` returns messages if the FV curve alone chatters. The property file contains nothing but that curve.
+/// `named` is the name of the model. Property files require ASCII, so a name with other characters is omitted. `text` is the text of the
+/// model file. `chatters` returns messages if a damper of only the FV curve chatters, because such a file contains no other element with
+/// damping.
 ///
 /// # Errors
-/// The model has no curve.
+/// The model has no curve, or its curve is invalid.
 pub fn property_file(
     file: &ModelFile,
     own: bool,
@@ -97,7 +98,7 @@ pub fn property_file(
     remarks.push(followed(own_points, curve.velocities.len() - own_points, &left));
     let mut alone = plain.params;
     alone.enable(element!("gas_preload"), false);
-    // Adams Car uses the force with its derivative, but other programs read these files too.
+    // Adams Car uses the force with its derivative, so it needs no remark on chatter. Other programs read property files too.
     let held = "In a program that takes the force once a fixed step and holds it:";
     remarks.extend(chatters(&alone).into_iter().map(|chatter| format!("{held} {chatter}")));
     let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };
@@ -134,10 +135,10 @@ fn followed(own: usize, added: usize, left: &Difference) -> String {
 const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
 
 /// Returns names and contents of the libraries for Adams: the given library, or else the embedded ones, or else the one next to the
-/// program.
+/// program. The list is empty if there is none.
 ///
 /// # Errors
-/// A library cannot be read, or does not contain the routines.
+/// A library cannot be read, or the given library does not contain dashpot's user subroutine.
 pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
     let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
     if let Some(path) = named {
@@ -164,8 +165,8 @@ pub fn no_adams_library() -> String {
     )
 }
 
-/// Length of a damper at zero displacement if it is not given, mm: that of a passenger car's damper. With a wrong length, the damper in the
-/// vehicle starts far from the zero of its records.
+/// Assumed length of a damper at zero displacement, mm, if the user gives none. It is typical of a passenger car. With a wrong length, the
+/// damper in the vehicle starts far from the zero of its records.
 pub const ASSUMED_LENGTH: f64 = 400.0;
 
 /// Contents of a run folder for Adams before it is written.
@@ -181,7 +182,7 @@ pub struct RunFolder {
 }
 
 impl RunFolder {
-    /// Returns remarks about the run folder for a path `folder`.
+    /// Returns remarks about the run folder, which the caller writes to `folder`.
     pub fn notes(&self, folder: &Path) -> Vec<String> {
         let mut notes = Vec::new();
         if self.is_length_assumed {
@@ -203,7 +204,8 @@ impl RunFolder {
         notes
     }
 
-    /// Returns remarks for users who couple Adams to a program with fixed steps. Adams itself solves for the force with its derivatives.
+    /// Returns remarks on chatter for users who couple Adams to a program with fixed steps. They do not concern Adams itself, because it
+    /// solves for the force with its derivatives.
     pub fn if_coupled(&self) -> impl Iterator<Item = String> {
         let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
         self.chatters.iter().map(move |note| format!("{coupled}: {note}"))
@@ -218,15 +220,16 @@ pub struct RunFolderInput<'a> {
     pub model: &'a Model,
     /// The text of the model file.
     pub text: &'a [u8],
-    /// Distance between the markers at zero displacement, mm. If `None`, [`ASSUMED_LENGTH`] with a note.
+    /// Distance between the damper's markers at zero displacement, mm. `None` selects [`ASSUMED_LENGTH`] and adds a note.
     pub length: Option<f64>,
-    /// The tests for the rig in the folder.
+    /// The tests that the rig model of the folder simulates.
     pub tests: &'a [SineTest],
     /// The libraries with their names.
     pub libraries: Vec<(String, Vec<u8>)>,
-    /// Sentences for the beginning of README.txt about elements that were replaced in the model.
+    /// Sentences about elements that were replaced in the model. They stand at the beginning of README.txt.
     pub replaced: Vec<String>,
-    /// Sentences for the end of README.txt about chatter of the model in a program with fixed steps. Adams itself has no such steps.
+    /// Sentences about chatter of the model in a program with fixed steps. They stand at the end of README.txt, because Adams itself
+    /// chooses its steps.
     pub chatters: Vec<String>,
 }
 

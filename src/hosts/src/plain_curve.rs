@@ -1,8 +1,8 @@
-//! FV curve for hosts that use only a curve: a property file, and the damper with which CarMaker computes its equilibrium.
+//! FV curve for hosts that use only a curve, such as a property file, and CarMaker in its computation of equilibrium.
 //!
-//! The model's own curve represents its valves, and friction is separate. Without friction, this curve lacks most of the force at low
-//! velocity. So a host that uses only a curve gets the plain FV curve that the fit stored in the model file. Among all curves, it has the
-//! smallest error on the tests of the fit.
+//! The model's own curve represents only the valves, because friction is a separate element. Without friction, this curve lacks most of the
+//! force at low velocity. So a host that uses only a curve gets the plain FV curve that the fit stored in the model file. Among all curves,
+//! the plain curve has the smallest error on the tests of the fit.
 
 use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
@@ -15,7 +15,7 @@ use dashpot_identification::model_file::{FvOnly, ModelFile, prepared};
 /// Origin of the curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
-    /// The plain curve fitted to the same tests.
+    /// The plain FV curve, fitted to the same tests as the model.
     Fitted,
     /// The model's own curve, because the caller requested it.
     Asked,
@@ -25,7 +25,7 @@ pub enum Source {
     Changed,
 }
 
-/// A curve, and the gas force if there is one.
+/// An FV curve, and the gas force if the model has one.
 pub struct PlainCurve {
     /// Damper with `fv_curve` and, if present, `gas_preload`.
     pub params: Params,
@@ -40,7 +40,7 @@ impl PlainCurve {
     /// there is neither.
     ///
     /// # Errors
-    /// The plain FV curve of the file is not valid.
+    /// The table of the plain FV curve in the file is invalid.
     pub fn from_model_file(file: &ModelFile, own: bool) -> anyhow::Result<Option<PlainCurve>> {
         let on = Element::all().filter(|element| file.params.is_on(*element) && *element != element!("fv_curve"));
         let omitted_elements = on.map(Element::name).collect();
@@ -72,8 +72,8 @@ impl PlainCurve {
         Ok(Curve::from_model(&self.params, &prepared(&self.params)?))
     }
 
-    /// Returns points whose Akima curve follows this curve, for Adams's interpolation of a property file. Also returns the number of
-    /// original points and the remaining difference.
+    /// Returns points whose Akima curve follows this curve, because Adams interpolates a property file by Akima's method. Also returns the
+    /// number of original points and the remaining difference.
     ///
     /// # Errors
     /// The errors of [`PlainCurve::curve`].
@@ -135,7 +135,8 @@ mod tests {
         for (text, own, source) in [
             (format!("{DAMPER}{FIT}"), true, Source::Asked),
             (DAMPER.to_owned(), false, Source::Only),
-            // A point of the curve, and an element, were changed by hand after the fit. The file still contains the tables of the fit.
+            // In these two files, a point of the curve or an element was changed by hand after the fit. The file still contains the tables
+            // of the fit.
             (format!("{DAMPER}{FIT}").replace("1300.0]", "1500.0]"), false, Source::Changed),
             (
                 format!("{DAMPER}{FIT}").replace("\"stribeck_friction\"", "\"gas_preload\"").replace(
@@ -151,7 +152,7 @@ mod tests {
             assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
             assert!(plain.curve().unwrap().forces.len() == 3 && plain.note().contains("own fv_curve"));
         }
-        // A change within the interval of a number does not count.
+        // A change of a parameter within its uncertainty interval does not count.
         assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
     }
 

@@ -1,13 +1,13 @@
-//! Compiled files in the command, for users without a compiler. They are missing if the command was built without them
-//! (`vi-crt-bridge/runtimes.sh`).
+//! Compiled runtimes that are embedded in the program, for users without a compiler. They are missing if
+//! `vi-crt-bridge/runtimes.sh` did not run before the build.
 
 include!(concat!(env!("OUT_DIR"), "/runtimes.rs"));
 
-/// Instructions for building a command that contains these files.
+/// Instructions for building a command with embedded runtimes.
 pub const HOW: &str =
     "build the command with it: `sh vi-crt-bridge/runtimes.sh`, then `cargo build --release -p dashpot-cli`";
 
-/// Returns one file for a platform, named as in FMI 2.0.
+/// Returns the content of an embedded file for a platform. The platform has its name of FMI 2.0.
 pub fn compiled(platform: &str, file: &str) -> Option<&'static [u8]> {
     COMPILED.iter().find(|(p, f, _)| *p == platform && *f == file).map(|(_, _, content)| *content)
 }

@@ -1,4 +1,4 @@
-//! Compares the model with models of the literature, separately for fitted tests and left-out tests.
+//! Comparison of the model with models of the literature, separately for fitted tests and left-out tests.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
@@ -24,7 +24,7 @@ impl Rival {
     }
 }
 
-/// Builds the section. Returns `None` if no model was compared.
+/// Builds the section of the comparison. Returns `None` if no model of the literature was compared.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival], words: &Words) -> Option<Section> {
     if validation.against.is_empty() {
         return None;
@@ -44,7 +44,8 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival]
     Some(Section::new("against", words.against_section, blocks))
 }
 
-/// Finds the test with the largest relative error of the validated model.
+/// Finds the test with the largest relative error of the validated model, among the fitted tests (`used`) or the
+/// left-out tests.
 fn hardest(validation: &Validation, used: bool) -> Option<usize> {
     let tests = &validation.tests;
     (0..tests.len())

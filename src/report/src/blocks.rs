@@ -54,7 +54,7 @@ pub struct Figure {
     pub file: String,
     /// The drawing, a complete SVG document.
     pub svg: String,
-    /// Text below it; may be empty.
+    /// Text below the drawing; may be empty.
     pub caption: String,
 }
 

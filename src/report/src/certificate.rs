@@ -26,7 +26,7 @@ pub struct CertificateInput<'a> {
     pub curve: &'a [[f64; 2]],
     /// Origin of the results.
     pub made: &'a Made,
-    /// The language.
+    /// Texts in the language of the certificate.
     pub words: &'a Words,
 }
 
@@ -50,7 +50,7 @@ pub fn render(input: &CertificateInput<'_>) -> String {
     )
 }
 
-/// Builds the verdict with its limits as a section of a report.
+/// Builds the section of a report with the verdict on the limits and the table of all limits.
 pub fn section(found: &Certificate, words: &Words) -> Section {
     let mut blocks = vec![Block::Verdict(found.overall, headline(found, words))];
     if found.model_passed.is_some() {
@@ -110,7 +110,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
             label(one, words).into(),
             // All velocities in a report and its figures are in mm/s.
             Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
-            // A separate column contains the unit of a bound, because times in ms and forces in N share the table.
+            // Each row states the unit of its bounds, because times in ms and forces in N share the table.
             limit.quantity.display().0.into(),
             bound(limit.quantity, limit.low),
             bound(limit.quantity, limit.high),
@@ -150,7 +150,7 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
-/// Formats the limited quantity, with its name from the limit file.
+/// Formats the quantity of a limit with its amplitude and setting, and with the name from the limit file.
 fn label(one: &Checked, words: &Words) -> String {
     let limit = &one.limit;
     let quantity = match limit.quantity {
@@ -202,7 +202,7 @@ mod tests {
         let german = page_of(&missed, Language::German);
         assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
-        // The certificate leaves missing metadata blank for handwriting. It does not read the clock.
+        // The certificate leaves missing metadata blank for handwriting, and has no date from the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
         assert!(

@@ -1,4 +1,4 @@
-//! The single tests: figures, plots and notes of the cleaning.
+//! The single tests, each with its errors, plots and notes of the cleaning.
 
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
@@ -6,7 +6,7 @@ use crate::plot::{in_space, of_test};
 use crate::words::Words;
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
-/// Largest number of plotted tests with which a browser opens the page without delay (about 70 kB each).
+/// Largest number of tests with plots, so that a browser opens the page without delay. A test adds about 70 kB.
 const MOST_SHOWN: usize = 120;
 
 /// Builds one alternative part per test. The worst test comes first.
@@ -22,7 +22,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -
     Section { choices, ..Section::new("single-tests", words.single_section, blocks) }
 }
 
-/// Builds the loops and errors of one test for the first page.
+/// Builds the loops and errors of the worst test for the first page.
 pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, words: &Words) -> Section {
     let (figures, compared) = (&validation.tests[index], &tests[index]);
     let title = words.fill(words.worst_section, &[("test", &figures.name)]);
@@ -69,7 +69,7 @@ fn one(index: usize, figures: &TestValidation, compared: &Compared<'_>, words: &
     Section::new(format!("test-{number}"), figures.name.clone(), blocks)
 }
 
-/// Formats the figures of one test as sentences.
+/// Formats motion, errors, noise and temperature of one test as sentences.
 fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) -> String {
     let (amplitude, velocity) = (milli(figures.amplitude_m), milli(figures.peak_velocity_m_s));
     let motion = if figures.frequency_hz > 0.0 {

@@ -8,7 +8,7 @@ use crate::words::Words;
 use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 use dashpot_messages::Message;
 
-/// Builds the error matrix as a picture, and the error of every test.
+/// Builds the pictures of the error matrix and of the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
     let mut blocks = Vec::new();
     let map = overview::error_map(validation, words);
@@ -76,8 +76,8 @@ pub fn tests(validation: &Validation, words: &Words) -> Section {
     Section::new("tests", words.tests_section, vec![Block::Table(table)])
 }
 
-/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model. These errors use the columns of curve
-/// and model.
+/// Builds the errors by amplitude and peak velocity, before and after an improvement of the model. In each row of `matrix`, `fv_only`
+/// contains the errors before, and `model` contains the errors after.
 pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, by_peak_velocity] = labelled(matrix, words, short);
     let about = |text: Message, rule: &str| words.fill(text, &[("rule", rule)]).trim_end().to_owned();
@@ -89,7 +89,7 @@ pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     blocks
 }
 
-/// Formats with [`milli`], without trailing zeros.
+/// Formats a value with [`milli`] and removes trailing zeros.
 fn short(si: f64) -> String {
     let text = milli(si);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }

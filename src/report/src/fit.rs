@@ -1,4 +1,4 @@
-//! Result of a fit as tables; a fit has no HTML report.
+//! Result of a fit as the tables of a workbook; a fit has no HTML report.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -29,7 +29,7 @@ pub fn workbook(
     }
 }
 
-/// Builds the sections: inventory, estimates, measurement errors, used tests, and remarks.
+/// Builds the sections: error over whole records, inventory, estimates, measurement errors, used tests, and remarks.
 fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
     let answer = words.fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);

@@ -19,7 +19,7 @@ fn finding(finding: &Finding, words: &Words) -> String {
     words.fill(words.name_and_sure, &[("name", finding.effect), ("sure", &fraction(finding.confidence))])
 }
 
-/// Builds the report for people.
+/// Builds the report on all groups.
 pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Words) -> Page {
     let mut first: Vec<Block> = curves(answers, words).map(Block::Wide).into_iter().collect();
     first.push(Block::Table(of_groups(answers, words)));
@@ -49,7 +49,7 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     Page { subtitle, sections, made, words }
 }
 
-/// Formats the name of a group. If the group's reference differs from the common reference, the name includes it.
+/// Formats the name of a group. If the group has another reference than the first group, the name includes this reference.
 fn label(answer: &GroupResult, answers: &GroupResults, words: &Words) -> String {
     if answer.reference == answers.reference {
         return answer.group.clone();
@@ -85,8 +85,8 @@ const SIZE: [f64; 2] = [880.0, 400.0];
 /// Number of groups with a distinct hue. Further groups are gray.
 const HUES: usize = 8;
 
-/// Draws the FV curves of all groups and of the reference in one figure. They include friction and gas force, over the velocity range of
-/// each group's tests.
+/// Draws the FV curves of all groups and of the reference in one figure. The curves include friction and gas force. Each covers the
+/// velocity range of the group's tests.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
@@ -130,13 +130,13 @@ fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
 }
 
-/// Tests whether the records of a group determine a parameter, so that a comparison with the reference is valid.
+/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
     if diagnosis.reference.is_none() {
         return false;
     }
     match velocity {
-        // A point beyond the velocities of the group's tests is extrapolated.
+        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared.
         Some(v) => {
             diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).any(|of| of * v > 0.0 && of.abs() >= v.abs())
         }

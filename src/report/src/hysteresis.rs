@@ -6,7 +6,7 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_identification::validation::{Hysteresis, OfEach, TestValidation, Validation};
 
-/// Builds the table. Returns `None` if no test has whole cycles.
+/// Builds the section with the table of hysteresis. Returns `None` if no test has whole cycles.
 pub fn section(validation: &Validation, words: &Words) -> Option<Section> {
     let measured: Vec<(&TestValidation, &Hysteresis)> =
         validation.tests.iter().filter_map(|test| Some((test, test.hysteresis.as_ref()?))).collect();

@@ -7,7 +7,8 @@ use crate::plot::inventory::stacked;
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// Builds the section of a diagnosis. Returns `None` if neither model has an effect other than the FV curve.
+/// Builds the section for a diagnosis. Returns `None` if neither the given nor the improved model has an effect other
+/// than the FV curve.
 pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<Section> {
     let mut table = table(items, true, words)?;
     words.inventory_caption.clone_into(&mut table.caption);
@@ -18,7 +19,8 @@ pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(Section::new("inventory", words.inventory_section, blocks))
 }
 
-/// Builds the table. Without a given model, no effect could be kept or replaced, so `status` is false.
+/// Builds the table. `status` adds a column that states whether an effect was kept, added, replaced or removed. A fit
+/// has no such column, because it begins without a given model.
 pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Table> {
     if items.is_empty() {
         return None;
@@ -53,7 +55,8 @@ pub fn probability(value: f64) -> String {
     }
 }
 
-/// Formats the status of an effect. If the effect replaces another, the text includes that effect.
+/// Formats the status of an effect. If it replaces another effect, or another effect is possible instead, the text
+/// names the other effect.
 pub fn status_text(item: &InventoryItem, words: &Words) -> String {
     let status = match item.status {
         Status::Kept => words.status_kept,

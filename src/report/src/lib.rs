@@ -3,8 +3,8 @@
 //! [`diagnosis`] writes the report of `dashpot diagnose` with the same blocks.
 //!
 //! A report is a list of [`Section`]s with a few kinds of [`Block`]. Every section builder has its own file and does not contain HTML.
-//! [`page`] writes the HTML and does not depend on dampers. [`ReportInput::extra`] adds further sections (before/after pictures, a
-//! diagnosis). [`svgs`] writes their figures too.
+//! [`page`] writes the HTML and does not depend on dampers. [`ReportInput::extra`] adds further sections, such as before/after pictures or
+//! a diagnosis. [`svgs`] writes the figures of all sections.
 //!
 //! Equal input gives equal bytes: the report contains no clock time, no random name and no machine name. All text is in
 //! [`words`], one file per language.
@@ -53,7 +53,7 @@ use dashpot_records::Campaign;
 use dashpot_simulation::comparison;
 use std::path::{Path, PathBuf};
 
-/// Contents of a report.
+/// Contents of a validation report.
 #[derive(Debug, Clone)]
 pub struct ReportInput<'a> {
     /// Language of the report.
@@ -68,15 +68,15 @@ pub struct ReportInput<'a> {
     pub model_file: String,
     /// Name of the data folder or file.
     pub data: String,
-    /// Results of the comparison.
+    /// Results of the comparison of model and records.
     pub validation: &'a Validation,
     /// The compared tests, in the order of `validation.tests`. They supply the plots and cleaning notes.
     pub tests: &'a [Compared<'a>],
     /// Parameters of the model. Without parameters, the report omits the section.
     pub parameters: Vec<ParameterRow>,
-    /// Description of the identification: [`Block::Paragraph`], [`Block::Warning`], tables. The report omits an empty description.
+    /// Description of the identification as paragraphs, warnings and tables. The report omits an empty description.
     pub identification: Vec<Block>,
-    /// Further sections, placed before the single tests.
+    /// Further sections, placed after the tables of errors and hysteresis.
     pub extra: Vec<Section>,
     /// The adjustable damper, whose curves come first, or `None` for an ordinary damper.
     pub family: Option<FamilyReport<'a>>,
@@ -165,14 +165,14 @@ fn write_figures(sections: &[Section], folder: &Path) -> anyhow::Result<Vec<Path
     Ok(written)
 }
 
-/// Returns all sections in reading order: the result, its figures, then every test and every table.
+/// Returns all sections in reading order: the result, figures of the result, then every test and every table.
 fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let (validation, words) = (input.validation, input.words);
     let mut sections = Vec::new();
     let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
     let limits_id = limits.as_ref().map(|section| section.id.clone());
     let mut answer = summary::section(validation, words);
-    // The verdict comes first. Its table follows the first figure. The certificate prints that table.
+    // The verdict on the limits comes first. The table of the limits follows later, because the certificate prints it too.
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }

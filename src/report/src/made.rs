@@ -11,7 +11,7 @@ use sha2::{Digest as _, Sha256};
 use std::io::Read as _;
 use std::path::Path;
 
-/// A file that was read.
+/// Identity of an input file: name, size and hash.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MadeFrom {
     /// Name from the command line.
@@ -29,19 +29,19 @@ pub struct Made {
     pub version: String,
     /// Date given by the user or by `SOURCE_DATE_EPOCH`.
     pub date: Option<String>,
-    /// The command without its outputs.
+    /// The command line without output options, `--date` and `--force`.
     pub command: String,
-    /// Every file read.
+    /// The input files of the report.
     pub files: Vec<MadeFrom>,
 }
 
 impl Made {
-    /// Describes results made by this version from files.
+    /// Describes results that this version of dashpot made from files. Files that are not readable are omitted.
     pub fn from_files<'a>(files: impl IntoIterator<Item = &'a Path>) -> Self {
         Self::of_known(files.into_iter().filter_map(MadeFrom::read).collect())
     }
 
-    /// Describes results made by this version from files that are already hashed.
+    /// Describes results that this version of dashpot made from files that are already hashed.
     pub fn of_known(files: Vec<MadeFrom>) -> Self {
         Self { version: env!("CARGO_PKG_VERSION").to_owned(), files, ..Self::default() }
     }
@@ -63,7 +63,7 @@ pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     }
 }
 
-/// Quotes words and joins them to one line. A shell splits the line into the same words.
+/// Quotes words and joins them to one line, which a shell splits into the same words.
 pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
     let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
     let quoted = |word: String| match () {
@@ -90,7 +90,7 @@ impl MadeFrom {
         Some(Self { name: path.display().to_string(), bytes, sha256: hexadecimal(hash.finalize().as_slice()) })
     }
 
-    /// Hashes given content.
+    /// Describes a file whose content is already in memory.
     pub fn of_content(name: &str, content: &[u8]) -> Self {
         let sha256 = hexadecimal(Sha256::digest(content).as_slice());
         Self { name: name.to_owned(), bytes: content.len() as u64, sha256 }
@@ -101,10 +101,10 @@ fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 
-/// Anchor of the section.
+/// Anchor of the section on the origin.
 pub(crate) const ID: &str = "made";
 
-/// Lists version, date and command, with instructions to reproduce the report.
+/// Lists version, date and command, with instructions to reproduce the report and a joint hash of several files.
 pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     let mut lines = vec![words.fill(words.made_version, &[("version", &made.version)])];
     lines.extend(made.date.as_ref().map(|date| words.fill(words.made_date, &[("date", date)])));
@@ -120,7 +120,7 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
-/// Builds the last section of a report.
+/// Builds the section on the origin, which is the last of a report.
 pub fn section(made: &Made, words: &Words) -> Section {
     let mut blocks: Vec<Block> = vec![Block::List(lines(made, words))];
     let row = |f: &MadeFrom| vec![f.name.as_str().into(), Cell::count(f.bytes as usize), f.sha256.as_str().into()];

@@ -1,6 +1,6 @@
-//! Report of a manoeuvre.
+//! Report of a simulated manoeuvre of a vehicle.
 //!
-//! It contains the damper forces, once with the model and once with the model's FV curve alone. It also contains the road, the chassis, the
+//! The report compares the damper forces with the model and with the model's FV curve alone. It also contains the road, the chassis, the
 //! operating region of the dampers, and the vehicle.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
@@ -17,7 +17,7 @@ use dashpot_simulation::chatter::RINGS;
 use dashpot_simulation::vehicle::{CORNERS, Car, Quiet, Run, SLOW, Sample};
 use serde::Serialize;
 
-/// Region of displacement and velocity.
+/// Range of displacement and range of velocity.
 #[derive(Serialize, Debug, Clone, Copy)]
 pub struct Region {
     /// Displacement, m.
@@ -48,7 +48,8 @@ pub struct CornerFigures {
     pub energy_j: f64,
     /// Dissipated energy with the curve, J.
     pub energy_fv_j: f64,
-    /// Fraction of the time in which a rig test is near: within a tenth of the tests' region, in both directions.
+    /// Fraction of the time in which displacement and velocity are close to those of a rig test. The limit is a tenth of the tests' range,
+    /// for both quantities.
     pub fraction_inside_tests: Option<f64>,
     /// Velocities, m/s, at which the model's FV curve ends, or `None` for a curve without ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
@@ -56,12 +57,12 @@ pub struct CornerFigures {
     pub fraction_beyond_curve: f64,
 }
 
-/// Figures of a driven manoeuvre; `dashpot manoeuvre` writes them as JSON.
+/// Key figures of a simulated manoeuvre; `dashpot manoeuvre` writes them as JSON.
 #[derive(Serialize, Debug, Clone)]
 pub struct Figures {
     /// Name of the manoeuvre.
     pub manoeuvre: String,
-    /// Step, s.
+    /// Coupling step of the host, s.
     pub step_s: f64,
     /// Largest heave acceleration for the model and for the curve, m/s².
     pub largest_heave_acceleration_m_s2: [f64; 2],
@@ -78,7 +79,7 @@ pub struct Figures {
     pub coupling_moving: f64,
     /// Region that rig tests covered.
     pub rig_tests: Option<Region>,
-    /// Every corner.
+    /// Key figures of every corner.
     pub corners: Vec<CornerFigures>,
 }
 
@@ -99,14 +100,15 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 }
 
 impl Covered {
-    /// Takes the loops from records.
+    /// Makes the loops and their region from records.
     pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
         Covered { region: region(loops.iter().flatten().copied()), loops }
     }
 
-    /// Returns a predicate. It is true if a point lies within a tenth of the tests' region from a test, in both directions.
+    /// Returns a function that states whether a point of displacement and velocity is close to a test. The largest distance is a tenth of
+    /// the tests' range, for both quantities.
     fn near(&self) -> impl Fn([f64; 2]) -> bool {
         const CELLS: usize = 20;
         let r = self.region;
@@ -197,7 +199,8 @@ pub fn figures(
     }
 }
 
-/// Selects the runs with model and curve whose difference comes from the dampers alone.
+/// Selects the runs with model and curve for their comparison: those in shorter steps, if there are any. Their difference comes from the
+/// dampers alone.
 fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
     quiet.map_or(host, |quiet| quiet.runs.each_ref())
 }
@@ -205,7 +208,7 @@ fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
 /// Input of the report of a manoeuvre.
 #[derive(Debug, Clone)]
 pub struct ManoeuvreInput<'a> {
-    /// The figures.
+    /// Key figures of the manoeuvre.
     pub figures: &'a Figures,
     /// Name of the model file.
     pub model_file: String,
@@ -223,7 +226,7 @@ pub struct ManoeuvreInput<'a> {
     pub speed: f64,
     /// Origin of the report.
     pub made: &'a Made,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'a Words,
 }
 
@@ -309,7 +312,7 @@ impl ManoeuvreInput<'_> {
         ]
     }
 
-    /// Draws a figure over the whole time of the run.
+    /// Draws a figure of quantities over the whole time of the run.
     fn over_time(&self, title: String, y: &str, series: Vec<Series>) -> String {
         let mut plane = plane(title, self.words.axis_time, y, series);
         let end = self.model.samples.last().map_or(1.0, |s| s.time);

@@ -1,4 +1,4 @@
-//! Renders sections as one HTML page: all markup, style and script of the report.
+//! Rendering of sections as one HTML page: all markup, style and script of the report.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::cells::{Cell, Value};
@@ -21,11 +21,11 @@ pub enum Print {
     Certificate,
 }
 
-/// Style of collapsed sections, for pages that contain any.
+/// Style of collapsed sections. Only a page with such a section includes it.
 const FOLDED_CSS: &str =
     "details.folded > summary > h2 { display: inline-block; margin: 12px 0; border: 0; color: var(--link); }\n";
 
-/// Renders the whole document.
+/// Renders the whole HTML document.
 pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, print: Print) -> String {
     let mut html = String::new();
     let title = escape(title);
@@ -61,7 +61,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, pr
     html
 }
 
-/// Serializes the labels of the script's buttons.
+/// Formats the labels of the script's buttons as attributes of the page's body.
 fn texts_of_script(words: &Words) -> String {
     let texts = [
         ("all", words.all_tests_shown),

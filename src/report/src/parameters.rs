@@ -1,4 +1,4 @@
-//! The model's parameters.
+//! The parameters of a model as a table: values, intervals, sources and assumptions.
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
@@ -14,7 +14,7 @@ use dashpot_estimation::priors;
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
 
-/// A parameter of the model.
+/// A row of the table, for one parameter of a model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterRow {
     /// Name of the parameter in the model file.
@@ -23,9 +23,9 @@ pub struct ParameterRow {
     pub value: f64,
     /// Unit.
     pub unit: String,
-    /// Lower end of the range, if known.
+    /// Lower end of the value's interval, if known.
     pub low: Option<f64>,
-    /// Upper end of the range, if known.
+    /// Upper end of the value's interval, if known.
     pub high: Option<f64>,
     /// Source of the value: identified, measured, default, given.
     pub source: String,
@@ -38,7 +38,7 @@ pub struct ParameterRow {
 /// Remark on a parameter in a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Remark {
-    /// What the parameter of this name means.
+    /// Meaning of the parameter with this name.
     Meaning(&'static str),
     /// Velocity of a force in the FV table, m/s.
     AtVelocity(f64),
@@ -68,7 +68,8 @@ impl Remark {
     }
 }
 
-/// Formats the assumption about a parameter that the data could not determine, and its source. If its element is off, `why` is the reason.
+/// Formats the assumption about a parameter that the data could not determine, and its source. If the element of the parameter is off,
+/// `why` is the reason.
 pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
     assumed_by(name, value, (params, &PriorSet::default()), why, words)
 }
@@ -88,7 +89,8 @@ fn assumed_by(name: &str, value: f64, (params, own): (&Params, &PriorSet), why: 
     let prior = priors::PRIORS.iter().find(|prior| *prior.number.row() == row);
     let median = prior.map(|prior| prior.distribution.center());
     let of_damper = own.rows().iter().find(|own| *own.number.row() == row);
-    // Any other value comes from the fit. It is a compromise between the prior and weak evidence in the records.
+    // A value that is neither a prior's center nor the default comes from the fit. It is a compromise between the prior and weak evidence
+    // in the records.
     let source = match (prior, median) {
         _ if of_damper.is_some_and(|own| (value / own.center() - 1.0).abs() < NEAR) => {
             words.fill(words.assumed_dimensions, &[("source", of_damper.map_or("", |own| own.facts()))])
@@ -134,7 +136,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     Some(Section::new("parameters", words.parameters_section, vec![Block::Table(table)]))
 }
 
-/// Lists the parameters of a model file, with the results of its fit.
+/// Lists the parameters of the enabled elements of a model file, with the results of its fit.
 pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
@@ -151,7 +153,8 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     Some(Interval::Number([low, high])) => (Some(*low), Some(*high)),
                     _ => (None, None),
                 };
-                // Omit parameters of an unselected form of the element.
+                // A default value without a result of the fit usually belongs to a form of the element that is not selected, so it is
+                // omitted.
                 if low.is_none() && !missing && values == p.default {
                     continue;
                 }
@@ -237,14 +240,15 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
 /// Largest relative distance of a value from the center of a damper's own prior at which the prior counts as its source.
 const NEAR: f64 = 0.1;
 
-/// Formats the assumption about an estimate that the data could not determine.
+/// Formats the assumption about an estimate that the data could not determine. Returns `None` for a determined one.
 pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
     assumed_of_damper(e, (params, &PriorSet::default()), words)
 }
 
 /// Formats the assumption about an estimate of a damper that has its own priors.
 pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) -> Option<String> {
-    // The fit includes an undetermined point of a curve, and its interval shows the uncertainty.
+    // The fit estimates also an undetermined point of a curve, and the interval of the point shows the uncertainty. So the text states no
+    // assumption.
     if e.index.is_some() {
         return (e.standing == Standing::NotIdentified).then(|| words.not_identified.to_owned());
     }

@@ -1,4 +1,4 @@
-//! Rates a fit in one sentence, in comparison with the noise and with the FV curve alone.
+//! Rating of a fit in one sentence, in comparison with the noise and with the FV curve alone.
 
 use crate::numbers::digits;
 use crate::words::Words;
@@ -6,15 +6,16 @@ use dashpot_simulation::whole_records::Quality;
 
 /// Largest ratio of error to noise at which noise explains the error. A larger ratio indicates a deficiency of the model.
 const NOISE: f64 = 1.5;
-/// Largest mean error of a good fit, percent of a test's largest force. A damper repeats within 1 to 2 % from test to test (Dixon, *The
-/// Shock Absorber Handbook*, 2007, chapter 10).
+/// Largest mean error that is rated as good, percent of a test's largest force. A damper repeats within 1 to 2 % from test to test (Dixon,
+/// *The Shock Absorber Handbook*, 2007, chapter 10).
 const GOOD: f64 = 2.0;
-/// Largest mean error of a fair fit, percent. With a larger error, the model lacks friction, gas or hysteresis.
+/// Largest mean error that is rated as fair, percent of a test's largest force. With a larger error, the model probably lacks friction, gas
+/// or hysteresis.
 const FAIR: f64 = 5.0;
 /// Smallest ratio of the curve's error to the model's error at which the model counts as better.
 const BETTER: f64 = 1.05;
 
-/// Formats the sentence.
+/// Formats the rating as a sentence.
 pub fn sentence(quality: &Quality, words: &Words) -> String {
     let Quality { model, fv_only, noise_n } = quality;
     let by_noise = model.mean_error_n / noise_n;

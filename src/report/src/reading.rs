@@ -5,10 +5,11 @@ use crate::words::Words;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_records::{Campaign, Positive, SignFinding};
 
-/// Smallest confidence of a detected sign at which a report gives no warning.
+/// Smallest confidence of a detected sign convention at which the report states it without a warning.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// For a report: the sign first, as a warning where it is doubtful, then the remarks, and those of a model file.
+/// Builds the blocks of a report: first the sign convention, as a warning if it is doubtful. A list of the remarks of
+/// reading, fit and model file follows.
 pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
@@ -24,13 +25,13 @@ pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Bloc
     blocks
 }
 
-/// Returns the sign and the remarks, with one sentence each.
+/// Returns sentences about the sign convention and about each remark of reading.
 pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()
 }
 
-/// Formats the detected or given sign as a sentence.
+/// Formats the detected or given sign convention as a sentence.
 pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
     let direction = match sign.positive {
         Positive::Rebound => words.rebound,

@@ -5,13 +5,13 @@ use crate::words::Words;
 use dashpot_messages::Message;
 use dashpot_records::{Record, TestMetadata, clock};
 
-/// Largest number of values that are listed individually.
+/// Largest number of different values of an entry that are listed individually.
 const LISTED: usize = 3;
-/// Smallest time, s, that contains a date. A shorter time is relative to an unknown day.
+/// Smallest start time of a record, s, that includes a date. A smaller value is a time on an unknown day.
 const DAY: f64 = 86_400.0;
 
-/// Returns one line each for part, serial number, operator and date. A certificate requires these lines. Rig and temperature follow if they
-/// are known.
+/// Returns one line each for part, serial number, date and operator, which a certificate requires. Rig and temperature follow if they are
+/// known.
 pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     let said = |of: fn(&TestMetadata) -> &Option<String>| {
         let mut values: Vec<String> = Vec::new();

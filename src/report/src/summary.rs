@@ -6,7 +6,8 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_identification::validation::{Errors, TestValidation, Validation};
 
-/// Builds the first section.
+/// Builds the first section of the report: the error of the model, of left-out tests and of the worst test, and the
+/// noise.
 pub fn section(validation: &Validation, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(validation, words))];
     blocks.extend(left_out(validation, words).map(Block::Paragraph));
@@ -15,7 +16,7 @@ pub fn section(validation: &Validation, words: &Words) -> Section {
     Section::new("answer", words.answer, blocks)
 }
 
-/// Builds the table of the figures that support the result.
+/// Builds the section with the table of the figures that support the result.
 pub fn figures(validation: &Validation, words: &Words) -> Section {
     Section::new("key", words.key_section, vec![Block::Table(key_table(validation, words))])
 }
@@ -52,7 +53,8 @@ fn headline(validation: &Validation, words: &Words) -> String {
     words.fill(words.headline, &figures)
 }
 
-/// Describes the error of the model in the left-out tests.
+/// Describes the error of the model in the left-out tests, or states that all tests were used in the fit. Returns
+/// `None` if no test was.
 fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     let figures = |errors: &Errors| {
         let figures = [
@@ -97,7 +99,7 @@ fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
     ))
 }
 
-/// Describes the noise, which is the lower bound of any model's error.
+/// Describes the noise, which is the lower bound of any model's error. Returns `None` if the noise is unknown.
 fn noise(validation: &Validation, words: &Words) -> Option<String> {
     let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {
@@ -108,7 +110,7 @@ fn noise(validation: &Validation, words: &Words) -> Option<String> {
     Some(words.fill(words.noise_sentence, &[("noise", &digits(mean, 2))]))
 }
 
-/// Compares model and curve, overall and for fitted and left-out tests.
+/// Builds the table that compares model and FV curve, for all tests, fitted tests and left-out tests.
 fn key_table(validation: &Validation, words: &Words) -> Table {
     let mut rows = Vec::new();
     let groups = [

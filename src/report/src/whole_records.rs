@@ -1,4 +1,4 @@
-//! Formats the errors of models over whole records as text.
+//! Formatting of the errors of models over whole records as text.
 
 use crate::numbers::digits;
 use crate::words::Words;
@@ -11,7 +11,7 @@ pub fn in_words(deviation: &Deviation, words: &Words) -> String {
     words.fill(words.whole_deviation, &[("error", &error), ("percent", &percent)])
 }
 
-/// Formats the errors of a diagnosis's models as a sentence.
+/// Formats the errors of the given, the refitted and the improved model of a diagnosis as a sentence.
 pub fn format_errors(of: &OfDiagnosis, words: &Words) -> String {
     let [came, refitted, improved] = [&of.as_it_came, &of.refitted, &of.improved].map(|d| in_words(d, words));
     words.fill(words.whole_records, &[("came", &came), ("refitted", &refitted), ("improved", &improved)])

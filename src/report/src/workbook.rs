@@ -13,26 +13,26 @@ use anyhow::Context as _;
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Workbook as Book, Worksheet, XlsxError};
 use std::path::Path;
 
-/// Input of a workbook.
+/// Contents of a workbook.
 #[derive(Debug, Clone)]
 pub struct Workbook<'a> {
     /// Title of the report.
     pub title: String,
     /// Names of the compared model and data.
     pub subtitle: String,
-    /// The report's sections; their tables become sheets.
+    /// Sections of the report. Each table of a section becomes a sheet.
     pub sections: Vec<Section>,
     /// Origin of the results.
     pub made: Made,
-    /// The language.
+    /// Texts in the language of the workbook.
     pub words: &'a Words,
 }
 
-/// Longest name of a sheet that Excel accepts.
+/// Longest name of a sheet that Excel accepts, UTF-16 units.
 const LONGEST_NAME: usize = 31;
-/// Largest width of a column, characters, that is readable without scrolling.
+/// Largest width of a column, characters. A wider column would need scrolling.
 const WIDEST: usize = 60;
-/// Number of rows that determine the width of a column. Further rows rarely change it.
+/// Number of rows that determine the width of a column. Further rows rarely change the width.
 const ROWS_LOOKED_AT: usize = 1000;
 
 impl Workbook<'_> {
@@ -60,7 +60,8 @@ impl Workbook<'_> {
         Ok(book)
     }
 
-    /// Returns all tables with the names of their sheets. The first sheet contains the origin of the report.
+    /// Returns all tables with the names of their sheets. Tables of the section on the origin are omitted, because the first sheet contains
+    /// the origin.
     fn sheets(&self) -> Vec<Sheet<'_>> {
         let mut sheets: Vec<Sheet<'_>> = Vec::new();
         let parts = self.sections.iter().flat_map(Section::parts).filter(|part| part.id != made::ID);
@@ -154,7 +155,7 @@ impl Sheet<'_> {
     }
 }
 
-/// Removes characters that Excel rejects in the name of a sheet.
+/// Replaces characters that Excel rejects in the name of a sheet by spaces, and limits the length.
 fn safe(text: &str) -> String {
     let kept: String = text.chars().map(|c| if "[]:*?/\\".contains(c) { ' ' } else { c }).collect();
     shortened(kept.trim().trim_matches('\''), LONGEST_NAME)
@@ -194,7 +195,7 @@ enum Kind {
     Ends(bool),
 }
 
-/// Returns the layout of a page's column and the common unit of its cells.
+/// Returns the layout of a page's column in the workbook, and the unit of its cells if all cells have one unit.
 fn kind(table: &Table, place: usize) -> (Kind, Option<&str>) {
     let mut units: Vec<&str> = Vec::new();
     let mut ends = false;
@@ -221,7 +222,7 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     let width = |sheet: &mut Worksheet, at: u16, text: &str, cells: &[String]| -> Result<(), XlsxError> {
         sheet.write_string_with_format(0, at, text, &heading)?;
         let widest = cells.iter().take(ROWS_LOOKED_AT).map(|c| columns_of(c)).max().unwrap_or(0);
-        // The limit lets a heading occupy three lines.
+        // A third of the heading's width suffices, because the heading wraps to three lines.
         let wanted = widest.max(columns_of(text).div_ceil(3)).max(10) + 2;
         sheet.set_column_width(at, wanted.min(WIDEST) as f64).map(drop)
     };
@@ -258,7 +259,8 @@ fn fill_sheet(sheet: &mut Worksheet, table: &Table, words: &Words) -> Result<(),
     Ok(())
 }
 
-/// Writes one part of a cell: the whole cell, or the low or high end of an interval. If the part is missing, the cell stays empty.
+/// Writes one part of a cell: the whole cell, or the low or high end of an interval. If the number is missing or not finite, the cell stays
+/// empty.
 fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize) -> Result<(), XlsxError> {
     let number = match &cell.value {
         Value::Words => {
@@ -275,7 +277,7 @@ fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize
     sheet.write_number_with_format(row, at, number, &format).map(drop)
 }
 
-/// Returns Excel's format for the digits on the page.
+/// Returns the number format with which Excel displays the digits of the page.
 fn number_format(text: &str) -> String {
     let number: String =
         text.chars().skip_while(|c| !c.is_ascii_digit()).take_while(|c| c.is_ascii_digit() || *c == '.').collect();
@@ -291,7 +293,7 @@ fn named(column: &Column, unit: Option<&str>) -> String {
         name = format!("{}: {name}", column.group);
     }
     match unit {
-        // The heading of a fraction may already contain the unit.
+        // The heading may already contain the unit, such as percent.
         Some(unit) if !name.contains(unit) => format!("{name}, {unit}"),
         _ => name,
     }

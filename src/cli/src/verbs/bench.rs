@@ -1,4 +1,4 @@
-//! `dashpot bench`: cost and accuracy of the step.
+//! `dashpot bench`: cost and accuracy of the integration step.
 
 use crate::progress::Progress;
 use anyhow::bail;
@@ -48,9 +48,9 @@ const METHODS: [(&str, Method); 5] = [
     ("third_order", Method::Third),
     ("fourth_order", Method::Fourth),
 ];
-/// Host step of the comparison, s.
+/// Step of the host in the comparison and in the timing, s.
 const STEP: f64 = 1e-3;
-/// Number of steps in a timing.
+/// Number of steps of all timing runs together.
 const TIMED: usize = 200_000;
 
 /// Runs the verb.
@@ -81,7 +81,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let mut rows = Vec::new();
     for (k, (name, stiffness, mass)) in models.into_iter().enumerate() {
         let mut params = Params::new();
-        // These values lie inside the bounds of the table.
+        // The values lie inside the bounds of the parameter table, so setting them cannot fail.
         let _ = params.set(number!("series_stiffness"), stiffness);
         let _ = params.set(number!("internal_mass"), mass);
         let Ok(model) = Model::new(&params) else { bail!("the built-in model {name} is refused") };
@@ -156,7 +156,7 @@ fn table(rows: &[Row]) -> String {
     out.trim_end().to_owned()
 }
 
-/// Returns a motion with body and wheel frequencies, like that of a simulator.
+/// Returns a damper motion with a body frequency and a wheel frequency, as in a simulated vehicle.
 fn road() -> Vec<Input> {
     (0..4096)
         .map(|i| {

@@ -81,7 +81,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
 }
 
-/// Figures of a damper, with the setting if the damper has several settings.
+/// JSON output for a damper, with the setting if it is an adjustable damper.
 #[derive(Serialize)]
 struct AtSetting {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -19,7 +19,7 @@ pub struct Args {
     output: PathBuf,
 }
 
-/// Runs the verb for the whole command.
+/// Runs the verb. `command` defines all verbs and options.
 pub fn run(args: &Args, mut command: clap::Command) -> anyhow::Result<()> {
     dashpot_output::check([args.output.as_path()])?;
     let mut text = Vec::new();

@@ -66,7 +66,7 @@ struct SensorArgs {
 }
 
 impl SensorArgs {
-    /// Sensors that need no corrections.
+    /// Arguments for sensors that need no corrections.
     const NONE: SensorArgs =
         SensorArgs { delay: 0.0, force_zero: 0.0, displacement_zero: 0.0, gain: Vec::new(), rig_mass: 0.0 };
 
@@ -105,7 +105,7 @@ pub struct ColumnArgs {
 }
 
 impl ColumnArgs {
-    /// Converts to options of the reader. The reader determines all other options from the files.
+    /// Converts the arguments to options of the reader. The reader determines all other options from the files.
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options::default();
         for text in &self.unit {
@@ -124,7 +124,7 @@ impl ColumnArgs {
 }
 
 impl DataArgs {
-    /// Returns the arguments for the records of a folder without further options.
+    /// Makes the arguments for the records of a folder, without further options.
     pub fn folder(path: PathBuf) -> DataArgs {
         DataArgs {
             data: vec![path],
@@ -141,7 +141,7 @@ impl DataArgs {
         }
     }
 
-    /// Converts to options of the reader.
+    /// Converts the arguments to options of the reader.
     pub fn options(&self) -> anyhow::Result<Options> {
         let mut options = Options {
             positive: self.positive,
@@ -164,22 +164,22 @@ impl DataArgs {
         Ok(options)
     }
 
-    /// Reads and cleans the records.
+    /// Reads and cleans the records. Warns about an uncertain sign.
     pub fn load(&self) -> anyhow::Result<Campaign> {
         let campaign = self.load_like(&self.data)?;
         print_sign(&campaign.notes);
         Ok(campaign)
     }
 
-    /// Reads and cleans records of several settings of one damper, without a warning about the settings.
+    /// Reads and cleans records of one damper at several settings. Warns about an uncertain sign, but not about different settings.
     pub fn load_over_setting(&self) -> anyhow::Result<Campaign> {
         let campaign = self.load_over_setting_like(&self.data)?;
         print_sign(&campaign.notes);
         Ok(campaign)
     }
 
-    /// Reads and cleans records of several settings with the same options. Does not warn about an uncertain sign: call [`print_sign`] once
-    /// the signs of all campaigns agree.
+    /// Reads and cleans other records of one damper at several settings, with these options. Does not warn about an uncertain sign. Call
+    /// [`print_sign`] once the signs of all campaigns agree.
     pub fn load_over_setting_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         let is_wanted = |note: &Note| !["settings", "changing_setting"].contains(&note.kind);
         let mut campaign = self.read_noting(paths, &self.options()?, &is_wanted)?;
@@ -190,7 +190,7 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Loads the campaign, and corrects the measurement errors that the model's own fit found in these records.
+    /// Reads and cleans the records, and corrects the measurement errors that the fit of the model found in these records.
     pub fn load_for(&self, model: &ModelFile) -> anyhow::Result<Campaign> {
         let load = |of: &DataArgs| match model.axis.is_some() {
             true => of.load_over_setting_like(&of.data),
@@ -198,7 +198,8 @@ impl DataArgs {
         };
         let mut campaign = load(self)?;
         let knows = |campaign: &Campaign| campaign.records.iter().any(|record| model.identification.used(record));
-        // The positive direction may be uncertain in some of the records. The fit used all records and determined it.
+        // The positive direction may be uncertain in a part of the fitted records, although the fit determined it from all of them. If only
+        // the opposite direction gives records that the fit knows, it applies.
         let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
         if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
             let positive = campaign.sign.positive.opposite();
@@ -219,29 +220,28 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans records with the same options. Does not warn about an uncertain sign: call [`print_sign`] once the signs of all
+    /// Reads and cleans other records with these options. Does not warn about an uncertain sign. Call [`print_sign`] once the signs of all
     /// campaigns agree.
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// Reads the records of the reference. Its file names often equal those of the other records, so errors state that they belong to the
-    /// reference.
+    /// Reads the records of the reference. Errors name the reference, because its file names often equal those of the other records.
     pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads the records of a reference at several settings. Errors state that they belong to the reference.
+    /// Reads the records of a reference at several settings. Errors name the reference.
     pub fn load_reference_over_setting(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_over_setting_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads paths with options that were derived from these arguments.
+    /// Reads records with the given options, and prints the notes on the selection of records.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         self.read_noting(paths, options, &|_| true)
     }
 
-    /// Reads records, and prints those notes on the selection of records that are requested.
+    /// Reads records, and prints those notes on the selection of records for which `is_wanted` is true.
     fn read_noting(
         &self,
         paths: &[PathBuf],
@@ -251,7 +251,7 @@ impl DataArgs {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
-        // Every verb prints the notes that affect the selection of records before its work.
+        // These notes affect the selection of records, so every verb prints them before its results.
         for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
@@ -259,7 +259,7 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Formats the paths.
+    /// Formats the paths of the records as a list.
     pub fn named(&self) -> String {
         named(&self.data)
     }
@@ -269,12 +269,12 @@ fn of_reference(error: anyhow::Error, paths: &[PathBuf]) -> anyhow::Error {
     error.context(format!("--reference {}", named(paths)))
 }
 
-/// Formats paths.
+/// Formats paths as a list.
 pub fn named(paths: &[PathBuf]) -> String {
     paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns whether a note was printed when the records were read.
+/// Returns whether a note of this kind is printed when the records are read.
 pub fn is_shown_first(note: &Note) -> bool {
     [
         "gap",

@@ -18,7 +18,8 @@ use dashpot_report::words::TERMINAL;
 use dashpot_report::{reading, write_workbook};
 use std::path::{Path, PathBuf};
 
-/// Returns the left-out tests: the tests that match `patterns`, or some tests of every amplitude and speed.
+/// Returns for each test whether it is left out of all refits. Without `patterns`, selects some tests of every
+/// amplitude and speed.
 pub fn left_out(campaign: &Campaign, patterns: &[String], seed: u64) -> anyhow::Result<Vec<bool>> {
     let records: Vec<&Record> = campaign.records.iter().collect();
     if patterns.is_empty() {
@@ -113,7 +114,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     })
 }
 
-/// Writes the proposed tests as a matrix. Returns a message on the result.
+/// Writes the proposed tests as a test matrix. Returns a message on the result.
 fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
         return Ok(format!(
@@ -135,7 +136,7 @@ fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> an
     ))
 }
 
-/// Diagnoses every group against the reference.
+/// Diagnoses every group against the reference, the first group or the preceding group, and writes the results.
 fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
     let data = &args.data;
     let options = data.options()?;

@@ -1,4 +1,4 @@
-//! `dashpot diagnose` of a damper over a setting: each setting separately, and one table of all.
+//! `dashpot diagnose` of a damper over a setting: a diagnosis at each setting, and one table of all settings.
 
 use super::data::{DataArgs, name_of, named, print_sign};
 use super::diagnose_args::Args;
@@ -25,7 +25,7 @@ use dashpot_report::{parameters, reading, write_workbook};
 use dashpot_simulation::comparison::settings_of;
 use std::path::{Path, PathBuf};
 
-/// One setting with its records.
+/// The records at one setting, with the model at this setting.
 struct Part {
     setting: f64,
     model: ModelFile,
@@ -45,7 +45,7 @@ struct Subject {
     files: Vec<PathBuf>,
 }
 
-/// Rejects options that do not apply to several settings.
+/// Rejects options that do not apply to several settings. `what` is the first argument of the proposed command.
 fn check(args: &Args, what: &str) -> anyhow::Result<()> {
     let one = format!("diagnose the damper at one setting: dashpot setting {what} VALUE -o one.toml");
     for (option, is_given, why) in [
@@ -61,7 +61,7 @@ fn check(args: &Args, what: &str) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Diagnoses a family from a model file. `--setting` applies to tests that state none.
+/// Diagnoses an adjustable damper from a model file. `--setting` applies to tests that state no setting.
 pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
     check(args, &args.model.display().to_string())?;
     let given = match &args.setting {
@@ -72,13 +72,13 @@ pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
             )
         })?),
     };
-    // The records of the reference also affect the certainty of the sign.
+    // The records of the reference also affect the certainty of the sign, so [`run`] prints the warning about the sign later.
     let campaign = args.data.load_over_setting_like(&args.data.data)?;
     let name = name_of(&args.model);
     run(args, &args.data, Subject { model, name, campaign, given, files: vec![args.model.clone()] })
 }
 
-/// Fits the family of the records and diagnoses it.
+/// Fits an adjustable damper to the records and diagnoses it.
 pub fn of_data(args: &Args, setting: &str) -> anyhow::Result<()> {
     check(args, "FAMILY")?;
     if setting.parse::<f64>().is_ok() {
@@ -186,7 +186,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Splits the records by setting. Each part has the damper at its setting, and the lowest setting comes first.
+/// Splits the records by setting. Each part contains the model at its setting. The lowest setting comes first.
 fn split(
     args: &Args,
     model: &ModelFile,
@@ -296,7 +296,7 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
     lines
 }
 
-/// Returns each note once. A note has its settings unless it applies to all settings.
+/// Returns each note once. If it does not apply to all settings, it begins with its settings.
 fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for (part, one) in found {
@@ -315,7 +315,7 @@ fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     all.into_iter().map(line).collect()
 }
 
-/// Kind of the first argument.
+/// Kind of the first argument of `dashpot diagnose`.
 pub enum First {
     /// A model file whose parameters depend on a setting (adjustable damper).
     Family(Box<ModelFile>),
@@ -325,13 +325,13 @@ pub enum First {
     Data,
 }
 
-/// Determines the kind of the first argument. With `--setting`, a folder contains records, and so does any file that is not a model file.
+/// Determines the kind of the first argument. With `--setting`, everything except a `.toml` file contains records.
 pub fn first_argument(args: &Args) -> anyhow::Result<First> {
     let is_model = args.model.is_file() && args.model.extension().is_some_and(|ending| ending == "toml");
     if !is_model && args.setting.is_some() {
         return Ok(First::Data);
     }
     let is_family = read_family(&args.model)?.axis.is_some();
-    // The caller prints notes on the file, so that they appear once.
+    // The caller prints the notes on the file of an ordinary damper, so they are not printed here.
     Ok(if is_family { First::Family(Box::new(model::read_family(&args.model)?)) } else { First::Ordinary })
 }

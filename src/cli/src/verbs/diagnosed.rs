@@ -1,4 +1,4 @@
-//! Diagnosis with its figures over whole records: output as JSON, text, model file and report.
+//! Result of a diagnosis with errors over whole records, and its output as JSON, text, model file and report.
 
 use super::data::{DataArgs, name_of};
 use crate::progress::Progress;
@@ -18,19 +18,21 @@ use std::path::Path;
 
 /// A diagnosis with its inputs.
 pub struct Diagnosed {
-    /// Diagnosis.
+    /// Result of the diagnosis.
     pub found: Diagnosis,
-    /// Records that no refit used.
+    /// For each record, whether it was held out from every refit.
     pub left_out: Vec<bool>,
-    /// Errors of the models. `dashpot validate` reports the same errors.
+    /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
+    /// errors.
     pub over_whole_records: OfDiagnosis,
-    /// Measurement errors that the model's fit found in its own records. States whether these records were corrected.
+    /// Note on the measurement errors that the model's fit found in its own records. It states whether these records
+    /// were corrected.
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
 }
 
-/// The findings as JSON, with the errors over whole records.
+/// JSON output: the findings and the errors over whole records.
 #[derive(Serialize)]
 pub struct Json<'a> {
     #[serde(flatten)]
@@ -41,7 +43,7 @@ pub struct Json<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Diagnoses a model against a campaign.
+/// Diagnoses a model against a campaign, and computes the errors over whole records.
 pub fn examine(
     model: &ModelFile,
     campaign: &Campaign,
@@ -83,7 +85,7 @@ impl Diagnosed {
         model_file::write(&self.found.as_fit(&records, &self.left_out, model))
     }
 
-    /// Passes the report to `write`.
+    /// Passes the report to `write`, and returns the result of `write`.
     pub fn report<T>(
         &self,
         model: &Path,
@@ -109,12 +111,13 @@ impl Diagnosed {
     }
 }
 
-/// Largest numbers of regions, rivals and tests on a terminal. The report contains all of them.
+/// Largest numbers of regions, of alternatives to a finding (`RIVALS`), and of proposed tests that the text lists. The
+/// report contains all of them.
 const REGIONS: usize = 5;
 const RIVALS: usize = 2;
 const NEXT: usize = 3;
 
-/// Formats the findings.
+/// Formats the result of a diagnosis as lines of text.
 pub fn format_diagnosis(found: &Diagnosis) -> Vec<String> {
     let mut lines = vec![headline(found, &TERMINAL)];
     if !found.inventory.is_empty() {

@@ -1,9 +1,10 @@
-//! Dimensions from the command line.
+//! Dimensions of the damper from the option `--dimensions`.
 
 use dashpot_estimation::prior_set::PriorSet;
 use std::path::Path;
 
-/// Returns the priors from a file of dimensions, or no priors without a file.
+/// Returns the priors that follow from a file of dimensions, or no priors without a file. Prints a note if no prior
+/// follows.
 pub fn priors(path: Option<&Path>) -> anyhow::Result<PriorSet> {
     let Some(path) = path else { return Ok(PriorSet::default()) };
     let priors = dashpot_dimensions::forward::priors(&dashpot_dimensions::read(path)?);

@@ -42,7 +42,7 @@ struct Json<'a> {
     explanation: &'a Explanation,
 }
 
-/// Returns the damper to explain. A damper over a setting is evaluated at the given setting.
+/// Returns the damper to explain. An adjustable damper is evaluated at the given setting.
 fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     let file = model::read_family(&args.model)?;
     let path = args.model.display();

@@ -21,7 +21,7 @@ use dashpot_report::{FamilyReport, Print, ReportInput, quality};
 use dashpot_simulation::{comparison, whole_records};
 use std::path::Path;
 
-/// Destinations of the results.
+/// Paths of the output files.
 pub struct Outputs<'a> {
     /// The model file.
     pub model: &'a Path,
@@ -31,7 +31,7 @@ pub struct Outputs<'a> {
     pub report: Option<(&'a Path, &'a TextArgs)>,
 }
 
-/// Fits the family, writes its model file and reports.
+/// Fits an adjustable damper, and writes its model file and the results.
 pub fn run(
     (campaign, records): (&Campaign, &[&Record]),
     setting: &str,
@@ -56,7 +56,7 @@ pub fn run(
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
     let changing = whole_records::quality_where_the_setting_changes(&found, records)?;
-    // Even if the errors at the settings are small, they may be larger between the settings.
+    // If the errors between the settings are larger, the rating of the fit applies only at the settings of the records.
     let is_worse_between = found.worst_left_out().is_none_or(|of| of.is_worse());
     let is_of_all = !is_worse_between && changing.is_none();
     say(&if is_of_all { good } else { format!("At the settings of the records: {}", lower_first(&good)) })?;
@@ -75,7 +75,7 @@ pub fn run(
     Ok(())
 }
 
-/// Validates the family over the whole records and writes the report.
+/// Validates the adjustable damper over whole records, and writes the report.
 fn write_report(
     (campaign, model, found): (&Campaign, &ModelFile, &FamilyFit),
     (data, output): (&DataArgs, &Path),
@@ -114,13 +114,14 @@ fn write_report(
         model_file: name_of(output),
         ..ReportInput::from_validation(model, &campaign, &compared, &validation, page.words())?
     };
-    // The report has no curve, because the curve at one setting does not represent the other settings.
+    // The figure of peak forces gets no curve, because the curve at one setting does not represent the other settings.
     input.curve.clear();
     dashpot_report::write_atomic(&input, path)?;
     say(&format!("report: {}", path.display()))
 }
 
-/// Formats the family.
+/// Formats the result of the fit: effects, dependences on the setting, parameters, actuator, and errors at each
+/// setting.
 fn format_family(found: &FamilyFit) -> Vec<String> {
     let axis = &found.setting;
     let mut out: Vec<String> =
@@ -146,10 +147,10 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// Relative difference up to which forces of an effect at all settings count as equal.
+/// Largest relative difference of the forces of an effect at all settings at which the text calls them alike.
 const ALIKE: f64 = 0.02;
 
-/// Formats the force of an effect at each setting, if it differs.
+/// Formats the force of an effect at each setting. If the forces are alike, states only that.
 fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     let forces = || of.settings.iter().map(|here| here.force_n_rms);
     let (low, high) = (forces().fold(f64::INFINITY, f64::min), forces().fold(0.0, f64::max));
@@ -160,7 +161,7 @@ fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }
 
-/// Formats the actuator.
+/// Formats the components and the parameters of the actuator.
 fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let part = |of: &ActuatorDecision| {
         let word = if of.is_present { "" } else { "no " };
@@ -176,7 +177,7 @@ fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     out
 }
 
-/// Formats a number with its interval.
+/// Formats a parameter with its interval.
 fn format_estimate(name: &str, e: &Estimate) -> String {
     match (&e.standing, e.low, e.high) {
         (Standing::NotIdentified, ..) => {

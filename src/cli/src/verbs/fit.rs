@@ -97,7 +97,7 @@ struct Json<'a> {
     tests: &'a [String],
     parameters: &'a [Estimate],
     inventory: &'a [InventoryItem],
-    /// Measurement errors of the records. They are corrected before the computation of the errors below.
+    /// Measurement errors of the records. The records are corrected before `over_whole_records` is computed.
     measured: &'a [Measured],
     notes: &'a [Sentence],
     misfit: f64,
@@ -108,7 +108,7 @@ struct Json<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Fits a model and writes its file.
+/// Fits a model and writes its model file.
 pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> anyhow::Result<Fit> {
     let progress = Progress::new("fitting");
     let found = fit(records, options, |stage| progress.say(stage.done, stage.text.english()))?;
@@ -117,7 +117,7 @@ pub fn identify(records: &[&Record], options: &FitOptions, output: &Path) -> any
     Ok(found)
 }
 
-/// Identifies a model that the kernel cannot run, and writes it in a separate file format.
+/// Identifies a model of the literature that the kernel cannot run, and writes it in a separate file format.
 fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> anyhow::Result<()> {
     let records = kept(campaign, &args.hold_out)?;
     let progress = Progress::new("fitting");
@@ -263,7 +263,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Formats the FV curve as lines of velocity and force. Returns `None` if the damper has slopes and knees, or no curve.
+/// Formats the FV curve as lines of velocity and force. Returns `None` if the curve has slopes and knees instead of points, or if there is
+/// no curve.
 fn curve_lines(params: &Params) -> Option<String> {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     if !params.counts(velocity.row()) {

@@ -14,12 +14,12 @@ fn change(change: &Change) -> String {
 /// Largest number of listed changes of a group.
 const TOLD: usize = 3;
 
-/// Returns the changes with the largest force, which are the first ones. The report and --json contain all changes.
+/// Returns the changes with the largest force, which are the first in the list. The report and --json contain all changes.
 fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }
 
-/// Formats one line for each group, and the numbers that changed in any group.
+/// Formats one line for each group, with the parameters that changed in this group, and notes.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     let is_chain = answers.groups.iter().any(|answer| answer.reference != answers.reference);
     let with = if is_chain { "the group before each, the first with " } else { "" };

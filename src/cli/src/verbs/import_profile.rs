@@ -1,4 +1,4 @@
-//! `dashpot import-profile`: writes the options for reading records to a file in their folder.
+//! `dashpot import-profile`: storage of the options for reading records in a file in their folder.
 
 use super::data::DataArgs;
 use crate::plural::count_tests;

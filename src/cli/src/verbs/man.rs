@@ -15,7 +15,7 @@ pub struct Args {
     output: PathBuf,
 }
 
-/// Runs the verb for the whole command.
+/// Runs the verb. `command` defines all verbs and options.
 pub fn run(args: &Args, command: clap::Command) -> anyhow::Result<()> {
     let mut command = command.disable_help_subcommand(true);
     command.build();

@@ -138,7 +138,7 @@ fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     Ok((model, prepared(&fv_only(&file)?).with_context(named)?))
 }
 
-/// Returns the FV curve that the fit stored. If the file has none, returns the model's curve and gas force.
+/// Returns the plain FV curve that the fit stored in the model file. If there is none, returns the model's own curve and gas force.
 fn fv_only(file: &ModelFile) -> anyhow::Result<Params> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(anyhow::Error::msg).context("the table fv_only of the model file");

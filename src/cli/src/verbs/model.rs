@@ -1,15 +1,15 @@
-//! Model files from the command line.
+//! Reading of the model files that the command line names.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
 use std::path::Path;
 
-/// Reads a model file, and prints notes on numbers without effect.
+/// Reads a model file of an ordinary damper, and prints its notes.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read(path)?)
 }
 
-/// Reads a model file whose damper may depend on a setting, and prints its notes.
+/// Reads a model file of an ordinary or an adjustable damper, and prints its notes.
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     told(path, model_file::read_family(path)?)
 }
@@ -20,7 +20,7 @@ fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
     Ok(file)
 }
 
-/// Returns the name of the setting on which a damper depends.
+/// Returns the name of the setting on which a damper depends, or "setting" if the model file does not name it.
 pub fn setting_name(axis: &Axis) -> &str {
     if axis.name().is_empty() { "setting" } else { axis.name() }
 }

@@ -48,23 +48,24 @@ fn window() -> anyhow::Result<PathBuf> {
     Ok(window)
 }
 
-/// Starts the empty user interface without waiting. If the command was double-clicked, its console then closes with it.
+/// Starts the empty user interface without waiting for its end. So the console of a double-clicked command closes at once.
 pub fn start() -> anyhow::Result<()> {
     let window = window()?;
     Command::new(&window).spawn().with_context(|| format!("cannot start {}", window.display()))?;
     Ok(())
 }
 
-/// Returns whether the command was started from the desktop. In that case Windows created a console for this process alone.
+/// Returns whether the command was started from the desktop. In that case, Windows created a console to which only this process is
+/// attached.
 #[cfg(windows)]
 pub fn was_double_clicked() -> bool {
     let mut processes = [0u32; 2];
-    // SAFETY: the length of the list is as stated, and the function writes no more.
+    // SAFETY: the array has 2 elements, as the second argument states, and the function writes no more.
     let count = unsafe { windows_sys::Win32::System::Console::GetConsoleProcessList(processes.as_mut_ptr(), 2) };
     count == 1
 }
 
-/// Returns `false`: other desktops start the user interface directly.
+/// Returns `false`, because desktops other than Windows start the user interface directly.
 #[cfg(not(windows))]
 pub fn was_double_clicked() -> bool {
     false

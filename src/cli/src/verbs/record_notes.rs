@@ -1,15 +1,16 @@
-//! Findings of the reader in the records, for the terminal.
+//! Notes of the reader on the records, for the terminal.
 
 use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
-/// Largest number of listed notes of a kind.
+/// Largest number of listed lines, for channels and for repairs.
 const LISTED: usize = 10;
-/// Kinds of notes on the conversion of columns to channels. Most of these notes are equal in all files.
+/// Kinds of notes on the conversion of columns to channels. Most of these notes are equal in all files, so each is
+/// listed once.
 const CHANNELS: [&str; 3] = ["ignored", "resampled", "crank"];
 
-/// Describes the conversion of columns to channels. Each text appears once, with its tests.
+/// Describes the conversion of columns to channels. Each text appears once, with the number of its tests.
 fn channels(campaign: &Campaign) -> Vec<String> {
     let mut tests: Vec<(String, Vec<&str>)> = Vec::new();
     for record in &campaign.records {
@@ -30,7 +31,7 @@ fn channels(campaign: &Campaign) -> Vec<String> {
     limit(lines, "more such notes; the report of dashpot validate has them")
 }
 
-/// Returns the first lines and the number of omitted lines.
+/// Truncates a list to [`LISTED`] lines, and adds a line with the number of omitted lines.
 fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > LISTED {
         let more = lines.len() - LISTED;
@@ -53,7 +54,7 @@ fn repairs(campaign: &Campaign) -> Vec<String> {
     limit(lines, "more tests were repaired; the report of dashpot validate names them")
 }
 
-/// Prints the findings of the reader in the records.
+/// Prints the sign convention of the records and the notes of the reader.
 pub fn print_record_notes(campaign: &Campaign, say: &impl Fn(&str) -> anyhow::Result<()>) -> anyhow::Result<()> {
     say(&dashpot_report::reading::sign_in_words(&campaign.sign, &TERMINAL))?;
     for note in campaign.notes.iter().filter(|n| !is_shown_first(n)) {

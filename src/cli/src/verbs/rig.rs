@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.records.len()
     } else {
         let numbers = if args.strength { Numbers::Strengths } else { Numbers::Severities };
-        // A matrix of the user replaces the plan.
+        // A test matrix of the user replaces the plan. Then [`strengths`] rejects severities, because it needs a plan.
         let searched = matrix.is_none().then(|| plan.unwrap_or_default());
         let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));
@@ -119,7 +119,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::say(None, &format!("{tests} tests in {}", args.output.display()))
 }
 
-/// Splits names and their numbers.
+/// Splits the values of `--hide` into names and numbers.
 fn effects(texts: &[String]) -> anyhow::Result<RequestedEffects> {
     texts
         .iter()

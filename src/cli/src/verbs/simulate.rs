@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let mut record = read_motion(&args.motion, &args.columns.options()?)?;
     if let Some(of) = &mut record.setting {
-        // An incompatible unit of a setting is rejected where the setting is used.
+        // [`Commands::choose`] rejects an incompatible unit later, if the setting is used.
         restate(&file.axis, &of.name, &mut of.unit, &mut of.values);
     }
     let own = record.setting.as_ref();
@@ -88,7 +88,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let answers = match &commands {
         Some(commands) => {
             let mut family = Box::new(Family::OFF);
-            // The reader of the file has already checked this.
+            // The reader of the model file has already checked the parameters.
             family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
             motion.drive_family(&family, &|sample| commands.command(&motion, sample))?
         }
@@ -100,7 +100,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (heading(&file.axis), settings)
     });
     dashpot_output::write(&args.output, csv(&answers, settings))?;
-    // Rows may go to standard output, so remarks go to the other stream.
+    // If the rows go to standard output, remarks go to standard error.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
     let clamped = commands.as_ref().and_then(|commands| commands.clamped(&motion, file.axis.range()));
     let of_setting =
@@ -125,7 +125,7 @@ fn csv(answers: &[SimulatedSample], settings: Option<(String, Vec<f64>)>) -> Str
     out
 }
 
-/// Returns a remark if rows are so far apart that the motion between them is uncertain.
+/// Returns a remark if steps are so long that the motion within them is uncertain.
 fn coarse(answers: &[SimulatedSample]) -> Option<String> {
     let steps = answers.windows(2).map(|rows| rows[1].time - rows[0].time);
     let long = steps.clone().filter(|step| *step > LONG_STEP * (1.0 + 1e-9)).count();

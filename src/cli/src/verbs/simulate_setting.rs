@@ -9,12 +9,12 @@ use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, re
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
-/// Settings over time from the option: start time, s, and setting of each entry.
+/// Settings over time from the option `--setting`: start time, s, and setting of each entry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schedule(Vec<(f64, SettingText)>);
 
 impl Schedule {
-    /// Parses a number, or times and numbers.
+    /// Parses a setting, or pairs of time and setting such as `0:0.4,1.5:1.2`.
     ///
     /// # Errors
     /// The text is not of this form, or the times do not increase.
@@ -47,10 +47,10 @@ fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
     schedule.iter().rev().find(|(from, _)| *from <= time).map_or(start, |(_, value)| *value)
 }
 
-/// Source of the setting of each step.
+/// Source of the setting of a simulation.
 #[derive(Debug, Clone, PartialEq)]
 enum Source {
-    /// The option. Before its first time the start setting of the model file applies.
+    /// The option `--setting`. Before its first time, the start setting of the model file applies.
     Schedule(Vec<(f64, f64)>, f64),
     /// The file of the motion.
     Motion,
@@ -58,16 +58,16 @@ enum Source {
     Start(f64),
 }
 
-/// Commands of a simulation, with notes for the user.
+/// Commands to the valve in a simulation, with notes for the user.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Commands {
     source: Source,
-    /// Notes.
+    /// Notes for the user on the choice of the setting.
     pub notes: Vec<String>,
 }
 
 impl Commands {
-    /// Chooses between the option and the motion's own setting.
+    /// Chooses between the option `--setting`, the motion's own setting, and the start setting of the model file.
     ///
     /// # Errors
     /// Both the option and a column of the motion have a setting, or the column has another unit than the model.
@@ -80,8 +80,8 @@ impl Commands {
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
-        // A part of a file name such as 1A may number the motions. It counts as a current if the model depends on current and its grid
-        // includes the value.
+        // A part of a file name such as 1A may number the motions. It counts as a current only if the model depends on current and the
+        // range of its settings includes the value.
         let (low, high) = axis.range();
         let can_be = |of: &&MotionSetting| {
             of.source != SettingSource::Name { is_sure: false }
@@ -103,7 +103,7 @@ impl Commands {
         let own = own.filter(is_of_model);
         if let Some(schedule) = given {
             match own.map(|of| &of.source) {
-                // Two commands contradict each other, and the intended one is unknown.
+                // The option and the column contradict each other, and the intended one is unknown.
                 Some(SettingSource::Column(heading, channel)) => bail!(
                     "{} has the setting of each sample in its column '{heading}': leave --setting out, or leave the column unread with \
                      --ignore {channel}",
@@ -145,7 +145,7 @@ impl Commands {
         Ok(Commands { source: Source::Motion, notes })
     }
 
-    /// Returns a note if settings of the schedule lie outside the grid, with the number of samples at which they are clamped.
+    /// Returns a note if settings of the option lie outside the range of the model, with the number of samples at which they are clamped.
     pub fn clamped(&self, motion: &ImposedMotion, (low, high): (f64, f64)) -> Option<String> {
         let Source::Schedule(schedule, _) = &self.source else { return None };
         let is_outside = |value: f64| !(low..=high).contains(&value);
@@ -158,7 +158,7 @@ impl Commands {
         ))
     }
 
-    /// Returns a note if a schedule has times after the end of the motion, `end`, s.
+    /// Returns a note if the option has times after the end of the motion, `end`, s.
     pub fn unreached(&self, end: f64) -> Option<String> {
         let Source::Schedule(schedule, _) = &self.source else { return None };
         let (from, value) = schedule.iter().find(|(from, _)| *from > end)?;
@@ -178,7 +178,7 @@ impl Commands {
         }
     }
 
-    /// The setting at a sample of a motion.
+    /// Returns the setting at a sample of a motion.
     pub fn setting(&self, motion: &ImposedMotion, sample: usize) -> f64 {
         match &self.source {
             Source::Motion => motion.setting.as_ref().and_then(|of| of.get(sample)).copied().unwrap_or(0.0),
@@ -187,7 +187,7 @@ impl Commands {
     }
 }
 
-/// Returns the heading of the column of a setting, such as `current_A`. The reader of records recognizes it.
+/// Returns the heading of the column of a setting, such as `current_A`. The reader of records recognizes this heading.
 pub fn heading(axis: &Axis) -> String {
     let text = match axis.unit() {
         "" => axis.name().to_owned(),
@@ -196,15 +196,15 @@ pub fn heading(axis: &Axis) -> String {
     text.chars().map(|letter| if letter.is_alphanumeric() { letter } else { '_' }).collect()
 }
 
-/// Returns the lowest and the highest value.
+/// Returns the lowest and the highest setting of a motion.
 fn range(of: &MotionSetting) -> (f64, f64) {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     of.values.iter().fold(ends, |(low, high), value| (low.min(*value), high.max(*value)))
 }
 
-/// Rounds a value to three digits of `size`, and never coarser than integers.
+/// Rounds a value to the decimals that give `size` three digits. Integer digits are not rounded.
 ///
-/// A logged current is never exactly 0, and its many digits obscure the actual values.
+/// The rounding removes the noise of a logged current, which is never exactly 0 and whose many digits obscure the actual values.
 fn rounded(value: f64, size: f64) -> f64 {
     if size <= 0.0 {
         return value;
@@ -214,7 +214,7 @@ fn rounded(value: f64, size: f64) -> f64 {
     format!("{value:.decimals$}").parse().unwrap_or(value) + 0.0
 }
 
-/// Describes the source of the setting, and its range.
+/// Describes the source of the setting, and the range of its values.
 fn describe(of: &MotionSetting, motion: &Path) -> String {
     let (low, high) = range(of);
     let size = low.abs().max(high.abs());
@@ -228,10 +228,10 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
     format!("{} {source}: {}", of.name, values.trim_end())
 }
 
-/// Returns a note if samples lie outside the grid.
+/// Returns a note if settings of the motion lie outside the range of the model.
 fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let (low, high) = axis.range();
-    // At the end of the grid, the noise of a logged current does not count as another setting.
+    // At the end of the range, the noise of a logged current does not count as another setting.
     let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
     let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {
@@ -294,7 +294,8 @@ mod tests {
             (matches!(found.source, Source::Motion), found.notes.concat())
         };
         assert!(source("current", false, 1.0).0 && source("current", true, 0.4).0);
-        // The text may number the motions. A value outside the grid, or a setting of another quantity, is ignored.
+        // A number in a file name may number the motions. A value outside the range of the model, or a setting of another quantity, is
+        // ignored.
         assert!(!source("current", false, 9.0).0);
         let (is_read, notes) = source("clicks", false, 1.0);
         assert!(!is_read && !notes.contains("clicks"), "{notes}");

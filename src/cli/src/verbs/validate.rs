@@ -182,7 +182,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
             ..ReportInput::from_validation(&model, &campaign, &compared, &validation, args.page.text.words())?
         };
         if is_family {
-            // The report has no curve, because the curve at one setting does not represent the other settings.
+            // The figure of peak forces gets no curve, because the curve at one setting does not represent the other settings.
             input.curve.clear();
             input.family = Some(FamilyReport { model: &model, fit: None });
         }
@@ -239,19 +239,19 @@ fn against_table(against: &[Against]) -> String {
     out.trim_end().to_owned()
 }
 
-/// Returns whether the peak velocity of a test exceeds the range of the FV curve by more than the scatter of measured peaks.
+/// Returns whether the peak velocity of a test exceeds the range of the FV curve by more than 5 %, the scatter of measured peaks.
 fn outruns(model: &Model, record: &Record) -> bool {
     let peak = record.peak_velocity / 1.05;
     !model.covers(peak) || !model.covers(-peak)
 }
 
-/// Simulates every record with the model and with the FV curve alone. Shows the progress.
+/// Simulates every record with the model and with the FV curve alone, and shows the progress.
 pub fn compare<'a>(file: &ModelFile, campaign: &'a Campaign) -> anyhow::Result<Vec<Compared<'a>>> {
     let progress = Progress::new("simulating");
     Ok(comparison::compare(file, campaign, &|done, total| progress.count(done, total))?)
 }
 
-/// Compares a damper over a setting with records. Each test has its own setting.
+/// Simulates every record with an adjustable damper at the record's own setting, and with the FV curve alone.
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -302,12 +302,12 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Smallest reported uncertainty of a response time, as a fraction of it.
+/// Uncertainty of a response time, as a fraction of this time, above which the text states the uncertainty.
 const COARSE: f64 = 0.1;
-/// Fraction of a response that the levels must complete. Below it, the text recommends longer levels.
+/// Smallest completed fraction of a response at the end of a level of the setting. Below it, the text recommends longer levels.
 const SETTLED: f64 = 0.97;
 
-/// Formats the response times to a step.
+/// Formats the response times of measurement and model for one kind of step.
 fn response(of: &StepResponse, unit: &str) -> String {
     let times = |times: &Option<ResponseTimes>, uncertainty: Option<TimeUncertainty>| match times {
         Some(t) => {
@@ -345,7 +345,7 @@ pub fn table(v: &Validation) -> String {
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",
         "", "tests", "mean N", "error %", "region 1 N", "region 2 N", "FV mean N", "FV %"
     );
-    // Use hundredths of a newton. For a small damper, use enough decimals for two digits of its mean error.
+    // Forces have two decimals. For a small damper, they have enough decimals for two digits of the mean error.
     let places = (2..6).find(|&p| v.overall.errors.model.mean_error_n * 10f64.powi(p) >= 10.0).unwrap_or(2) as usize;
     let mut row = |label: &str, tests: usize, e: &dashpot_identification::validation::Errors| {
         out += &format!(

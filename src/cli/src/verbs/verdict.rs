@@ -1,6 +1,6 @@
-//! Verdicts that determine the exit code of a verb.
+//! Verdict that determines the exit code of a verb.
 
-/// Verdict of a verb on a damper.
+/// Verdict of `dashpot validate` or `dashpot check` on a damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// The damper meets all requirements, or there are no requirements.

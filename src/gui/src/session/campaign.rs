@@ -1,4 +1,4 @@
-//! Records as read from their files, with prepared data of each test for the views.
+//! The open campaign: records from files, and prepared data of each test for the views.
 
 use crate::session::progress::Report;
 use dashpot_records::smoothing::{Motion, smooth};
@@ -8,19 +8,20 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::path::PathBuf;
 
-/// A campaign as read from its files.
+/// A campaign that was read from files, with prepared data of each test.
 pub struct Loaded {
-    /// Files and folders that were given.
+    /// Files and folders that the user opened.
     pub paths: Vec<PathBuf>,
-    /// The common folder of the records. It is determined during reading, because it may disappear later.
+    /// The common folder of the records, or `None` if they have none. It is determined during reading, because the folder may disappear
+    /// later.
     pub folder: Option<PathBuf>,
     /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,
-    /// The records.
+    /// The records, with the measurement corrections if there are any.
     pub campaign: Campaign,
     /// Prepared data of each test, in the order of the records.
     pub tests: Vec<Seen>,
-    /// Initial warming of the damper in each test.
+    /// Temperature of the oil above the surroundings at the start of each test.
     pub warm: WarmStarts,
     /// The campaign before the measurement corrections, if corrections were applied.
     original: Option<Box<Campaign>>,
@@ -34,11 +35,11 @@ pub struct Seen {
     pub shown: Range<usize>,
     /// The shown cycle as a thinned record, for a fast simulation while a slider moves.
     pub cycle: Record,
-    /// Number of samples of the shown cycle in `cycle`; one further sample closes the cycle.
+    /// Number of samples of `cycle` that belong to the shown cycle. One further sample follows if the record continues after the cycle.
     pub cycle_samples: usize,
     /// Decimation factor: `cycle` contains every `stride`-th sample of the record.
     pub stride: usize,
-    /// Motion of `cycle`.
+    /// Smoothed motion of `cycle`.
     pub cycle_motion: Motion,
     /// Largest measured force, N.
     pub max_force: f64,
@@ -51,8 +52,8 @@ impl Seen {
         let motion = smooth(record);
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
-        // One sample beyond the cycle lets the model reach steady state in a cycle before the shown one, as on whole records. A motion
-        // without cycles, such as a road, is not thinned, because its direction may change at any sample.
+        // With one sample beyond the cycle, the simulation runs one cycle before the shown one. So the model reaches steady state, as on
+        // whole records. A motion without cycles, such as a road, is not thinned, because its direction may change at any sample.
         let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
         let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
         let cycle_samples = taken.len();
@@ -71,10 +72,10 @@ impl Seen {
     }
 }
 
-/// Largest number of samples of a thinned cycle. The loop looks the same with more samples, and slow tests have thousands.
+/// Largest number of samples of a thinned cycle. More samples do not change the drawn loop visibly, and slow tests have thousands.
 const QUICK: usize = 300;
 
-/// Cuts a record to the given samples. They contain one cycle, which begins at their first sample.
+/// Cuts a record and its motion to the samples `taken`. The first `cycle` of these samples are one cycle.
 fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Record, Motion) {
     let cut = |values: &[f64]| taken.iter().map(|i| values[*i]).collect();
     #[expect(clippy::single_range_in_vec_init, reason = "one cycle is one range")]
@@ -104,10 +105,10 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
     (short, motion)
 }
 
-/// Fraction of the peak velocity above which samples count as fastest. For a sine, these are 3 % of the cycle at each velocity peak.
+/// Fraction of the peak velocity above which [`peaks`] averages samples. For a sine, these are 3 % of the cycle at each velocity peak.
 const FASTEST: f64 = 0.995;
 
-/// Averages velocity and force of the fastest samples in rebound and in compression.
+/// Averages velocity and force of the fastest samples in rebound and in compression. A direction without motion gives NaN.
 fn peaks(record: &Record, motion: &Motion) -> [[f64; 2]; 2] {
     let whole = match (record.cycles.first(), record.cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,
@@ -156,14 +157,16 @@ impl Loaded {
         Loaded { paths, folder, options, campaign, tests, warm, original }
     }
 
-    /// Lists the paths of the campaign.
+    /// Formats the paths of the campaign as a list.
     pub fn named(&self) -> String {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
     }
 
-    /// Finds the test whose amplitude, frequency and mean position equal those of a test of another campaign.
+    /// Finds the test whose amplitude, frequency and mean displacement are those of a test of another campaign. Returns `None` if there is
+    /// no such test.
     pub fn like(&self, wanted: &Record) -> Option<usize> {
-        /// Largest relative difference between two motions of one test. The diagnosis against a reference uses the same value.
+        /// Largest relative difference of amplitude, and of frequency, between equal tests of two campaigns. The diagnosis against a
+        /// reference uses the same value.
         const SAME: f64 = 0.05;
         let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= SAME * scale.max(1e-9);
         self.campaign.records.iter().position(|r| {

@@ -1,4 +1,4 @@
-//! Compares the ticked tests with the forces of the model and of the FV curve alone, for a validation and its report.
+//! Comparison of the ticked tests with the forces of the model and of the FV curve alone, for a validation and its report.
 
 use crate::session::campaign::Loaded;
 use crate::session::dampers::{Dampers, TestDamper};
@@ -15,9 +15,9 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Snapshot of the model and tests on screen.
+/// Snapshot of the model on screen and the ticked tests, for a task in the background.
 pub struct Comparison {
-    /// The model with the contents of its file.
+    /// The model on screen as the contents of a model file.
     pub file: ModelFile,
     /// The adjustable damper and the setting on screen, if each test has its own setting.
     family: Option<(ModelFile, f64)>,
@@ -27,7 +27,7 @@ pub struct Comparison {
 }
 
 impl Session {
-    /// Takes a snapshot of the model and the ticked tests. Returns `None` if either is missing.
+    /// Takes a snapshot of the model and the ticked tests. Returns `None` without a model or without records.
     pub fn comparison(&self) -> Option<Comparison> {
         let (loaded, model) = (self.campaign.clone()?, self.model.as_ref()?);
         let at = model.over_setting().filter(|_| self.own_settings).map(|(_, at)| at);
@@ -42,7 +42,7 @@ impl Session {
 }
 
 impl Comparison {
-    /// Returns the adjustable damper if the forces come from it.
+    /// Returns the adjustable damper if all forces come from it. Returns `None` for an ordinary damper, and if values are tuned.
     pub fn family(&self) -> Option<&ModelFile> {
         let (whole, at) = self.family.as_ref()?;
         (whole.definition().params_at(*at) == self.file.params).then_some(whole)
@@ -61,7 +61,7 @@ impl Comparison {
         }
     }
 
-    /// Simulates the tests.
+    /// Simulates the ticked tests with the model and with the FV curve.
     ///
     /// # Errors
     /// A model cannot run, or no FV curve can be fitted.
@@ -72,7 +72,7 @@ impl Comparison {
         }
     }
 
-    /// Simulates each test at its own setting. Tuned values apply only to tests at the setting of these values.
+    /// Simulates each test at its own setting. Tuned values apply only to tests at the setting at which they were tuned.
     fn run_family(
         &self,
         whole: &ModelFile,
@@ -98,7 +98,7 @@ impl Comparison {
         let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
         let (loaded, file) = (&self.loaded, &self.file);
         let records: Vec<&Record> = self.ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
-        // If a model file has no FV curve of its own, a curve is fitted to these tests, as in the command.
+        // If the model file contains no plain FV curve of a fit, a curve is fitted to the ticked tests, as in the command.
         let fv_only = match &file.identification.fv_only {
             Some(curve) => curve.params().map_err(Sentence::as_it_is)?,
             None => {

@@ -1,4 +1,4 @@
-//! Selects the damper of each test: the damper on screen, or the damper at the test's own setting.
+//! Selection of the damper of each test: the damper on screen, or the damper at the test's own setting.
 
 use crate::session::campaign::Loaded;
 use dashpot_core::family::{Definition, Family};
@@ -40,14 +40,15 @@ pub enum TestDamper {
 }
 
 impl Dampers {
-    /// Uses the values on screen for all tests.
+    /// Makes dampers that use the values on screen for all tests.
     pub fn shown(params: Params) -> Dampers {
         Dampers { params, over: None }
     }
 
-    /// Uses each test's own setting.
+    /// Makes dampers that use each test's own setting.
     ///
-    /// The values on screen apply to tests without a setting. Tuned values also apply to tests at the setting of these values.
+    /// The values on screen apply to tests without a setting. Tuned values also apply to tests at the setting `at`, at which they were
+    /// tuned.
     pub fn over_setting(params: Params, damper: Definition, at: f64) -> Dampers {
         let is_tuned = damper.params_at(at) != params;
         Dampers { params, over: Some(Over { damper: Box::new(damper), at, is_tuned }) }
@@ -70,7 +71,7 @@ impl Dampers {
         }
     }
 
-    /// Returns whether the values on screen apply to a test: it has their setting, or no setting.
+    /// Returns whether a test belongs to the setting of the values on screen: it has this setting, or no setting.
     pub fn is_at_shown(&self, record: &Record) -> bool {
         let Some(over) = &self.over else { return true };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -89,7 +90,7 @@ impl Dampers {
         }
     }
 
-    /// Returns the constant settings of the simulated tests, increasing, with the values at each setting.
+    /// Returns the constant settings at which tests are simulated, in increasing order, with the values at each setting.
     pub fn settings(&self, records: &[Record]) -> Vec<(f64, Params)> {
         let Some(over) = &self.over else { return Vec::new() };
         let own = records.iter().filter_map(|record| match self.of_test(record) {
@@ -124,7 +125,7 @@ impl Dampers {
     }
 }
 
-/// The damper at a setting.
+/// The damper at a setting, ready for simulation.
 struct AtSetting {
     setting: f64,
     params: Params,
@@ -140,7 +141,8 @@ pub struct PreparedDampers<'a> {
 }
 
 impl PreparedDampers<'_> {
-    /// Computes the forces along `record`, a part or the whole of the test with index `test`.
+    /// Computes the forces along `record`, which is a part or the whole of the test with index `test`. Returns no forces if the damper of
+    /// the test was not prepared.
     pub fn predict(&self, loaded: &Loaded, test: usize, record: &Record, motion: &Motion) -> Vec<f64> {
         let warm = |model: &Model, params: &Params| predict(model, record, motion, loaded.warm.rise(params, test));
         match self.dampers.of_test(&loaded.campaign.records[test]) {
@@ -185,7 +187,7 @@ mod tests {
         // A setting of another quantity does not apply.
         let clicks = Setting { name: "clicks".into(), unit: String::new(), value: 1.0 };
         assert_eq!(gas(at_zero.params_of(&Record { setting: Some(clicks), ..Record::default() })), Some(80.0));
-        // Tuned values apply only at their setting.
+        // Tuned values apply only at the setting at which they were tuned.
         let mut tuned = damper.params_at(1.0);
         tuned.set(number!("gas_force"), 150.0).unwrap();
         let tuned = Dampers::over_setting(tuned, damper, 1.0);

@@ -13,12 +13,12 @@ pub struct Drawing {
     /// Path of the file.
     pub path: PathBuf,
     dimensions: Dimensions,
-    /// The last explanation and the values that it explains.
+    /// The last explanation and the parameter values for which it was computed.
     explained: Option<(Params, Explanation)>,
 }
 
 impl Session {
-    /// Opens a file of dimensions. Returns whether it was readable.
+    /// Opens a file of dimensions. Returns whether the file was readable.
     pub fn open_drawing(&mut self, path: &Path) -> bool {
         match read(path) {
             Ok(dimensions) => {
@@ -34,7 +34,7 @@ impl Session {
         }
     }
 
-    /// Explains the current model by the dimensions. Returns `None` if either is missing.
+    /// Explains the current model by the dimensions. Returns `None` without a model or without dimensions.
     pub fn explain(&mut self) -> Option<&Explanation> {
         let (drawing, model) = (self.drawing.as_mut()?, self.model.as_ref()?);
         let params = model.params();
@@ -52,7 +52,7 @@ impl Session {
     }
 }
 
-/// Tests whether a file contains dimensions. It does if its name says so, or if it has an entry of dimensions and is not a model.
+/// Returns whether a file contains dimensions. Its name is `dimensions.toml`, or it has an entry of dimensions and is not a model.
 pub fn is_drawing(path: &Path) -> bool {
     if path.file_name().is_some_and(|name| name == "dimensions.toml") {
         return true;

@@ -42,7 +42,7 @@ impl Host {
 
 /// Input of an export.
 pub struct Export {
-    /// Target.
+    /// Target of the export.
     pub host: Host,
     /// Values of the model.
     pub params: Params,
@@ -56,7 +56,8 @@ impl Export {
     /// Writes the export. Returns the notes that the command would print.
     ///
     /// # Errors
-    /// The model has nothing to export, another kind of file occupies the path, or the path is not writable.
+    /// The model cannot be exported, the compiled runtime is missing, or another kind of file exists at the path. The
+    /// path is not writable.
     pub fn write(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let model = Model::new(&self.params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         match self.host {
@@ -94,7 +95,7 @@ impl Export {
         Ok(remarks)
     }
 
-    /// Returns the model file. It includes the results of the fit if the text contains them.
+    /// Returns the contents of the model file. They include the results of the fit if the text contains them.
     fn file(&self) -> ModelFile {
         let read = model_file::of_text(&self.text, Path::new(&self.name)).ok();
         let (identification, given) = read.map(|file| (file.identification, file.specified)).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Writes files with the overwrite checks of the command.
+//! Writing of files with the overwrite checks of the command.
 
 use anyhow::Context as _;
 use dashpot_output::Kind;
@@ -9,7 +9,7 @@ pub fn checked(path: &Path, kind: Kind) -> anyhow::Result<()> {
     dashpot_output::check_kinds([(Some(path), kind)])
 }
 
-/// Writes a file of a kind.
+/// Writes a file, unless a file of another kind exists at the path.
 pub fn write(path: &Path, kind: Kind, bytes: &[u8]) -> anyhow::Result<()> {
     checked(path, kind)?;
     dashpot_output::replace_file(path, bytes).with_context(|| format!("cannot write {}", path.display()))

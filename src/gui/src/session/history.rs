@@ -3,12 +3,12 @@
 /// Largest number of undo steps. A model has a few kilobytes, so all steps need a few megabytes.
 const DEPTH: usize = 500;
 
-/// A value with its undo and redo steps. `C` identifies the subject of a change.
+/// A value with its undo and redo steps. `C` is the type that identifies the subject of a change.
 pub struct History<T, C> {
     past: Vec<T>,
     now: T,
     future: Vec<T>,
-    /// Subject of the current change. A further change of this subject replaces the current value.
+    /// Subject of the current change. A further change of this subject adds no undo step.
     open: Option<C>,
 }
 
@@ -23,7 +23,8 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         &self.now
     }
 
-    /// Sets the value. Returns whether the new value differs from the previous value.
+    /// Sets the value and discards the redo steps. Successive changes of one subject are one undo step. Returns whether
+    /// the new value differs from the previous value.
     pub fn change(&mut self, change: C, value: T) -> bool {
         if value == self.now {
             return false;
@@ -41,12 +42,12 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Ends the current change.
+    /// Ends the current change, so that the next change has a separate undo step.
     pub fn seal(&mut self) {
         self.open = None;
     }
 
-    /// Restores the previous value.
+    /// Restores the value before the last undo step. Returns `false` if there is none.
     pub fn undo(&mut self) -> bool {
         self.open = None;
         let Some(before) = self.past.pop() else { return false };
@@ -54,7 +55,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Restores the value before the last undo.
+    /// Restores the value before the last undo. Returns `false` if there is none.
     pub fn redo(&mut self) -> bool {
         self.open = None;
         let Some(after) = self.future.pop() else { return false };
@@ -62,7 +63,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         true
     }
 
-    /// Discards the redo steps after another change.
+    /// Discards the redo steps, and ends the current change.
     pub fn forget_future(&mut self) {
         self.open = None;
         self.future.clear();

@@ -3,7 +3,7 @@
 use dashpot_identification::validation::SLOW_PEAK_VELOCITY;
 use dashpot_records::Record;
 
-/// Quantity of the columns.
+/// Quantity of the columns of the error matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Across {
     /// Peak velocity.
@@ -22,16 +22,17 @@ pub struct Grid {
     pub columns: Vec<f64>,
     /// Tests in each cell, row by row.
     pub cells: Vec<Vec<usize>>,
-    /// Slow tests for friction and gas force. The report lists them separately too, because their many velocities would fill the columns.
+    /// Slow tests for friction and gas force. They have no columns, because their many velocities would fill the matrix. The report lists
+    /// them separately too.
     pub slow: Vec<usize>,
-    /// Tests outside the matrix, without whole cycles.
+    /// Tests without whole cycles, which are outside the matrix.
     pub elsewhere: Vec<usize>,
 }
 
 /// Largest relative difference of values in one row or column. Rigs reach their targets within a few percent.
 const SAME: f64 = 0.06;
 
-/// Returns the center of each cluster of values.
+/// Returns the mean of each cluster of values.
 fn clusters(mut values: Vec<f64>) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     let mut groups: Vec<Vec<f64>> = Vec::new();

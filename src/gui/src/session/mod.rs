@@ -64,10 +64,10 @@ use tasks::{Kind, Outcome, Standing, Task};
 /// Callback for new results. Any thread may call it.
 pub type Waker = Arc<dyn Fn() + Send + Sync>;
 
-/// The last message.
+/// A message in the status line.
 #[derive(Debug, Clone)]
 pub struct Message {
-    /// The sentence.
+    /// Text of the message.
     pub text: Sentence,
     /// Whether the message reports an error.
     pub wrong: bool,
@@ -75,33 +75,33 @@ pub struct Message {
 
 /// All open data and running tasks.
 pub struct Session {
-    /// The records.
+    /// The open records.
     pub campaign: Option<Arc<Loaded>>,
-    /// Another campaign of the same tests, for comparison.
+    /// The reference: another campaign of the same tests, for comparison.
     pub reference: Option<Arc<Loaded>>,
-    /// The model.
+    /// The model on screen.
     pub model: Option<Tuned>,
-    /// Plotted tests.
+    /// Indices of the plotted tests.
     pub selected: BTreeSet<usize>,
-    /// Tests excluded from fit, validation and diagnosis.
+    /// Indices of the tests that are excluded from fit, validation and diagnosis.
     pub unticked: BTreeSet<usize>,
     /// Whether each test is simulated at its own setting of an adjustable damper.
     pub own_settings: bool,
-    /// The newest forces of the model.
+    /// The newest forces of the model on screen.
     pub simulated: Option<Arc<Simulated>>,
     /// Forces of the identified model, for comparison.
     pub identified: Option<Arc<Simulated>>,
     /// Results of the verbs.
     pub results: Results,
-    /// Responses of the open tests' force to steps of the setting.
+    /// Responses of the force to steps of the setting in the open tests.
     pub responses: valve::Responses,
     /// The dimensions of the damper.
     pub drawing: Option<drawing::Drawing>,
     /// Whether the dimensions were opened since the last frame.
     pub is_drawing_new: bool,
-    /// A family of loops.
+    /// Loops of one test for several values of one parameter.
     pub study: Option<Study>,
-    /// The last message.
+    /// The last message in the status line.
     pub message: Option<Message>,
     /// Recently opened campaigns.
     pub recent: Recent,
@@ -120,11 +120,11 @@ pub struct Session {
     read: u64,
     simulator: Simulator,
     waker: Waker,
-    /// Time of a slider's last movement, while a computation of all cycles is pending.
+    /// Time of the last movement of a slider, while the simulation of whole records is pending.
     moving: Option<Instant>,
 }
 
-/// Pause of a slider after which the session computes all cycles of all tests.
+/// Pause of a slider after which the session simulates the whole records of all tests.
 const REST: std::time::Duration = std::time::Duration::from_millis(250);
 
 impl Session {
@@ -247,7 +247,8 @@ impl Session {
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         if let Some((axis, _)) = model.over_setting() {
-            // Each by itself: an incompatible unit is the setting of another damper and must not stop the others.
+            // Each record is converted separately. A setting with an incompatible unit belongs to another damper and must not prevent the
+            // conversion of the others.
             for record in records.iter_mut().chain(&mut of_reference) {
                 let _ = restate_settings(axis, [record]);
             }
@@ -317,7 +318,8 @@ impl Session {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
 
-    /// Changes the model. The loops follow immediately. All cycles of all tests follow after a pause.
+    /// Changes the model, and discards the models that redo would restore. The plotted loops follow immediately. The whole records of all
+    /// tests follow after a pause.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
         if self.step(change) {
             self.forget_future();
@@ -327,7 +329,7 @@ impl Session {
     /// Moves to another setting of an adjustable damper.
     pub fn move_to(&mut self, setting: f64) {
         if self.step(|model| model.move_to(setting)) {
-            // Forces at the previous setting are not comparable.
+            // Forces of the identified model at the previous setting are not comparable, so they are discarded.
             self.identified = None;
         }
     }
@@ -355,7 +357,7 @@ impl Session {
         loaded.campaign.records.iter().any(|record| dampers.of_test(record) != TestDamper::Shown)
     }
 
-    /// Changes the model, including undo and redo.
+    /// Changes the model by tuning, undo or redo, and requests its forces. Returns whether the model changed.
     fn step(&mut self, change: impl FnOnce(&mut Tuned) -> bool) -> bool {
         let Some(model) = &mut self.model else { return false };
         let changed = change(model);
@@ -366,7 +368,7 @@ impl Session {
         changed
     }
 
-    /// Requests the forces of the current model.
+    /// Requests the forces of the current model. If `quick` is set, one cycle of each test is simulated.
     pub fn order(&mut self, quick: bool) {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
         let dampers = model.dampers(model.params(), self.own_settings);
@@ -385,7 +387,7 @@ impl Session {
                 if is_identified && !simulated.quick {
                     self.identified = Some(simulated.clone());
                 }
-                // Forces of the identified model do not represent the tuned model.
+                // While the model is tuned, forces of the identified model must not replace those of the tuned model.
                 if self.model.as_ref().is_some_and(|m| !m.is_tuned() || !is_identified) {
                     self.simulated = Some(simulated);
                 }
@@ -518,7 +520,7 @@ impl Session {
         self.order_responses();
     }
 
-    /// Replaces the model by the improved model of the diagnosis.
+    /// Replaces the model by the improved model of the last diagnosis.
     pub fn take_improved(&mut self) {
         let text = self.improved_text();
         match text.map(Tuned::identified) {
@@ -539,7 +541,7 @@ impl Session {
     }
 }
 
-/// If the path is a profile, returns its folder of records instead.
+/// Returns a path of records. For the file `campaign.toml`, this is the folder of its records.
 fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     if path.file_name().is_some_and(|n| n == dashpot_records::profile::FILE) && path.is_file() {
         return dashpot_records::profile::folder_of(path);
@@ -547,7 +549,8 @@ fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     path.to_owned()
 }
 
-/// Selects the tests for the first display: all velocities of the amplitude with most tests, like a run on a dyno.
+/// Selects the tests for the first display: all velocities of the amplitude with most tests, like a run on a dyno. Selects the first test
+/// if no test has cycles.
 fn first_look(records: &[Record]) -> BTreeSet<usize> {
     let grid = matrix::Grid::new(records, matrix::Across::Velocity);
     let row = |k: usize| -> Vec<usize> { (0..grid.columns.len()).flat_map(|c| grid.cell(k, c).to_vec()).collect() };

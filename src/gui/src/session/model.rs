@@ -1,4 +1,4 @@
-//! The tuned model, the identified model, and their undo steps.
+//! The model on screen: its tuned and identified values, and the undo steps.
 
 use crate::session::dampers::Dampers;
 use crate::session::history::History;
@@ -13,7 +13,7 @@ use dashpot_messages::Sentence;
 use dashpot_records::restrict;
 use std::path::{Path, PathBuf};
 
-/// Index of the start setting among the entries of an axis.
+/// Index of the start setting among the numbers of a setting axis.
 const START: usize = 0;
 
 /// An open model file.
@@ -28,20 +28,20 @@ pub struct Tuned {
     given: Vec<usize>,
     /// The adjustable damper and the setting of the values; `None` for an ordinary damper.
     over: Option<(Definition, f64)>,
-    /// The text of the file from a fit or a diagnosis. It is valid until the user tunes a value.
+    /// Text of the file that was read, or that a fit or a diagnosis made. It is valid while no value is tuned.
     text: Option<String>,
     /// Current and earlier values.
     history: History<Params, Change>,
-    /// Values as last saved.
+    /// Values as last saved, or `None` if the model was never saved.
     saved: Option<Params>,
-    /// Reason why the last change was rejected.
+    /// Reason why the last change was rejected, or `None` if it was accepted.
     pub rejected: Option<String>,
 }
 
 /// Subject of a change. Successive changes of one subject are undone together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
-    /// An entry of a parameter. The numbers are the index in the table and the index of the entry.
+    /// A value of a parameter: the index in the parameter table, and the index of the entry in a list.
     Value(usize, usize),
     /// An element switched on or off.
     Element(Element),
@@ -53,7 +53,7 @@ impl Tuned {
     /// Reads a model file.
     ///
     /// # Errors
-    /// The message of the reader.
+    /// The file cannot be read or is not a model file.
     pub fn read(path: &Path) -> Result<Tuned, String> {
         let file = model_file::read_family(path).map_err(|e| e.to_string())?;
         let text = std::fs::read_to_string(path).ok();
@@ -65,8 +65,8 @@ impl Tuned {
         // The window shows an adjustable damper at one setting, at first the start setting.
         let over = file.axis.is_some().then(|| {
             let (mut damper, start) = (file.definition(), file.axis.start());
-            // A missing start setting is NaN, which is unequal to itself and would disturb comparisons of dampers. The start of the axis is
-            // always valid.
+            // A missing start setting is NaN, which is unequal to itself and would disturb comparisons of dampers. So it is replaced by the
+            // start of the axis, which is always valid.
             let _ = damper.axis.set_number(START, start);
             (damper, start)
         });
@@ -85,16 +85,16 @@ impl Tuned {
         }
     }
 
-    /// Makes a newly identified model from the text of its file.
+    /// Makes an unsaved model from the text of a model file that a fit or a diagnosis made.
     ///
     /// # Errors
-    /// The text is not a model file. A fit always writes a valid one.
+    /// The text is not a model file. Fits and diagnoses always make a valid one.
     pub fn identified(text: String) -> Result<Tuned, String> {
         let file = model_file::family_of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
     }
 
-    /// Reports entries of the file without effect, with one sentence for each disabled element.
+    /// Returns one sentence for each disabled element whose entries in the file have no effect.
     pub fn idle(&self) -> Vec<Sentence> {
         dashpot_identification::remarks::idle(&self.given, self.params())
     }
@@ -110,7 +110,7 @@ impl Tuned {
         self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
     }
 
-    /// Returns the adjustable damper of the file.
+    /// Returns the adjustable damper of the file, or `None` for an ordinary damper.
     pub fn definition(&self) -> Option<&Definition> {
         self.over.as_ref().map(|(damper, _)| damper)
     }
@@ -129,7 +129,8 @@ impl Tuned {
         }
     }
 
-    /// Moves to the damper at another setting. A tuned model keeps its setting, because its values belong to that setting.
+    /// Moves to the damper at another setting. A tuned model keeps its setting, because its values belong to that setting. Returns whether
+    /// the setting changed.
     pub fn move_to(&mut self, setting: f64) -> bool {
         if self.is_tuned() {
             return false;
@@ -156,12 +157,13 @@ impl Tuned {
         self.history.now()
     }
 
-    /// Makes the model of the current values.
+    /// Makes the model of the current values. Returns `None` if they are not valid.
     pub fn model(&self) -> Option<Model> {
         Model::new(self.params()).ok()
     }
 
-    /// Returns the contents of the file for saving.
+    /// Returns the model on screen as the contents of a model file. For an adjustable damper, this is the ordinary damper at the current
+    /// setting.
     pub fn file(&self) -> ModelFile {
         let (Some(whole), Some((_, setting))) = (self.whole_file(), self.over_setting()) else {
             let (identification, specified) = (self.identification.clone(), self.given.clone());
@@ -183,7 +185,7 @@ impl Tuned {
         self.identified != *self.params()
     }
 
-    /// Sets values that make a valid model. Otherwise stores the reason in `rejected`.
+    /// Sets values that make a valid model. Otherwise stores the reason in `rejected`. Returns whether the values changed.
     pub fn change(&mut self, change: Change, params: Params) -> bool {
         match Model::new(&params) {
             Ok(_) => {
@@ -198,7 +200,7 @@ impl Tuned {
         }
     }
 
-    /// Sets a parameter, or an entry of a list.
+    /// Sets a parameter, or an entry of a list, within the bounds of the parameter. Returns whether the values changed.
     pub fn set(&mut self, row: &Row, entry: usize, value: f64) -> bool {
         let p = row.parameter;
         let mut params = *self.params();
@@ -261,7 +263,7 @@ impl Tuned {
 
     /// Returns the text of the model file.
     ///
-    /// An untuned model keeps the text of its fit. Otherwise the text contains the values and a note on manual tuning.
+    /// An untuned model keeps the text of its file. Otherwise the text contains the values and a note on manual tuning.
     pub fn text(&self) -> String {
         match &self.text {
             Some(text) if !self.is_tuned() => text.clone(),
@@ -283,8 +285,8 @@ impl Tuned {
             };
             format!("{unit}{}{changed}", p.meaning)
         });
-        // The results of the fit stay: its tests, its FV curve, and the intervals of the identified values. For an adjustable damper, these
-        // results apply to all settings, so they are omitted.
+        // The results of the fit stay in the text: its tests, its FV curve, and the intervals of the identified values. For an adjustable
+        // damper, these results apply to all settings, so they are omitted.
         let text = self.text.as_ref().filter(|_| self.over.is_none());
         let tables = text.and_then(|t| t.find("\n[identification]").map(|at| &t[at..]));
         let (announced, tables) = match tables {
@@ -313,7 +315,7 @@ impl Tuned {
         self.identification.not_identified.contains(&identifier)
     }
 
-    /// Returns the identified value of a parameter. Without a fit, this is the value in the file.
+    /// Returns the identified value of a parameter, or `None` if the fit did not identify it. Without a fit, this is the value in the file.
     pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
         let p = row.parameter;
         let place = matches!(p.shape, Shape::List(_)).then_some(entry);
@@ -322,7 +324,7 @@ impl Tuned {
         value.filter(|_| !self.is_loose(p.name, place) && (by_hand || self.interval(p.name, entry).is_some()))
     }
 
-    /// Returns the 95 % interval of a parameter from the fit.
+    /// Returns the 95 % interval of a parameter from the fit, if there is one.
     pub fn interval(&self, name: &str, entry: usize) -> Option<[f64; 2]> {
         match self.identification.intervals.get(name)? {
             Interval::Number(ends) => Some(*ends),
@@ -339,7 +341,7 @@ pub struct Reach {
     pub low: f64,
     /// Right end.
     pub high: f64,
-    /// Whether equal distances mean equal factors.
+    /// Whether the scale is logarithmic.
     pub factors: bool,
 }
 
@@ -347,9 +349,10 @@ pub struct Reach {
 const SPREADS: f64 = 3.0;
 
 impl Reach {
-    /// Computes the range of a slider. The range contains the prior, the interval, the identified value and the current value.
+    /// Computes the range of a slider. The range contains the usual values of the prior, the interval, the identified value and the current
+    /// value.
     ///
-    /// The range lies within the bounds of the table.
+    /// The range lies within the bounds of the parameter table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {
         let p = row.parameter;
         let usual = Number::try_from(*row).ok().and_then(|number| priors::distribution(number, scale));
@@ -390,7 +393,8 @@ impl Reach {
     }
 }
 
-/// Returns the central two thirds of the prior of a parameter.
+/// Returns the range of a parameter within one standard deviation of its prior. For a strength, the range begins at zero. Returns `None`
+/// without a prior.
 pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     Some(match priors::distribution(Number::try_from(*row).ok()?, scale)? {
         Distribution::Size(median, factor) => [median / factor, median * factor],
@@ -399,7 +403,8 @@ pub fn prior_band(row: &Row, scale: Scale) -> Option<[f64; 2]> {
     })
 }
 
-/// Enables an effect. Its parameters take their prior medians where these differ from the defaults.
+/// Enables an effect, and sets its parameters to the centers of their priors. The factor `strength` scales strengths. A parameter whose
+/// prior has mean zero is set to `strength` standard deviations.
 pub fn with_prior(params: &Params, element: Element, strength: f64) -> Params {
     let mut with = *params;
     with.enable(element, true);
@@ -523,8 +528,8 @@ mod tests {
         ] {
             assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
         }
-        // The saved file has no parameters that were missing in the original. Its notes are those of the original and those of the disabled
-        // element.
+        // The saved file has no parameters that were missing in the original. Its notes are those of the original and one on the element
+        // that the user disabled.
         assert!(
             !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),
             "{}",

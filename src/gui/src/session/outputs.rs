@@ -1,5 +1,5 @@
-//! Writes files other than reports ([`super::papers`]): model files, options of reading, plots, exports. All files pass the output checks
-//! of the command. A file of another kind is never replaced, and no file is ever incomplete.
+//! Writing of files other than reports ([`super::papers`]): model files, options of reading, plots, exports. The output checks of the
+//! command apply to all files. A file of another kind is never replaced, and no file is ever incomplete.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -17,7 +17,7 @@ pub fn error_sentence(error: &anyhow::Error) -> Sentence {
 }
 
 impl Session {
-    /// Saves the current model. Returns whether it was written.
+    /// Saves the current model. Returns whether the file was written.
     pub fn save(&mut self, path: &Path) -> bool {
         let Some(model) = &self.model else { return false };
         let (text, params) = (model.text(), *model.params());
@@ -36,7 +36,7 @@ impl Session {
         }
     }
 
-    /// Stores the options of reading as `campaign.toml` with the records. Returns whether it was written.
+    /// Stores the options of reading as `campaign.toml` in the folder of the records. Returns whether the file was written.
     pub fn keep_reading(&mut self) -> bool {
         let Some(folder) = self.campaign.as_ref().and_then(|c| c.folder.clone()) else { return false };
         let path = folder.join(profile::FILE);
@@ -78,7 +78,7 @@ impl Session {
     }
 }
 
-/// Formats a plot as a table: every line with its two columns.
+/// Formats a plot as CSV: a row for every point, with the name of its line.
 pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let mut out = format!("line,{},{}\n", quoted(heading[0]), quoted(heading[1]));
@@ -90,7 +90,7 @@ pub fn table(heading: [&str; 2], lines: &[(String, Vec<[f64; 2]>)]) -> String {
     out
 }
 
-/// Registers the campaign's records as inputs. Outputs never replace inputs.
+/// Registers the campaign's records as inputs, because outputs must never replace inputs.
 pub fn register_inputs(loaded: &Loaded) {
     dashpot_output::register_inputs(loaded.paths.iter().cloned());
 }

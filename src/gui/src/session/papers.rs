@@ -1,4 +1,4 @@
-//! Writes the reports and workbooks of the verbs in the window's language.
+//! Writing of the reports and workbooks of the verbs in the language of the window.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -57,7 +57,7 @@ fn file_of(model: &Tuned) -> Option<PathBuf> {
     model.path.clone().filter(|_| !model.is_unsaved())
 }
 
-/// Describes the origin of a report. This rereads every file, so it runs in the background.
+/// Describes the origin of a report. The function rereads every file, so it runs in the background.
 fn made<'a>(model: Option<&PathBuf>, campaigns: impl IntoIterator<Item = &'a Arc<Loaded>>) -> Made {
     let files: Vec<&PathBuf> = model.into_iter().chain(campaigns.into_iter().flat_map(|c| &c.campaign.files)).collect();
     Made::from_files(files.into_iter().map(PathBuf::as_path))
@@ -115,7 +115,8 @@ impl Session {
                     .map_err(|e| error_sentence(&e))?
             };
             if let Some(model) = family {
-                // The report has no curve, because the curve at one setting does not represent the other settings.
+                // The figure of peak forces gets no curve, because the curve at one setting does not represent the
+                // other settings.
                 input.curve.clear();
                 input.family = Some(FamilyReport { model, fit: family_fit.as_deref() });
             }
@@ -160,7 +161,7 @@ impl Session {
     }
 }
 
-/// Writes a file unless a file of another kind would be lost.
+/// Writes a file with `write`, unless a file of another kind exists at the path.
 fn write(path: PathBuf, kind: Kind, write: impl FnOnce(&Path) -> anyhow::Result<()>) -> Result<Outcome, Sentence> {
     checked(&path, kind).and_then(|()| write(&path)).map_err(|e| error_sentence(&e))?;
     Ok(Outcome::Written(path, Vec::new()))

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-/// Number of stored campaigns, limited to a short menu.
+/// Largest number of stored campaigns, so that the menu stays short.
 const KEPT: usize = 8;
 
-/// The list and its file.
+/// The list of recently opened campaigns, and the file that stores the list.
 pub struct Recent {
     file: Option<PathBuf>,
     /// Paths of the campaigns. The newest comes first.
@@ -13,13 +13,13 @@ pub struct Recent {
 }
 
 impl Recent {
-    /// Reads the list. The list is empty if there is no file.
+    /// Reads the list from a file. The list is empty if there is no file.
     pub fn read(file: Option<PathBuf>) -> Recent {
         let text = file.as_ref().and_then(|f| std::fs::read_to_string(f).ok()).unwrap_or_default();
         Recent { file, paths: text.lines().filter(|l| !l.is_empty()).map(PathBuf::from).take(KEPT).collect() }
     }
 
-    /// Returns the path of the user's file.
+    /// Returns the path of the file in the user's configuration folder, or `None` if that folder is unknown.
     pub fn place() -> Option<PathBuf> {
         let var = |name: &str| std::env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
         let folder = if cfg!(windows) {
@@ -30,7 +30,7 @@ impl Recent {
         Some(folder.join("dashpot").join("recent.txt"))
     }
 
-    /// Puts a path first. A failure to write the list is ignored.
+    /// Puts a path at the beginning of the list, and writes the list. A failure to write is ignored.
     pub fn add(&mut self, path: &Path) {
         let Ok(path) = std::path::absolute(path) else { return };
         self.paths.retain(|p| *p != path);

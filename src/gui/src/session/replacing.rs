@@ -1,4 +1,4 @@
-//! Replaces the model on screen.
+//! Replacement of the model on screen.
 //!
 //! The user must confirm a loss of manually tuned values. The replacement can be undone.
 
@@ -11,23 +11,23 @@ use dashpot_identification::model_file;
 use dashpot_messages::Sentence;
 use std::path::PathBuf;
 
-/// Source of the replacing model.
+/// Source of the model that replaces the model on screen.
 pub enum Replacement {
     /// A model file.
     File(PathBuf),
-    /// The result of a future fit.
+    /// The result of a fit that is not started yet.
     Fit,
-    /// The adjustable damper of a future fit, with the name of its setting.
+    /// The adjustable damper from a fit that is not started yet, with the name of the setting.
     FitOver(String),
-    /// The result of a fit. The user tuned the model during that fit.
+    /// The result of a complete fit.
     Fitted(Fitted),
-    /// The adjustable damper from a fit. The user tuned the model during that fit.
+    /// The adjustable damper from a complete fit.
     FittedFamily(Box<FamilyFit>),
     /// The improved model of the diagnosis.
     Improved,
 }
 
-/// Number of models that undo can restore; each has its own undo steps.
+/// Largest number of models that undo can restore. Each model has its own undo steps.
 const DEPTH: usize = 20;
 
 /// Models that were on screen before and after the present one, for undo and redo.
@@ -78,7 +78,7 @@ impl Session {
         }
     }
 
-    /// Replaces the model after a fit, unless the model was tuned during the fit.
+    /// Replaces the model after a fit. If the user tuned the model during the fit, waits for the user's confirmation.
     pub(super) fn fit_is_done(&mut self, fit: Replacement) {
         let now = self.model.as_ref().map(|m| *m.params());
         if self.has_unsaved_tuning() && self.others.allowed != now {
@@ -120,12 +120,12 @@ impl Session {
         self.show_model(model);
     }
 
-    /// Discards the redo steps after another change.
+    /// Discards the models that redo would restore, after another change.
     pub(super) fn forget_future(&mut self) {
         self.others.future.clear();
     }
 
-    /// Undoes the last change. If there is none, restores the previous model.
+    /// Undoes the last change of the model. If there is none, restores the previous model.
     pub fn undo(&mut self) {
         if self.model.as_ref().is_some_and(|m| m.can().0) {
             self.step(Tuned::undo);
@@ -135,7 +135,7 @@ impl Session {
         }
     }
 
-    /// Redoes the last undone step.
+    /// Redoes the last undone change. If there is none, restores the model before the last undo.
     pub fn redo(&mut self) {
         if self.model.as_ref().is_some_and(|m| m.can().1) {
             self.step(Tuned::redo);

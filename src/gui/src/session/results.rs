@@ -13,16 +13,16 @@ use dashpot_simulation::whole_records::{OfDiagnosis, Quality};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Model, records and tests of a result.
+/// Model, records and tests from which a result was computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// The values on screen, if the result depends on them.
+    /// The values on screen, or `None` if the result does not depend on them.
     params: Option<Params>,
     /// The adjustable damper to which these values belong.
     damper: Option<Definition>,
     /// Whether each test has its own setting, if the result depends on that.
     own_settings: bool,
-    /// Number of readings of records before the result.
+    /// Number of times that records were read before the result.
     read: u64,
     unticked: BTreeSet<usize>,
 }
@@ -32,7 +32,7 @@ pub struct Finding<T> {
     /// The result.
     pub found: T,
     basis: Basis,
-    /// Function that returns the current basis of this kind of result.
+    /// Function that returns the basis that this kind of result would have now.
     now: fn(&Session) -> Option<Basis>,
 }
 
@@ -42,12 +42,12 @@ impl<T> Finding<T> {
         Finding { found, basis, now: Session::basis_of_fit }
     }
 
-    /// Makes the finding of a validation.
+    /// Makes a [`Finding`] from the result of a validation and its [`Basis`].
     pub fn of_validation(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis }
     }
 
-    /// Makes the finding of a diagnosis.
+    /// Makes a [`Finding`] from the result of a diagnosis and its [`Basis`].
     pub fn of_diagnosis(found: T, basis: Basis) -> Finding<T> {
         Finding { found, basis, now: Session::basis_of_diagnosis }
     }
@@ -62,7 +62,7 @@ impl<T> Finding<T> {
 pub struct Fitted {
     /// The fit.
     pub fit: Box<Fit>,
-    /// Error compared with the noise and with the FV curve alone, or `None` if the records are not comparable.
+    /// Error of the model, of the FV curve alone, and noise; `None` if the records are not comparable.
     pub quality: Option<Quality>,
 }
 
@@ -70,30 +70,30 @@ pub struct Fitted {
 pub struct Diagnosed {
     /// The diagnosis.
     pub found: Box<Diagnosis>,
-    /// Tests that no refit used.
+    /// For each test, whether it was held out from every refit.
     pub left_out: Vec<bool>,
-    /// Errors of the models over every sample of the tests.
+    /// Errors of the given, the refitted and the improved model over every sample of the tests.
     pub over_whole_records: OfDiagnosis,
-    /// The reference campaign of the diagnosis, if any. Another may be open when the report is written.
+    /// The reference campaign of the diagnosis, if any. Another reference may be open when the report is written.
     pub reference: Option<Arc<Loaded>>,
 }
 
 /// The last results of the verbs.
 #[derive(Default)]
 pub struct Results {
-    /// Fit: choices, estimates, notes.
+    /// Last fit of an ordinary damper.
     pub fit: Option<Finding<Fitted>>,
-    /// Fit over a setting.
+    /// Last fit of an adjustable damper.
     pub family_fit: Option<Finding<Box<FamilyFit>>>,
-    /// Validation.
+    /// Last validation.
     pub validation: Option<Finding<Box<Validation>>>,
-    /// Diagnosis.
+    /// Last diagnosis.
     pub diagnosis: Option<Finding<Diagnosed>>,
 }
 
 impl Session {
-    /// Returns the basis of a validation at present, or `None` without a model. The setting on screen does not matter if every ticked test
-    /// has its own setting.
+    /// Returns the basis of a validation at present, or `None` without a model. If every ticked test has its own setting and no value is
+    /// tuned, the basis contains no values on screen.
     pub fn basis(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;
@@ -115,7 +115,8 @@ impl Session {
         })
     }
 
-    /// Returns the basis of a fit at present: fitted model, records and tests. The setting on screen does not matter.
+    /// Returns the basis of a fit at present: fitted model, records and tests. The values of an untuned adjustable damper are not part of
+    /// the basis, because the setting on screen does not affect a fit.
     pub fn basis_of_fit(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;

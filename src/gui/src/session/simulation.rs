@@ -1,4 +1,4 @@
-//! Computes the forces of the model for every test in the background. The newest request has priority.
+//! Simulation of the forces of the model for every test in the background. The newest request has priority.
 
 use crate::session::Waker;
 use crate::session::campaign::{Loaded, Seen};
@@ -26,9 +26,9 @@ pub struct Simulated {
     pub dampers: Dampers,
     /// The tests.
     pub loaded: Arc<Loaded>,
-    /// One entry per test.
+    /// Forces and errors of each test.
     pub tests: Vec<OfTest>,
-    /// Whether the simulation covers one cycle of each test.
+    /// Whether the simulation covers only one cycle of each test.
     pub quick: bool,
     /// Computing time.
     pub took: Duration,
@@ -89,9 +89,9 @@ struct Desk {
 struct Shared {
     desk: Mutex<Desk>,
     news: Condvar,
-    /// Number of the newest request.
+    /// Serial number of the newest request.
     newest: AtomicU64,
-    /// Whether the thread is computing.
+    /// 1 while the thread is computing, otherwise 0.
     busy: AtomicU64,
 }
 

@@ -1,4 +1,4 @@
-//! Varies one parameter. Computes a family of loops, with the gap and the area of each loop.
+//! Study of one parameter: loops of one test for several values, with the gap and the area of each loop.
 
 use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
@@ -12,15 +12,15 @@ use rayon::prelude::*;
 /// Input of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
-    /// Parameter.
+    /// Parameter that varies.
     pub number: Number,
     /// First and last value, SI.
     pub range: [f64; 2],
     /// Whether the ratio of successive values is constant.
     pub factors: bool,
-    /// Number of values.
+    /// Number of values of the parameter.
     pub count: usize,
-    /// The test whose motion is the input.
+    /// Index of the test whose motion is the input.
     pub test: usize,
 }
 
@@ -37,7 +37,7 @@ pub struct Member {
     pub gap: f64,
 }
 
-/// A family of loops.
+/// Loops of one test for several values of a parameter.
 #[derive(Debug, Clone)]
 pub struct Study {
     /// Input of the study.
@@ -48,7 +48,7 @@ pub struct Study {
     pub measured: [f64; 2],
 }
 
-/// Simulates each value. Omits values that do not make a valid model.
+/// Simulates each value of the parameter. Omits values that do not make a valid model. Returns `None` if the test does not exist.
 pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<Study> {
     let (record, seen) = (loaded.campaign.records.get(question.test)?, loaded.tests.get(question.test)?);
     let [low, high] = question.range;
@@ -82,10 +82,12 @@ pub fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     (0..n).map(|i| 0.5 * (force[i] + force[(i + 1) % n]) * (x[(i + 1) % n] - x[i])).sum()
 }
 
-/// Fraction of the peak velocity that limits the evaluation of the gap. Friction and compressibility open the loop most at low velocity.
+/// Largest speed at which the gap is evaluated, as a fraction of the peak velocity. Friction and compressibility open the loop most at low
+/// velocity.
 const SLOW: f64 = 0.2;
 
-/// Computes the gap at low velocities: mean force while the velocity falls minus mean force while it rises.
+/// Computes the gap at low velocities, N: mean force while the velocity falls minus mean force while the velocity rises. Returns 0 without
+/// samples of both kinds.
 pub fn gap(velocity: &[f64], force: &[f64]) -> f64 {
     let peak = velocity.iter().fold(0.0f64, |m, v| v.abs().max(m));
     let n = velocity.len().min(force.len());
@@ -118,7 +120,7 @@ mod tests {
         assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);
         let viscous: Vec<f64> = v.iter().map(|v| 1000.0 * v).collect();
         assert!(gap(&v, &viscous).abs() < 0.5);
-        // While the velocity falls, the spring is extended: x > 0. The gap is thus about twice the spring force at the amplitude.
+        // While the velocity falls, the spring is extended: x > 0. So the gap is about twice the spring force at the amplitude.
         let found = gap(&v, &force);
         assert!((found / (2.0 * 5000.0 * 0.01) - 1.0).abs() < 0.05, "{found}");
     }

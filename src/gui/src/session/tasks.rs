@@ -39,19 +39,19 @@ pub enum Kind {
 
 /// Result of a task.
 pub enum Outcome {
-    /// Records.
+    /// Records for fit, validation and diagnosis.
     Read(Loaded),
     /// Records for comparison.
     Reference(Loaded),
-    /// A model.
+    /// A fitted model of an ordinary damper.
     Fitted(Fitted),
-    /// An adjustable damper.
+    /// A fitted model of an adjustable damper.
     FittedFamily(Box<FamilyFit>),
-    /// Errors and their basis.
+    /// Result of a validation and its basis.
     Validated(Box<Validation>, Box<Basis>),
-    /// Missing effects and their basis.
+    /// Result of a diagnosis and its basis.
     Diagnosed(Diagnosed, Box<Basis>),
-    /// A family of loops.
+    /// Loops of one test for several values of a parameter.
     Studied(Study),
     /// Responses to steps of the setting.
     Responded(Vec<StepResponse>),
@@ -61,7 +61,7 @@ pub enum Outcome {
 
 /// A running task.
 pub struct Task {
-    /// Kind.
+    /// Kind of the task.
     pub kind: Kind,
     /// Start time.
     pub began: Instant,
@@ -71,14 +71,14 @@ pub struct Task {
 }
 
 /// Status of a task.
-// There is only one value at a time, and it is consumed immediately. A box would not save memory.
+// A box would not save memory, because there is only one value at a time, and it is consumed immediately.
 #[allow(clippy::large_enum_variant)]
 pub enum Standing {
-    /// Running.
+    /// The task is running.
     Working,
-    /// Stopped after a request to cancel.
+    /// The task has stopped after a request to cancel.
     Cancelled,
-    /// Complete.
+    /// The task is complete, with its result.
     Done(Result<Outcome, Sentence>),
 }
 
@@ -104,7 +104,7 @@ impl Task {
             let _ = send.send(done);
             own_waker();
         });
-        // If the thread cannot start, its channel is closed. The session treats the task as cancelled.
+        // If the thread cannot start, its channel is closed, so the session treats the task as cancelled.
         drop(began);
         Task { kind, began: Instant::now(), cancel, progress, result }
     }
@@ -119,12 +119,12 @@ impl Task {
         self.cancel.asked()
     }
 
-    /// Returns the progress.
+    /// Returns the progress of the task.
     pub fn progress(&self) -> Progress {
         self.progress.lock().map(|p| p.clone()).unwrap_or_default()
     }
 
-    /// Returns the status. A cancelled task has no result, even if it completed just before.
+    /// Returns the status of the task. A cancelled task has no result, even if it completed just before the request.
     pub fn standing(&self) -> Standing {
         match self.result.try_recv() {
             Ok(_) if self.is_cancelled() => Standing::Cancelled,

@@ -1,4 +1,4 @@
-//! Mean and difference of the forces at each position of a cycle. The cycle passes each position in both directions. In a slow test, the
+//! Mean and difference of the two forces at each position of a cycle, which passes each position in both directions. In a slow test, the
 //! mean comes from gas and springs, the difference from seal drag and friction.
 
 /// Forces at one position of a cycle.
@@ -12,12 +12,12 @@ pub struct Place {
     pub difference: f64,
 }
 
-/// Number of positions along a cycle. With 300 samples per cycle, each position contains at least two samples of each direction.
+/// Number of position bins of a cycle. With 300 samples per cycle, each bin contains at least two samples of each direction.
 const PLACES: usize = 24;
-/// Excluded fraction of the travel at either end, because friction reverses there.
+/// Fraction of the travel that is excluded at either end, because friction reverses at the ends.
 const ENDS: f64 = 0.08;
 
-/// Groups a cycle by position and sign of velocity. Omits positions without samples of both directions.
+/// Averages the forces of a cycle by position and direction. Omits positions without samples of both directions.
 pub fn two_ways(at: &[f64], velocity: &[f64], force: &[f64]) -> Vec<Place> {
     let n = at.len().min(velocity.len()).min(force.len());
     let (low, high) = at[..n].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));

@@ -1,5 +1,5 @@
-//! Response of an adjustable damper's valve to a step of its command. It is measured if open tests contain steps. Otherwise it follows from
-//! the parameters of the valve.
+//! Response of an adjustable damper's valve to a step of its command. If open tests contain steps, the response comes from them. Otherwise
+//! it follows from the parameters of the valve.
 
 use crate::session::Session;
 use crate::session::tasks::{Kind, Outcome, Standing, Task};
@@ -13,7 +13,7 @@ use dashpot_simulation::valve_response::{has_actuator, valve_response};
 /// Responses of the force to the steps in the open tests.
 #[derive(Default)]
 pub struct Responses {
-    /// Responses computed from the tests. Steps without a measured response are omitted.
+    /// Responses to the steps in the tests. Steps without a measured response are omitted.
     pub of_force: Vec<StepResponse>,
     task: Option<Task>,
 }
@@ -37,7 +37,8 @@ impl Session {
         model.definition().map_or_else(Vec::new, |damper| actuator_numbers(&damper.axis, &model.identification))
     }
 
-    /// Returns the response to a step up or down. This is the largest step of the open tests, or else the valve's step over all settings.
+    /// Returns the response to a step up or down. The step is the largest of the open tests, or else the valve's step over the range of
+    /// settings.
     pub fn step_response(&self, is_up: bool) -> Option<StepResponse> {
         let size = |of: &&StepResponse| (of.to - of.from).abs();
         let own = self.responses.of_force.iter().filter(|of| of.is_up() == is_up);
@@ -49,7 +50,7 @@ impl Session {
         if is_up { valve_response(axis, low, high) } else { valve_response(axis, high, low) }
     }
 
-    /// Starts the computation of responses, if the model and the tests allow it.
+    /// Starts the computation of responses in the background, if the damper has a valve and a test contains steps.
     pub(super) fn order_responses(&mut self) {
         if let Some(task) = self.responses.task.take() {
             task.cancel();

@@ -1,4 +1,5 @@
-//! The two tables that a dyno prints: forces at the peak velocity of every test (PVP), and forces at given velocities within one cycle (CVP).
+//! Contents of the two tables that a dyno prints. One has the forces at the peak velocities of every test (PVP), the other the forces at
+//! given velocities within one cycle (CVP).
 
 use crate::session::Session;
 use crate::session::campaign::Seen;
@@ -8,30 +9,30 @@ use dashpot_records::Record;
 /// Measured force and, with a model, computed force, N.
 pub type Pair = (f64, Option<f64>);
 
-/// A test at its peak velocities.
+/// Forces of a test at its peak velocities.
 pub struct AtPeak {
     /// Name of the test.
     pub test: String,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Rebound and compression: velocity, m/s, and forces; `None` for a direction without motion.
+    /// Velocity, m/s, and forces in rebound and in compression; `None` for a direction without motion.
     pub sides: [Option<(f64, Pair)>; 2],
 }
 
-/// A velocity within a cycle.
+/// Forces at a velocity within a cycle.
 pub struct AtVelocity {
     /// Velocity, m/s, rebound positive.
     pub velocity: f64,
-    /// Forces while the speed rises and while it falls.
+    /// Forces while the speed rises and while the speed falls; `None` if the cycle does not pass the velocity in this way.
     pub forces: [Option<Pair>; 2],
 }
 
 /// Fraction of the peak velocity above which samples count as fastest. The plot of peak forces uses the same value.
 const FASTEST: f64 = 0.995;
-/// Number of velocities of a cycle in each direction.
+/// Largest number of velocities of a cycle in each direction.
 const ROWS: usize = 8;
 
-/// Returns all tests at their peak velocities, by amplitude and then by increasing velocity.
+/// Returns the forces of all tests at their peak velocities, by decreasing amplitude and then by increasing velocity.
 pub fn at_peaks(session: &Session) -> Vec<AtPeak> {
     let Some(loaded) = &session.campaign else { return Vec::new() };
     let mut rows: Vec<AtPeak> = loaded
@@ -54,7 +55,7 @@ pub fn at_peaks(session: &Session) -> Vec<AtPeak> {
     rows
 }
 
-/// Averages the model's force over the fastest samples of the shown cycle.
+/// Averages the model's force over the fastest samples of the shown cycle, in the direction `sign`.
 fn of_model(of: &OfTest, seen: &Seen, sign: f64) -> Option<f64> {
     let at = |i: usize| sign * seen.motion.velocity.get(seen.shown.start + i * of.stride).copied().unwrap_or(0.0);
     let fastest = (0..of.shown.len()).map(at).fold(0.0, f64::max);
@@ -88,8 +89,8 @@ pub fn within_cycle(session: &Session, test: usize, factor: f64) -> Vec<AtVeloci
     rows
 }
 
-/// Returns round velocities below the fastest velocity: multiples of 1, 2 or 5 times a power of ten. Their number is limited to the rows of
-/// a table.
+/// Returns round velocities below the fastest velocity: multiples of 1, 2 or 5 times a power of ten. At most [`ROWS`] velocities are
+/// returned.
 fn round(fastest: f64) -> Vec<f64> {
     if !(fastest.is_finite() && fastest > 0.0) {
         return Vec::new();
@@ -101,11 +102,11 @@ fn round(fastest: f64) -> Vec<f64> {
     (1..).map(|k| f64::from(k) * step).take_while(|v| *v < fastest).collect()
 }
 
-/// The shown cycle, with its first sample appended.
+/// Velocities and forces of the shown cycle. [`Cycle::at`] treats the samples as periodic.
 struct Cycle {
     velocity: Vec<f64>,
     measured: Vec<f64>,
-    /// Forces at every n-th sample, and the value of n.
+    /// Force of the model at every n-th sample, and the value of n.
     model: Option<(Vec<f64>, usize)>,
 }
 
@@ -118,7 +119,8 @@ impl Cycle {
         }
     }
 
-    /// Interpolates the forces at a given speed while the speed rises or falls.
+    /// Interpolates the forces at a given speed in the direction `sign`, while the speed rises or falls. Returns `None` if the cycle does
+    /// not pass this speed.
     fn at(&self, sign: f64, speed: f64, rising: bool) -> Option<Pair> {
         let n = self.velocity.len();
         let crossings: Vec<(usize, f64)> = (0..n)
@@ -140,7 +142,7 @@ impl Cycle {
         });
         let model = self.model.as_ref().filter(|(forces, _)| !forces.is_empty()).map(|(forces, stride)| {
             mean(&|i, part| {
-                // Interpolate between the two neighboring samples.
+                // Interpolate between the two neighboring samples of the model's force.
                 let at = (i as f64 + part) / *stride as f64;
                 let k = at as usize;
                 let [a, b] = [k, k + 1].map(|k| forces[k % forces.len()]);

@@ -13,13 +13,13 @@ use dashpot_records::{Record, is_same_setting};
 use dashpot_simulation::whole_records::{self, OfDiagnosis};
 
 impl Session {
-    /// Fits a model to the ticked tests.
+    /// Fits a model of an ordinary damper to the ticked tests.
     pub fn fit(&mut self) {
         let Some(loaded) = self.campaign.clone() else { return };
         let ticked = self.ticked();
         self.begin(Kind::Fit, move |report| {
             let records: Vec<&Record> = ticked.iter().map(|k| &loaded.original().records[*k]).collect();
-            // The fit reports its progress only from its own thread.
+            // The fit calls the progress callback only from its own thread.
             let found = fit(&records, &FitOptions::default(), |stage| report(stage.done, Some(stage.text)));
             let fit = Box::new(found.map_err(|e| e.sentence())?);
             let quality = whole_records::quality(&fit, &records).ok();
@@ -39,7 +39,7 @@ impl Session {
         first.into_iter().filter(|(.., several)| *several).map(|(name, ..)| name.to_owned()).collect()
     }
 
-    /// Fits one adjustable damper to the ticked tests.
+    /// Fits one adjustable damper over a setting to the ticked tests.
     pub fn fit_over(&mut self, setting: String) {
         let Some(loaded) = self.campaign.clone() else { return };
         let ticked = self.ticked();
@@ -80,14 +80,15 @@ impl Session {
         });
     }
 
-    /// Returns the ticked tests of a diagnosis: those to which the values on screen apply.
+    /// Returns the ticked tests that a diagnosis uses: those to which the values on screen apply.
     pub fn diagnosed(&self) -> Vec<usize> {
         let Some(dampers) = self.dampers() else { return Vec::new() };
         let is_used = |k: &usize| self.record(*k).is_some_and(|record| dampers.is_at_shown(record));
         self.ticked().into_iter().filter(is_used).collect()
     }
 
-    /// Computes a family of loops, with the damper at the test's own setting.
+    /// Computes the loops of one test for several values of a parameter. The damper has the test's own setting, or the
+    /// values on screen if this setting changes.
     pub fn study(&mut self, question: Question) {
         let (Some(loaded), Some(dampers)) = (self.campaign.clone(), self.dampers()) else { return };
         let own = self.record(question.test).and_then(|record| dampers.params_of(record));
@@ -97,7 +98,7 @@ impl Session {
         });
     }
 
-    /// Returns the improved model of the diagnosis as the text of its file.
+    /// Returns the improved model of the last diagnosis as the text of a model file, or `None` without a diagnosis.
     pub fn improved_text(&self) -> Option<String> {
         let Diagnosed { found, left_out, .. } = &self.results.diagnosis.as_ref()?.found;
         let model = self.model.as_ref()?;

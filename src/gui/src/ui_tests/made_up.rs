@@ -20,7 +20,7 @@ pub fn truth() -> Params {
     params
 }
 
-/// Number of samples of a cycle: enough for every reader, and few enough for hundreds of tests.
+/// Number of samples of a cycle: enough for the checks of the readers, and few enough for hundreds of tests.
 const SAMPLES: usize = 200;
 
 /// Writes `count` sine tests into a folder: amplitudes 40, 20, 8 mm, at increasing velocity.
@@ -28,7 +28,7 @@ pub fn campaign(folder: &Path, count: usize) {
     campaign_of(&truth(), folder, count);
 }
 
-/// Writes the tests of another damper.
+/// Writes the tests of [`campaign`] for another damper.
 pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
     let model = Model::new(damper).unwrap();
     for k in 0..count {
@@ -114,7 +114,7 @@ pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
 /// Longest wait for a task in the background.
 const PATIENCE: Duration = Duration::from_secs(240);
 
-/// Draws until a condition is true.
+/// Draws frames until a condition is true. Fails after [`PATIENCE`].
 #[track_caller]
 pub fn until(harness: &mut Harness<'_, App>, what: &str, mut done: impl FnMut(&App) -> bool) {
     let began = Instant::now();

@@ -1,7 +1,7 @@
 //! Tests of the window from its user's view, without a screen. They find widgets by their accessible names.
 //!
-//! The tests are part of the crate. For integration tests, cargo would also build the program, and eframe a second time. The program aborts
-//! on a panic, but a test has to unwind.
+//! The tests are part of the crate, because cargo would build the program for integration tests, and eframe a second time. The program
+//! aborts on a panic, but a test has to unwind.
 
 mod drawings;
 mod made_up;
@@ -50,7 +50,7 @@ fn message(harness: &Harness<'_, App>) -> (String, bool) {
     harness.state().session.message.as_ref().map_or_else(Default::default, |m| (m.text.to_string(), m.wrong))
 }
 
-/// Finds the widget of a kind with this name. Ignores a label with equal text.
+/// Finds the widget with this role and this name. Ignores a label with equal text, because it has another role.
 #[track_caller]
 fn widget<'h>(harness: &'h Harness<'_, App>, role: Role, label: &'h str) -> Node<'h> {
     let found = harness.query_all(by().role(role).label(label)).next();
@@ -144,7 +144,7 @@ fn a_slider_is_dragged_and_the_loops_follow_and_it_is_taken_back() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 6, vec![]);
     let before = stiffness(&harness);
-    // Scroll first, because the row may lie outside the visible part of the panel.
+    // The row may lie outside the visible part of the panel, so the test scrolls to it first.
     widget(&harness, Role::Slider, "series stiffness N/mm").scroll_to_me();
     harness.step();
     harness.step();
@@ -239,7 +239,7 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
-    // Cancel before the next frame, because the fit may complete earlier. The window discards even a complete result. The test of a
+    // Cancel before the next frame, because the fit may be complete by then. The window discards even a complete result. The test of a
     // cancelled diagnosis presses the button.
     harness.state_mut().session.fit();
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
@@ -277,7 +277,7 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     assert!(says(&harness, "all tests"));
-    // The first button belongs to the validation, the second to the fit.
+    // The first button with this label belongs to the validation, the second to the fit.
     harness.get_all_by_label("Tables to Excel…").next().unwrap().click();
     harness.step();
     until(&mut harness, "the validation's tables", |app| app.session.task.is_none() && papers[1].exists());
@@ -288,11 +288,12 @@ fn a_model_is_fitted_validated_and_its_answer_shown() {
     press(&mut harness, "Bericht schreiben…");
     until(&mut harness, "the report", |app| app.session.task.is_none() && papers[2].exists());
     let page = std::fs::read_to_string(&papers[2]).unwrap();
-    // The report has the contents of the verb's report: parameters of the model, the sign, files with their hashes.
+    // The report has the contents of the report of `dashpot validate`: parameters of the model, the sign convention, files with their
+    // hashes.
     for text in ["Parameter des Modells", "Zugstufe positiv", "SHA-256", "fv_force[0]", "a40_000"] {
         assert!(page.contains(text), "{text}");
     }
-    // The report's figures equal the window's, because both come from the same forces.
+    // The errors in the report equal the errors in the window, because both come from the same forces.
     let validation = &harness.state().session.results.validation.as_ref().unwrap().found;
     for (of, own) in validation.tests.iter().zip(&errors) {
         assert!((of.errors.model.error_percent - own.percent).abs() < 1e-9);
@@ -353,7 +354,7 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
     press(&mut harness, "Keep as campaign.toml");
     let profile = dashpot_records::Profile::read(folder.path()).unwrap().unwrap();
     assert_eq!((profile.gain, profile.subfolders, profile.dates.as_deref()), (2.0, true, Some("day-first")));
-    // If the folder is reread, the excluded test is missing.
+    // Excluding a test rereads the folder, so this test is missing.
     harness.state_mut().session.exclude(0);
     until(&mut harness, "the records again", |app| app.session.task.is_none());
     assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 5, "{:?}", message(&harness));
@@ -502,7 +503,7 @@ fn every_host_is_exported_to_and_what_must_be_known_beside_it_is_written_and_sai
     let readme = std::fs::read_to_string(out.path().join("run/README.txt")).unwrap();
     assert!(readme.contains("coulomb_friction") && readme.contains("A damper for Adams"), "{readme}");
     assert!(out.path().join("run/damper.toml").is_file());
-    // A property file lists the omitted effects and contains only the curve. The curve does not chatter.
+    // A property file lists the omitted effects and contains only the curve, which does not chatter.
     let said = write(Host::Property, "d.dpr");
     assert!(
         said.contains("Left out") && said.contains("coulomb_friction") && !said.contains("At a host step"),
@@ -570,7 +571,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let out = tempfile::tempdir().unwrap();
     let report = out.path().join("diagnosis.html");
     let mut harness = opened(folder.path(), 18, vec![vec![report.clone()]]);
-    // The measured damper has a series spring. Disable the series spring of the model.
+    // The measured damper has a series spring, so the model without a series spring lacks this effect.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();
@@ -591,7 +592,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     assert!(["series_compliance", "oil_compressibility"].contains(&named), "{names:?} {}", found.summary);
     assert!(found.after.rmse_n < 0.5 * found.before.rmse_n);
     let headlines = Language::ALL.map(|(_, of)| (of, dashpot_report::diagnosis::headline(found, of.words())));
-    // English comes last, for the following steps.
+    // English comes last, because the following steps use English texts.
     for (language, headline) in headlines.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();
@@ -603,7 +604,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
     let page = std::fs::read_to_string(&report).unwrap_or_else(|e| panic!("{e}: {:?}", message(&harness)));
     assert!(page.contains(named) && page.contains("<svg"));
     press(&mut harness, "Take the improved model");
-    // The user disabled the element and did not save the model.
+    // The user disabled the element and did not save the model, so the window asks before it replaces the model.
     press(&mut harness, "Replace");
     let model = harness.state().session.model.as_ref().unwrap();
     assert!(model.params().is_on(Element::find(named).unwrap()) && model.is_unsaved());
@@ -619,7 +620,7 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
 fn a_diagnosis_is_cancelled_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 72, vec![]);
-    // A diagnosis of this many tests takes seconds. With fewer tests it might end before the cancel.
+    // A diagnosis of this many tests takes seconds. With fewer tests, it might end before the click on Cancel.
     widget(&harness, Role::CheckBox, "series compliance").click();
     harness.step();
     harness.step();

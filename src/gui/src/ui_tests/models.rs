@@ -90,7 +90,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     press(&mut harness, "Fit");
     fitted(&mut harness);
     let old = "⚠ Out of date: the model, the records or the ticked tests have changed since";
-    // Only identified parameters have the mark of an identified value.
+    // Only parameters that the fit identified have an identified value.
     let session = &harness.state().session;
     let model = session.model.as_ref().unwrap();
     let estimates = session.estimates();
@@ -274,7 +274,7 @@ fn the_tables_of_velocities_are_shown_and_saved() {
             found.unwrap_or_else(|| panic!("table {k} has no button")).rect().center()
         };
         harness.query_all(by().role(Role::Button).label("Save table…")).nth(k).unwrap().scroll_to_me();
-        // Wait for the animated scroll.
+        // The scroll is animated, so the test waits for its end.
         harness.run_steps(30);
         let at = button(&harness);
         harness.hover_at(at);

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Lists the texts of a kind that begin between two edges and extend beyond the right edge.
+/// Lists the widgets of a role that begin between two edges and extend beyond the right edge.
 pub(super) fn cut_off(harness: &Harness<'_, App>, role: Role, (left, right): (f32, f32)) -> Vec<String> {
     let of_panel = harness.query_all(by().role(role)).filter(|node| (left..right).contains(&node.rect().left()));
     of_panel.filter(|node| node.rect().right() > right + 1.0).map(|node| format!("{node:?}")).collect()
@@ -30,7 +30,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
                 assert!(cut.is_empty(), "{language:?}, {side}: {cut:#?}");
             }
         }
-        // A drop-down list truncates texts wider than itself.
+        // A drop-down list truncates texts that are wider than the list, so these texts must be short.
         for word in [words.from_data, words.as_file_says] {
             assert!(word.chars().count() <= 18, "{language:?}: {word}");
         }

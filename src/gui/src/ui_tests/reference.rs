@@ -1,4 +1,4 @@
-//! Tests the comparison with another campaign: the window diagnoses, shows and reports a change.
+//! Test of the comparison with another campaign: the window diagnoses, shows and reports a change.
 
 use super::made_up::{campaign, campaign_of, truth, until, window};
 use super::{message, press, says, widget};
@@ -10,7 +10,7 @@ use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::{Queryable as _, by};
 
-/// Number of tests of both dampers.
+/// Number of tests of each damper.
 const TESTS: usize = 18;
 
 #[test]
@@ -50,7 +50,7 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
-    // The report shows the change too, with the files of both dampers.
+    // The report shows the change too, and lists the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();
     harness.step();
     press(&mut harness, words.write_report);

@@ -1,4 +1,5 @@
-//! Tests with unusable records. The window opens the other records, and reports the omitted ones with the reason.
+//! Tests of campaigns with unusable records. The window opens the other records, and reports the unusable ones with the
+//! reason.
 
 use super::made_up::{campaign, until, window};
 use super::{Harness, message, says};

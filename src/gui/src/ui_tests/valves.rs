@@ -1,4 +1,4 @@
-//! The panel of an adjustable damper's valve: its responses and parameters.
+//! Tests of the panel of an adjustable damper's valve: its responses and parameters.
 
 use super::made_up::{campaign, campaign_of_family, until, window};
 use super::{has, holds, press, says};

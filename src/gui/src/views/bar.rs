@@ -67,7 +67,7 @@ fn diagnose(session: &mut Session, view: &mut View) {
     session.diagnose();
 }
 
-/// Draws the bar.
+/// Draws the bar at the top of the window.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     egui::MenuBar::new().ui(ui, |ui| {
         let w = view.words();

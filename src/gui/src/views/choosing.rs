@@ -1,11 +1,11 @@
-//! Chooses a file or folder inside the window if the system shows no dialogs.
+//! Dialog inside the window for a file or folder, for systems that show no dialogs.
 
 use crate::dialogs::Ask;
 use crate::views::View;
 use eframe::egui::{self, Id, Modal, RichText, Ui};
 use std::path::PathBuf;
 
-/// State of the dialog for a file or folder.
+/// State of the dialog.
 pub struct Choosing {
     ask: Ask,
     folder: PathBuf,
@@ -19,7 +19,7 @@ pub struct Choosing {
 const LISTED: usize = 2000;
 
 impl Choosing {
-    /// Opens the dialog in a folder.
+    /// Makes the dialog for a request, with the contents of the folder `from` or of the working directory.
     pub fn new(ask: Ask, from: Option<PathBuf>) -> Choosing {
         let from = from.or_else(|| std::env::current_dir().ok()).unwrap_or_default();
         let name = ask.proposed().0.to_owned();
@@ -52,7 +52,7 @@ impl Choosing {
         if name.is_empty() { self.folder.clone() } else { self.folder.join(name) }
     }
 
-    /// Returns whether the path is acceptable.
+    /// Returns whether the request accepts the path.
     fn is_complete(&self) -> bool {
         let path = self.path();
         match (self.ask.is_of_input(), self.ask.is_of_folder()) {

@@ -1,4 +1,4 @@
-//! Asks for confirmation if closing the window would lose data.
+//! Confirmation before closing the window would lose data.
 
 use crate::session::Session;
 use crate::views::View;

@@ -1,5 +1,5 @@
-//! Physical quantities of gas, oil and valves from the dimensions of the damper: values, undetermined quantities,
-//! contradictions.
+//! Panel of the physical quantities of gas, oil and valves from the dimensions of the damper: values, undetermined
+//! quantities, contradictions.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -61,7 +61,7 @@ fn quantity(ui: &mut Ui, of: &Quantity, w: &Words) {
     let unit = said.word(of.unit);
     let range = match (of.value, of.low, of.high) {
         (Some(value), Some(low), Some(high)) => {
-            // The unit contains words, which the report's tables do not translate.
+            // The unit may contain words. It is translated here, because `with_interval` does not translate units.
             let (value, interval) = with_interval(value, low, high, "", said);
             said.number(&format!("{value} {unit}  ({interval})"))
         }
@@ -87,7 +87,7 @@ fn quantity(ui: &mut Ui, of: &Quantity, w: &Words) {
     });
 }
 
-/// Draws an undetermined quantity with its missing inputs.
+/// Draws an undetermined quantity with the reason and its missing inputs.
 fn gap(ui: &mut Ui, of: &Gap, w: &Words) {
     let said = w.of.words();
     wrapped(ui, RichText::new(said.word(of.noun()))).on_hover_text(of.name);

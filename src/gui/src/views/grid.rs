@@ -1,33 +1,34 @@
-//! Positions of the grid lines and numbers of a plot's axes.
+//! Grid lines of a plot's axes, and the numbers at these lines.
 //!
-//! The lines lie at 1, 2 or 5 times a power of ten, so that a plot of any width has readable numbers. With powers of ten alone, a narrow
-//! plot of ±25 mm would have a single number, its zero.
+//! The numbers are multiples of 1, 2 or 5 times a power of ten, so that a plot of any width has readable numbers. With powers of ten alone,
+//! a narrow plot of ±25 mm would have only the number zero.
 
 use crate::words::Words;
 use egui_plot::{AxisHints, GridInput, GridMark, Plot};
 use std::cell::Cell;
 use std::rc::Rc;
 
-/// Distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in egui_plot). The distance
-/// suffices for five characters. Longer numbers get more.
+/// Smallest distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in egui_plot). It
+/// suffices for five characters. Longer numbers have a larger distance.
 const ACROSS: f64 = 5.5;
 /// Distances, px, over which the numbers of the lower axis fade in. With the 60 to 80 px of `egui_plot`, a window of 1280 px shows only
 /// zeros.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
-/// Distance of two numbers along the vertical axis, in units of 8 px. At less than 30 px, the numbers would fade.
+/// Smallest distance of two numbers along the vertical axis, in units of 8 px. At less than 30 px, the numbers would fade.
 const UPWARDS: f64 = 4.0;
 
 /// Width of a digit in the font of the axes, px, slightly above the width of the widest digit.
 const DIGIT: f64 = 7.5;
-/// Largest number of decimals of a label. It is the precision of a double of magnitude one.
+/// Largest number of decimals of a label. A double of magnitude one has this precision.
 const MOST_DECIMALS: usize = 15;
 
-/// Gives a plot its two axes, with labels and grid lines. Every number has the decimals that the step of its axis requires.
+/// Gives a plot its two axes, with labels and grid lines. Every number has the decimals that the distance of two numbers on its axis
+/// requires.
 pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Words) -> Plot<'a> {
     let steps = [Rc::new(Cell::new(0.0)), Rc::new(Cell::new(0.0))];
     let [x, y] = steps.clone();
     let [x_step, y_step] = steps;
-    // The plot computes the grid lines before their labels.
+    // The plot computes the grid lines of an axis before their labels, so the labels can use the step.
     let lower = AxisHints::new_x().label(lower).label_spacing(COME_UP);
     plot.custom_x_axes(vec![lower.formatter(move |mark, _| label(&mark, x_step.get(), w))])
         .y_axis_label(left)
@@ -44,9 +45,9 @@ pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Wo
         })
 }
 
-/// Formats the number of a grid line. Lines between the numbered ones have no number, whatever their distance.
+/// Formats the number at a grid line. Lines between two numbers get an empty text, whatever their distance.
 fn label(mark: &GridMark, step: f64, w: &Words) -> String {
-    // The factor compensates rounding errors of the step.
+    // The factor 0.99 compensates rounding errors of the step.
     if mark.step_size < 0.99 * step { String::new() } else { number(mark.value, decimals_of(step), w) }
 }
 
@@ -60,11 +61,11 @@ fn decimals_of(step: f64) -> usize {
     if !(step.is_finite() && step > 0.0) {
         return 0;
     }
-    // Round upward, since 0.05 has two decimals. The offset compensates rounding errors at exact powers of ten.
+    // The result is rounded up, because 0.05 has two decimals. The offset compensates rounding errors at exact powers of ten.
     ((-libm::log10(step) - 1e-9).ceil().max(0.0) as usize).min(MOST_DECIMALS)
 }
 
-/// Returns the distance of two numbers, in units of the smallest distance of two grid lines. The longest number fits into it.
+/// Returns a distance of two numbers into which the longest number fits, in units of the smallest distance of two grid lines.
 fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     let largest = input.bounds.0.abs().max(input.bounds.1.abs()).max(1.0);
     let digits = 2.0 + libm::log10(largest).floor().max(0.0);
@@ -78,7 +79,7 @@ fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     apart
 }
 
-/// Returns the distance of two numbers of an axis.
+/// Returns the distance of two numbers of an axis, in units of the axis.
 fn step_of(input: &GridInput, apart: f64) -> f64 {
     steps(input.base_step_size * apart)[1]
 }
@@ -92,7 +93,8 @@ fn marks(input: GridInput, apart: f64) -> Vec<GridMark> {
     egui_plot::uniform_grid_spacer(move |input| steps(input.base_step_size * apart))(input)
 }
 
-/// Returns the steps of the fine lines, of the numbered lines, and of every tenth numbered line.
+/// Returns the distances of the fine lines, of the numbered lines, and of every tenth numbered line. Numbered lines have at least the
+/// distance `least`.
 fn steps(least: f64) -> [f64; 3] {
     let decade = libm::pow(10f64, libm::log10(least.abs()).floor());
     // The tolerance compensates rounding errors in the logarithm of an exact power of ten.

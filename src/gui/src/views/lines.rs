@@ -19,27 +19,27 @@ use std::sync::Arc;
 /// Source of a line's forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Whose {
-    /// The rig.
+    /// Measurement on the rig.
     Measured,
     /// The corresponding test of the reference campaign.
     Reference,
     /// The identified model, if the user has tuned the model since.
     Identified,
-    /// The model.
+    /// The model on screen.
     Model,
     /// The model with an additional effect.
     Effect,
 }
 
-/// One line in each of the plots.
+/// The points of one test or model, for each of the plots.
 pub struct Line {
     /// Source of the forces.
     pub whose: Whose,
-    /// Index among the selected tests.
+    /// Index of the test among the selected tests, which determines the hue.
     pub place: usize,
     /// Name that the cursor shows.
     pub name: String,
-    /// Force over velocity. All fields are in the selected units.
+    /// Force over velocity. All quantities are in the selected units.
     pub velocity: Vec<PlotPoint>,
     /// Force over displacement.
     pub displacement: Vec<PlotPoint>,
@@ -53,7 +53,7 @@ pub struct Line {
     pub temperature: Vec<PlotPoint>,
 }
 
-/// Inputs of the lines.
+/// Inputs from which the lines were computed.
 #[derive(PartialEq, Clone, Default)]
 struct Key {
     generation: u64,
@@ -71,15 +71,17 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Largest number of points of all lines that a frame draws quickly. A single line needs a few hundred points.
+/// Largest number of points of all lines, so that a frame is drawn quickly (`POINTS`). A single line has at most `MOST` points, and the
+/// limit never falls below `LEAST`.
 const POINTS: usize = 24_000;
 const MOST: usize = 600;
 const LEAST: usize = 60;
-/// Largest number of tests whose loops with an additional effect are computed within a frame. Each test takes a millisecond.
+/// Largest number of tests for which the loop with an additional effect is drawn. The loops are computed within a frame, and each takes a
+/// millisecond.
 const EFFECTS: usize = 6;
 
 impl Cache {
-    /// Returns the lines at the session's current state.
+    /// Returns the lines for the current state of the session. Computes them only after a change.
     pub fn lines(
         &mut self,
         session: &Session,
@@ -156,9 +158,10 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
     lines
 }
 
-/// Formats the test's own setting in the simulation, as a suffix of its name. Returns an empty text without a setting.
+/// Formats a suffix for the name of a simulated line. It states the test's own setting at which the model is simulated.
 ///
-/// The suffix distinguishes a test with a changing setting from a test with a constant setting.
+/// If the values on screen are simulated instead, the suffix states that the test's setting changes or belongs to another damper. Otherwise
+/// the suffix is empty.
 fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     let Some(dampers) = session.dampers() else { return String::new() };
     let axis = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0));
@@ -201,7 +204,7 @@ fn line(
 ) -> Line {
     let [f, v, x] = [units.force(), units.velocity(), units.length()].map(|shown| shown.factor);
     let from = seen.shown.start;
-    // The index of a force counts its decimated samples. The index of the motion counts all samples of the record.
+    // The index of `force` counts decimated samples. The index of the motion counts all samples of the record.
     let n = seen.shown.len().div_ceil(stride).min(force.len());
     let at = |i: usize| from + i * stride;
     let step = n.div_ceil(most).max(1);

@@ -47,14 +47,14 @@ use eframe::egui::{self, Color32};
 /// Panel on the right-hand side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Side {
-    /// Sliders.
+    /// Elements and sliders of the model.
     #[default]
     Tune,
     /// Results of the verbs.
     Result,
     /// Options of reading.
     Records,
-    /// Families of loops.
+    /// Variation of one parameter, and preview of an effect.
     Study,
     /// The valve of an adjustable damper.
     Valve,
@@ -76,7 +76,7 @@ pub enum Corner {
     Tables,
     /// Temperature over time.
     Temperature,
-    /// The family of loops.
+    /// Loops of one test for several values of a parameter.
     Study,
 }
 
@@ -87,17 +87,17 @@ pub struct View {
     pub language: Language,
     /// Filter of the list of tests: names must contain this text.
     pub filter: String,
-    /// The test that was clicked last. A range of tests begins there.
+    /// Index of the test that was clicked last. A range of tests begins at this test.
     pub anchor: Option<usize>,
     /// Panel on the right-hand side.
     pub side: Side,
     /// Contents of the area at the lower right.
     pub corner: Corner,
-    /// Quantity of the error matrix's columns.
+    /// Quantity of the columns of the error matrix.
     pub across: Across,
-    /// Lines of the plots, stored until a change.
+    /// Lines of the plots, which are cached until their inputs change.
     pub lines: lines::Cache,
-    /// Point of the FV curve that the pointer drags.
+    /// Index of the point of the FV curve that the pointer drags.
     pub grabbed: Option<usize>,
     /// Reason why the dragged point does not follow the pointer.
     pub stopped: Option<plots::Stop>,
@@ -120,13 +120,13 @@ pub struct View {
 }
 
 impl View {
-    /// Returns all texts.
+    /// Returns the texts of the window in the selected language.
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
     }
 }
 
-/// Returns the display name of an element or a parameter. The reports use the same name. A tooltip shows the identifier.
+/// Returns the display name of an element or a parameter, as in the reports. Without such a name, returns the identifier with spaces.
 pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
     words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)
 }
@@ -142,14 +142,15 @@ pub fn setting_name<'a>(name: &'a str, words: &dashpot_report::words::Words) -> 
     }
 }
 
-/// Parses a `#rrggbb` color of the report's palette.
+/// Parses a `#rrggbb` color of the report's palette. An invalid text gives gray.
 pub fn colour(hex: &str) -> Color32 {
     Color32::from_hex(hex).unwrap_or(Color32::GRAY)
 }
 
 /// Hues of the measured tests, on dark and on light backgrounds.
 ///
-/// Color-blind readers can distinguish them. Source: Okabe & Ito, *Color Universal Design*, 2008.
+/// The first six are from Okabe & Ito, *Color Universal Design*, 2008, so that color-blind readers can distinguish them. Olive and violet
+/// are additions.
 const HUES: [Color32; 8] = [
     Color32::from_rgb(0, 114, 178),
     Color32::from_rgb(230, 159, 0),

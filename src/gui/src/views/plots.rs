@@ -16,9 +16,10 @@ use dashpot_simulation::prediction::{at_velocities, between_velocities};
 use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo};
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
 
-/// Largest distance for grabbing a point of the curve, px: the width of a fingertip on a touch pad.
+/// Largest distance between the pointer and a point of the curve at which a click grabs the point, px. It corresponds to the width of a
+/// fingertip on a touch pad.
 const GRAB: f32 = 12.0;
-/// Size of the letters of legends and remarks on plots, px.
+/// Font size of legends and remarks on plots, px.
 const LETTERS: f32 = 11.5;
 
 /// Two axes with their names and units.
@@ -62,7 +63,7 @@ fn plot<'a>(id: &'static str, axes: &Axes, linked: bool, w: &'static Words) -> P
     }
 }
 
-/// Draws the title of a plot, its accessible description, and the menu for saving it.
+/// Draws the title of a plot, and the menu for saving the plot.
 fn heading(
     ui: &mut Ui,
     view: &mut View,
@@ -86,7 +87,7 @@ fn heading(
                     ui.close();
                 }
                 if ui.button("PNG").clicked() {
-                    // Drawing the plot, which lies below the title, stores the rectangle.
+                    // [`remember_place`] stored the rectangle of the plot when the plot was drawn in the last frame.
                     let rect = ui.ctx().memory(|m| m.data.get_temp::<Rect>(Id::unique(("plot", title.to_owned()))));
                     let rect = rect.unwrap_or(Rect::EVERYTHING);
                     view.asks.push(Ask::Picture([rect.min.x, rect.min.y, rect.max.x, rect.max.y]));
@@ -100,7 +101,7 @@ fn heading(
     });
 }
 
-/// Draws the figure in the format of the report.
+/// Formats a plot as an SVG figure in the style of the report.
 fn svg(title: &str, axes: &Axes, lines: Vec<(Role, String, Vec<[f64; 2]>)>, w: &Words) -> String {
     let all = || lines.iter().flat_map(|(_, _, points)| points.iter().copied());
     let (x, y) = (all().map(|p| p[0]).collect::<Vec<_>>(), all().map(|p| p[1]).collect::<Vec<_>>());
@@ -135,7 +136,7 @@ fn role(whose: Whose) -> Role {
     }
 }
 
-/// Returns color and width of a line. Measured tests have their own hue, models have the text color.
+/// Returns color and width of a line. Each measured test has a hue, a model has a text color, and a model with an additional effect is red.
 fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     let ink = ui.visuals().strong_text_color();
     match line.whose {
@@ -150,7 +151,7 @@ fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
 /// Largest number of legend entries. A tooltip lists further entries.
 const ENTRIES: usize = 6;
 
-/// Draws a legend above a plot. Every entry has a piece of its line.
+/// Draws a legend above a plot. Every entry begins with a piece of the line.
 fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
@@ -178,7 +179,7 @@ fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
     });
 }
 
-/// Returns the legend of the loop plots: every measured test in its hue, and every kind of model once.
+/// Returns the legend of the loop plots: every kind of model once, and every measured test in its hue.
 fn entries(ui: &Ui, session: &Session, lines: &[Drawn], words: &Words) -> Vec<(Color32, bool, String)> {
     let mut kinds: Vec<(Color32, bool, String)> = Vec::new();
     for whose in [Whose::Model, Whose::Identified, Whose::Effect, Whose::Reference] {
@@ -293,7 +294,7 @@ fn points_of(line: &Drawn, which: Which) -> &[PlotPoint] {
     }
 }
 
-/// Describes the plots for a screen reader.
+/// Describes the contents of a plot for a screen reader: the plotted tests, and the model.
 fn summary(session: &Session, words: &Words) -> String {
     let names: Vec<&str> =
         session.selected.iter().filter_map(|k| session.record(*k)).map(|r| r.name.as_str()).collect();
@@ -314,7 +315,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         |params: &Params| -> Vec<[f64; 2]> { steady(params, reach(&loaded, params)).into_iter().map(shown).collect() };
     let now = session.model.as_ref().map(|m| curve(m.params()));
     let identified = session.model.as_ref().filter(|m| m.is_tuned()).map(|m| curve(&m.identified));
-    // If tests have their own settings, each setting has a curve.
+    // If tests have their own settings, each of these settings has a curve.
     let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
     let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
     let own: Vec<(String, Vec<[f64; 2]>)> = own
@@ -415,7 +416,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
             changed
         });
     }
-    // While the user drags a point, its label shows the reason for a stop.
+    // While the user drags a point, a remark in the corner of the plot shows why the point stopped.
     if let Some(why) = view.stopped {
         let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
         let font = egui::FontId::proportional(LETTERS + 1.0);
@@ -441,7 +442,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
-/// Returns the velocity range, m/s, of the tests and of the draggable points.
+/// Returns the velocity range, m/s, that contains the peaks of the tests and the draggable points, with a margin.
 fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2] {
     let peaks = loaded.tests.iter().flat_map(|t| t.peaks).map(|p| p[0]).filter(|v| v.is_finite());
     let points = handles(params).into_iter().map(|h| h.0);
@@ -449,18 +450,18 @@ fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2]
     ends.map(|v| 1.02 * v)
 }
 
-/// Returns the force at constant velocity, m/s and N. It includes friction and gas, as in the report.
+/// Returns velocities, m/s, and the force at each constant velocity, N. The force includes friction and gas, as in the report.
 fn steady(params: &Params, [low, high]: [f64; 2]) -> Vec<[f64; 2]> {
     Model::new(params).map_or_else(|_| Vec::new(), |model| between_velocities(&model, low, high))
 }
 
-/// Returns the points of the curve's table on this line, or no points if the curve has another form.
+/// Returns the points of the FV table on the line of [`steady`], or no points if the FV curve has another form.
 fn handles(params: &Params) -> Vec<(f64, f64)> {
     if !params.is_on(element!("fv_curve")) || params.number(number!("fv_form")) != 0.0 {
         return Vec::new();
     }
     let Ok(model) = Model::new(params) else { return Vec::new() };
-    // Evaluate all points, so that their indices are those of the table.
+    // All points must have a force, because their indices must be those of the table.
     let at = at_velocities(&model, params.list(list!("fv_velocity")));
     if at.len() == params.list(list!("fv_velocity")).len() {
         at.iter().map(|p| (p[0], p[1])).collect()
@@ -469,7 +470,7 @@ fn handles(params: &Params) -> Vec<(f64, f64)> {
     }
 }
 
-/// Reason why a point does not follow the pointer.
+/// Reason why a dragged point does not follow the pointer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
     /// The force at zero velocity is fixed to zero.
@@ -509,7 +510,8 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
         let high = values.get(point + 1).map_or(f64::INFINITY, |next| next - apart);
         if low <= high { restrict(wanted, low, high) } else { values[point] }
     };
-    // The line also contains friction, gas and springs, so the point moves by the distance between line and pointer.
+    // The drawn line also contains friction and gas. So the force of the table changes by the distance between the drawn point and the
+    // pointer.
     let shown = handles(model.params()).get(point).map_or(*now, |h| h.1);
     let wanted = now + to[1] - shown;
     let allowed = between(&forces, wanted, 0.0);
@@ -521,7 +523,7 @@ pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity:
     }
     let mut moved = false;
     if with_velocity {
-        // Neighbors at a distance below 1 mm/s would make a step of the curve.
+        // The distance to the neighbors is at least 1 mm/s, because closer points would make a step in the curve.
         let allowed = between(&velocities, to[0], 1e-3);
         if allowed != to[0] {
             stopped = stopped.or(Some(Stop::Velocity));
@@ -557,7 +559,7 @@ mod tests {
         let low = drawn.iter().find(|p| p[0] > 0.01).unwrap();
         let valves = model.elements().paths.fv_curve.evaluate(low[0]).value;
         assert!((low[1] - valves).abs() > 1.0, "{low:?} {valves}");
-        // The points lie on the line.
+        // The draggable points lie on the line.
         for (v, force) in handles(&params) {
             assert_eq!(at_velocities(&model, &[v])[0][1], force);
         }

@@ -1,4 +1,4 @@
-//! Options of reading, which the user corrects and stores with the records.
+//! Panel of the options of reading, which the user corrects and stores with the records.
 
 use crate::session::Session;
 use crate::units::read;
@@ -16,7 +16,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     ui.heading(w.how_read);
     ui.add(egui::Label::new(egui::RichText::new(w.how_read_hint).weak()).wrap());
     let reading = &mut session.reading;
-    // The limit keeps both columns within the panel, however long a word is.
+    // The limit of the column width keeps both columns within the panel, even if a word is long.
     let column = 0.5 * (ui.available_width() - 8.0);
     egui::Grid::new("reading").num_columns(2).spacing([8.0, 6.0]).max_col_width(column).show(ui, |ui| {
         let direction = |p: Option<Positive>| match p {
@@ -70,7 +70,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         field(w.displacement_zero, &mut reading.displacement_zero_m, 1e3, "mm", 0.05);
         field(w.gain, &mut reading.gain, 1.0, "", 0.001);
         field(w.rig_mass, &mut reading.rig_mass_kg, 1.0, "kg", 0.01);
-        // The rate is zero if the files have a time column.
+        // The field shows a rate of zero if no rate is set, because files with a time column need none.
         let mut rate = reading.sample_rate_hz.unwrap_or(0.0);
         field(w.sample_rate, &mut rate, 1.0, "Hz", 1.0);
         reading.sample_rate_hz = (rate != 0.0).then_some(rate);
@@ -116,7 +116,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     });
 }
 
-/// Draws a row of the form: a drop-down list with the names of several values.
+/// Draws a row of the form: a label, and a drop-down list with the names of all values.
 fn choice<T: Copy + PartialEq>(ui: &mut Ui, label: &str, value: &mut T, all: &[T], name: impl Fn(T) -> &'static str) {
     ui.add(egui::Label::new(label).wrap());
     let width = ui.available_width().clamp(60.0, 150.0);

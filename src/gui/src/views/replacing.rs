@@ -1,16 +1,17 @@
-//! Asks for confirmation before another model replaces a manually tuned model.
+//! Confirmation before another model replaces a manually tuned model.
 
 use crate::session::Session;
 use crate::views::View;
 use crate::views::bar::save;
 use eframe::egui::{Id, Modal, Ui};
 
-/// Asks for confirmation if a model waits to replace values that are not saved.
+/// Asks for confirmation if a replacement is pending and tuned values are not saved.
 pub fn show(ui: &Ui, session: &mut Session, view: &mut View) {
     if session.pending.is_none() {
         return;
     }
-    // The user has saved or restored the values in the meantime, so no value would be lost.
+    // If the user has saved or restored the values in the meantime, no value would be lost, so no confirmation is
+    // needed.
     if !session.has_unsaved_tuning() {
         session.replace_pending();
         return;

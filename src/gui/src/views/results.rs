@@ -1,4 +1,4 @@
-//! Results of fit, validation and diagnosis, in the texts of the report.
+//! Panel of the results of fit, validation and diagnosis, with the texts of the reports.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -84,7 +84,7 @@ fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     }
 }
 
-/// Draws the buttons that write the adjacent result.
+/// Draws the buttons that write reports or workbooks of a result.
 fn papers(ui: &mut Ui, free: bool, view: &mut View, offered: &[(&str, Paper)]) {
     for (text, paper) in offered {
         if ui.add_enabled(free, egui::Button::new(*text)).clicked() {
@@ -166,7 +166,8 @@ fn family_fit(ui: &mut Ui, found: &FamilyFit, language: Language) {
     }
 }
 
-/// Draws each effect with its force and probability. For a given model, also draws its status.
+/// Draws each effect with its force and probability. If `status` is set, also draws whether the effect was kept, added, replaced or
+/// removed.
 fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Language) {
     if items.is_empty() {
         return;

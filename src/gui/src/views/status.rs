@@ -1,4 +1,4 @@
-//! Progress with a cancel button, and the last message.
+//! Line at the bottom: progress with a cancel button, or the last message.
 
 use crate::session::Session;
 use crate::session::tasks::Kind;
@@ -24,7 +24,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.label(if cancelled { w.stopping } else { doing });
             let bar = egui::ProgressBar::new(progress.done as f32).desired_width(220.0).show_percentage();
             ui.add(bar);
-            // The button stands before the text. The width of the text changes, so behind it the button would move away from the pointer.
+            // The button stands before the text, because the width of the text changes. Behind the text, the button would move away from
+            // the pointer.
             if ui.add_enabled(!cancelled, egui::Button::new(w.cancel)).clicked() {
                 session.cancel();
             }

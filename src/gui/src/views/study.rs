@@ -1,4 +1,5 @@
-//! Variation of one parameter, as in chapter 3 of the thesis, and preview of an effect over the measured loops.
+//! Panel for the variation of one parameter and for the preview of an effect over the measured loops. Chapter 3 of
+//! Jonnalagadda & Vyas 2020 varies parameters in this way.
 
 use crate::session::Session;
 use crate::session::model::Reach;
@@ -12,7 +13,7 @@ use dashpot_estimation::scale::Scale;
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// Input of the study in the panel.
+/// Input fields of the study.
 pub struct Form {
     number: Option<Number>,
     /// First and last value, SI; `None` selects the range of the slider.
@@ -22,7 +23,7 @@ pub struct Form {
 
 impl Default for Form {
     fn default() -> Self {
-        // Seven loops are distinguishable, and the fourth is the middle one.
+        // Seven loops are distinguishable, and the fourth of them is in the middle of the range.
         Form { number: None, range: None, count: 7 }
     }
 }
@@ -100,7 +101,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     effect(ui, session, view, w);
 }
 
-/// Returns an informative range around a value: a factor of three to either side, or the range of the slider.
+/// Returns an informative range around a value. On a logarithmic scale, this is a factor of three to either side,
+/// otherwise the range of the slider.
 fn around(value: f64, reach: &Reach) -> [f64; 2] {
     if reach.factors && value > 0.0 {
         [(value / 3.0).max(reach.low), (3.0 * value).min(reach.high)]
@@ -158,7 +160,7 @@ fn effect(ui: &mut Ui, session: &Session, view: &mut View, w: &Words) {
     view.effect = chosen.map(|element| (element, strength));
 }
 
-/// Draws the family of loops.
+/// Draws the measured loop, and the loops for all values of the parameter.
 pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
     let (Some(study), Some(loaded)) = (&session.study, &session.campaign) else {
         ui.label(w.study_hint);

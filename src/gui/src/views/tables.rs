@@ -1,4 +1,4 @@
-//! Forces at the peak velocities of all tests (PVP) and at given velocities within a cycle (CVP). Dynos print both tables.
+//! Tables of the forces at the peak velocities of all tests (PVP) and at given velocities within a cycle (CVP). Dynos print both tables.
 
 use crate::dialogs::Ask;
 use crate::session::Session;
@@ -96,7 +96,7 @@ fn draw(ui: &mut Ui, view: &mut View, id: &str, title: &str, file: &'static str,
     });
 }
 
-/// Formats a table for a file. It uses the decimal point in every language, for other programs.
+/// Formats a table as CSV. Numbers have a decimal point in every language, because other programs read the file.
 fn text(table: &Table, decimal_sign: &str) -> String {
     let quoted = |cell: &String| format!("\"{}\"", cell.replace('"', "\"\""));
     let plain = |cell: &String| {
@@ -111,7 +111,7 @@ fn text(table: &Table, decimal_sign: &str) -> String {
     };
     let mut out = table.headings.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n";
     for row in &table.rows {
-        // The first column of the table of tests is a name, even if it looks like a number.
+        // Every cell that looks like a number is written as a number, even the name of a test in the first column.
         out += &(row.iter().map(plain).collect::<Vec<_>>().join(",") + "\n");
     }
     out

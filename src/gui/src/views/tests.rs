@@ -1,4 +1,4 @@
-//! The tests: properties, errors of the model, notes, and whether each is used.
+//! Panel of the tests: properties, errors of the model, notes, and whether fit, validation and diagnosis use a test.
 
 use crate::session::Session;
 use crate::units::{Shown, Units};
@@ -6,8 +6,8 @@ use crate::views::{View, hue};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Returns whether a note reports damage. In the list of tests this includes frozen channels and gaps. The command reports these for the
-/// whole campaign.
+/// Returns whether a note reports damage of a test. Unlike in the command, frozen channels and gaps count, because the command reports them
+/// for the whole campaign.
 fn is_of_damage(note: &Note) -> bool {
     note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
 }
@@ -17,7 +17,7 @@ fn is_damaged(record: &Record) -> bool {
     record.notes.iter().any(is_of_damage)
 }
 
-/// Draws the list and the details of the selected test.
+/// Draws the list of tests, the details of the last selected test, and the notes of the campaign.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let Some(loaded) = session.campaign.clone() else {
@@ -117,7 +117,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
     });
 }
 
-/// Selects a test in the way of common lists: a click selects one test, Ctrl adds a test, Shift selects a range.
+/// Selects tests as in common lists. A click selects one test, Ctrl adds or removes a test, and Shift adds a range.
 pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modifiers, listed: &[usize]) {
     let place = |k: usize| listed.iter().position(|l| *l == k);
     match (keys.shift, view.anchor.and_then(place), place(k)) {

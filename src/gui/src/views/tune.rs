@@ -1,5 +1,5 @@
-//! Switches of the elements and a slider for every parameter, with marks for priors, intervals and unidentified
-//! parameters.
+//! Panel with a switch for every element and a slider for every parameter. Marks show prior, 95 % interval and
+//! identified value.
 
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     if let Some(refused) = session.model.as_ref().and_then(|m| m.rejected.clone()) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
-    // Report the file's parameters of disabled elements. They take effect once the element is enabled.
+    // The notes name parameters of disabled elements in the file, because they take effect once the element is enabled.
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
         ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
     }
@@ -47,7 +47,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     egui::ScrollArea::vertical().id_salt("tune").auto_shrink([false, false]).show(ui, |ui| {
         let (on, off): (Vec<Element>, Vec<Element>) =
             Element::all().partition(|element| session.model.as_ref().is_some_and(|m| m.params().is_on(*element)));
-        // Enabled elements stand first; elements that could be added follow.
+        // Enabled elements come first. Elements that could be added follow.
         for one in on {
             element(ui, session, view, one, true, &rows);
         }
@@ -61,7 +61,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     });
 }
 
-/// Draws a slider over the setting of an adjustable damper.
+/// Draws a slider over the setting of an adjustable damper, and the choice of own settings for the tests.
 fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     let Some(model) = &session.model else { return };
     let Some((axis, at)) = model.over_setting() else { return };
@@ -88,7 +88,7 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     }
 }
 
-/// Shows the current error and the error of the identified model.
+/// Shows the mean error of the current model and of the identified model.
 fn errors(ui: &mut Ui, session: &Session, w: &Words) {
     let mean = |s: &crate::session::simulation::Simulated| {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
@@ -106,7 +106,7 @@ const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
 fn legend(ui: &mut Ui, w: &Words) {
     ui.horizontal_wrapped(|ui| {
         for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
-            // A label without break opportunities keeps a mark on the line of its text.
+            // A label with non-breaking spaces keeps a mark and its text on one line.
             let mut entry = LayoutJob::default();
             let style = ui.style().clone();
             RichText::new("▬\u{a0}").color(colour).append_to(&mut entry, &style, FontSelection::Default, Align::Center);
@@ -151,7 +151,7 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
     }
 }
 
-/// Width of a slider, px. A resolution of one percent per pixel suffices.
+/// Width of a slider, px. A resolution of one percent of the range per pixel suffices.
 const WIDTH: f32 = 140.0;
 
 /// Draws one parameter: its name, a slider with marks, and a field.
@@ -185,7 +185,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
         hint += &format!("\n{}", assumed(p.name, identified, &model.identified, None, w.of.words()));
     }
     ui.add(egui::Label::new(title).wrap()).on_hover_text(hint);
-    // An unidentified parameter gets no mark, whatever its value.
+    // A parameter that the fit did not identify gets no mark of an identified value.
     let mark = model.identified_value(row, entry);
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = WIDTH;
@@ -234,7 +234,7 @@ fn marks(
     interval: Option<[f64; 2]>,
     identified: Option<f64>,
 ) {
-    // The slider's handle stops at this distance from its ends.
+    // The handle of the slider stops at this distance from the ends of the slider.
     let inside = rect.shrink2(egui::vec2(rect.height() / 2.5, 0.0));
     let x = |value: f64| inside.left() + inside.width() * reach.place(value) as f32;
     let painter = ui.painter();
@@ -282,14 +282,15 @@ fn choice(ui: &mut Ui, session: &mut Session, w: &Words, row: &Row, words: &[&st
     }
 }
 
-/// Draws a curve: its forces as sliders, its positions as numbers. The user can also drag its points in the plot.
+/// Draws the points of a curve: a slider for every entry of the list that is free. The user can also drag the points of
+/// the FV curve in the plot.
 fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) {
     let p = row.parameter;
     let count = session.model.as_ref().map_or(0, |m| m.params().get(row).len());
     if count == 0 {
         return;
     }
-    // The user drags the positions of a curve's points in the plot, or types them.
+    // For a list of positions, a hint states that the user can drag the points in the plot.
     let places = [list!("fv_velocity"), list!("spring_displacement")].iter().any(|places| places.row() == row);
     egui::CollapsingHeader::new(RichText::new(format!("{} ({count})", translate_name(p.name, w.of.words()))).small())
         .id_salt(p.name)
@@ -306,7 +307,8 @@ fn list(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row) 
         });
 }
 
-/// Returns whether a point of a curve may move. The point at zero velocity has no force and is fixed.
+/// Returns whether an entry of a curve may change. The point of the FV curve at zero velocity has no force and is
+/// fixed.
 fn is_free(model: Option<&Tuned>, row: &Row, entry: usize) -> bool {
     let Some(model) = model else { return false };
     let velocity = list!("fv_velocity");

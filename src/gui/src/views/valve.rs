@@ -1,4 +1,4 @@
-//! Response of an adjustable damper's valve to a step up and a step down, and the parameters of its actuator.
+//! Panel of an adjustable damper's valve: responses to a step up and a step down, and the parameters of the actuator.
 
 use crate::session::Session;
 use crate::views::{View, grid};
@@ -8,7 +8,7 @@ use dashpot_report::numbers::with_interval;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 use egui_plot::{Legend, Line, Plot, PlotPoints};
 
-/// Height of a response, px. Two responses and their times fit into a window of 800 px.
+/// Height of the plot of a response, px. With it, two responses and their times fit into a window of 800 px.
 const HEIGHT: f32 = 162.0;
 /// Color of the model's response.
 const MODEL: Color32 = Color32::from_rgb(213, 94, 0);
@@ -87,11 +87,11 @@ fn times(ui: &mut Ui, is_up: bool, of: &StepResponse, view: &View) {
 
 /// Formats a time or a percentage with one decimal, or a dash without a value.
 fn known(value: Option<f64>, w: &Words) -> String {
-    // A value slightly below zero would get a minus sign.
+    // A value that rounds to zero is replaced by zero, because a negative one would get a minus sign.
     value.map_or_else(|| "–".to_owned(), |value| w.fixed(if value.abs() < 0.05 { 0.0 } else { value }, 1))
 }
 
-/// Draws the times of all steps of the open tests.
+/// Draws the times of all kinds of steps in the open tests, if there are at least three.
 fn all_steps(ui: &mut Ui, session: &Session, view: &View) {
     let (w, said) = (view.words(), view.language.words());
     let all = &session.responses.of_force;

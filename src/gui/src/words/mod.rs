@@ -1,4 +1,4 @@
-//! Every text of the window, in every language; `src/gui/locales` has one Fluent file a language.
+//! All texts of the window, in every language. `src/gui/locales` contains one Fluent file per language.
 
 use crate::units;
 use dashpot_messages::{Catalog, Message};
@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 pub use dashpot_report::words::Language;
 
-/// The name of a language in itself.
+/// Returns the name of a language in that language.
 pub fn name(language: Language) -> &'static str {
     match language {
         Language::English => "English",
@@ -17,7 +17,7 @@ pub fn name(language: Language) -> &'static str {
     }
 }
 
-/// The window's texts in a language; [`Language::words`] has those of its reports.
+/// Returns the texts of the window in a language. [`Language::words`] returns those of the reports.
 pub fn texts(language: Language) -> &'static Words {
     match language {
         Language::English => &EN,
@@ -37,7 +37,7 @@ fn read(language: Language, code: &str, source: &str) -> Words {
     Words::read(catalog, language, catalog)
 }
 
-/// The language that the system speaks, as its environment says; English where it says nothing known.
+/// Returns the language of the system from its environment variables, or English if they name no language of the reports.
 pub fn of_system() -> Language {
     let said =
         ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(|name| std::env::var(name).ok().filter(|v| !v.is_empty()));
@@ -49,28 +49,27 @@ fn of_locale(locale: &str) -> Language {
 }
 
 impl Words {
-    /// A message with its values put in, numbers and names as the reports write them.
+    /// Formats a message with its arguments by name. Numbers and names have the format of the reports.
     pub fn fill(&self, message: Message, values: &[(&str, &str)]) -> String {
         self.of.words().fill_from(self.catalog, message, values)
     }
 
-    /// A number with four significant digits, as this language writes it; also on axes and in tables. What is typed and files are [`Words::typed`]'s
-    /// and the verbs'.
+    /// Formats a number with four significant digits for this language. Input fields use [`Words::typed`].
     pub fn digits(&self, value: f64) -> String {
         self.of.words().number(&units::digits(value))
     }
 
-    /// A number with so many decimals.
+    /// Formats a number with a given number of decimals for this language.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         self.of.words().number(&format!("{value:.decimals$}"))
     }
 
-    /// A number for a field that is typed into ([`units::typed`]); [`units::read`] takes it back.
+    /// Formats a number for an input field ([`units::typed`]). [`units::read`] parses it.
     pub fn typed(&self, value: f64) -> String {
         units::typed(value).replace('.', self.of.words().decimal_sign)
     }
 
-    /// The name of a channel.
+    /// Returns the name of a channel.
     pub fn channel(&self, channel: Channel) -> &'static str {
         match channel {
             Channel::Time => self.time,
@@ -86,7 +85,7 @@ impl Words {
 }
 
 dashpot_messages::interface! {
-    /// The texts; `src/gui/locales` has them under these names in kebab-case.
+    /// All texts of the window in one language. `src/gui/locales` contains them under these names in kebab-case.
     #[allow(missing_docs)] // the texts are their meaning
     pub struct Words {
         pub of: Language,
@@ -109,7 +108,7 @@ dashpot_messages::interface! {
         reset_hint,
         fit,
         fit_hint,
-        /// A fit of one damper over `{setting}`.
+        /// Fit of one damper over `{setting}`.
         fit_over(setting),
         fit_over_hint,
         fit_ordinary,
@@ -118,7 +117,7 @@ dashpot_messages::interface! {
         validate_hint,
         diagnose,
         diagnose_hint,
-        /// Why there is nothing to diagnose.
+        /// Reason why no ticked test can be diagnosed.
         diagnose_elsewhere,
         export,
         export_fmu,
@@ -188,18 +187,18 @@ dashpot_messages::interface! {
         records,
         study,
         no_model,
-        /// The setting of a damper that depends on one and does not name it.
+        /// Name of the setting of an adjustable damper whose model file does not name it.
         setting,
-        /// What its slider shows.
+        /// Meaning of the slider over the setting.
         setting_hint,
-        /// Whether each test is compared with the damper at its own setting.
+        /// Label of the choice that each test is simulated at its own setting.
         own_settings,
         own_settings_hint,
-        /// Why its slider stands still.
+        /// Reason why the slider over the setting is disabled.
         setting_tuned,
-        /// Behind the name of a test whose setting changes.
+        /// Suffix to the name of a test whose setting changes.
         setting_changes,
-        /// Behind the name of a test whose setting is none of the model.
+        /// Suffix to the name of a test whose setting is not that of the model.
         setting_of_another(setting),
         unsaved_model,
         not_saved,
@@ -333,7 +332,7 @@ mod tests {
     use dashpot_messages::file;
     use std::collections::BTreeMap;
 
-    /// The Fluent file of each language, with its name.
+    /// Name and text of the Fluent file of each language.
     const FILES: [(&str, &str); 4] = [
         ("src/gui/locales/en.ftl", include_str!("../../locales/en.ftl")),
         ("src/gui/locales/de.ftl", include_str!("../../locales/de.ftl")),

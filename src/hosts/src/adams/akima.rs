@@ -1,34 +1,36 @@
-//! Akima's curve through points, which Adams uses for a property file (AKISPL). Also finds points whose Akima curve follows another curve.
+//! Akima's curve through points, which Adams uses for a property file (AKISPL), and a search for points whose Akima curve follows another
+//! curve.
 //!
-//! H. Akima, J. ACM 17, 1970. The curve is a cubic between two points. Its slope at a point is the weighted mean of the chords on both
-//! sides. The weight of each chord is the change of the chords on the other side. Beyond each end, two chord slopes are extrapolated
-//! linearly from the last two chords.
+//! H. Akima, J. ACM 17, 1970. The curve is a cubic between two points. Its slope at a point is the weighted mean of the chord slopes on
+//! both sides. The weight of a chord is the absolute difference between the two chord slopes on the other side of the point. Beyond each
+//! end, two chord slopes are extrapolated linearly from the last two chords.
 
 use super::property::Curve;
 use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
 
-/// Allowed difference of two curves, relative to the largest force of a side. The repeatability of rigs is one to two percent, so half a
-/// percent is not visible.
+/// Allowed difference of two curves in compression or in rebound, relative to the largest force in that direction. The repeatability of
+/// rigs is one to two percent, so half a percent is not visible.
 const SHARE: f64 = 0.005;
-/// Smallest allowed difference, N. It applies to a side with almost no force, and is below the resolution of a load cell.
+/// Smallest allowed difference, N. It applies to a direction with almost no force, and is below the resolution of a load cell.
 const LEAST: f64 = 1.0;
-/// Fraction of the allowed difference at which the algorithm stops adding points. If a file is read and written again, the difference then
-/// stays within the allowed one, and the file keeps its points.
+/// Fraction of the allowed difference at which [`refined`] stops adding points. The margin keeps the difference within the allowed one when
+/// a file is read and written again, so that the file keeps its points.
 const ADDED: f64 = 0.5;
-/// Number of intervals between two points. Curves are compared at the ends of these intervals.
+/// Number of equal intervals between two points of a table. [`worst`] compares two curves at the ends of these intervals, except at the
+/// points of the table.
 const PLACES: usize = 24;
 
 /// Interpolation of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reading {
-    /// Interpolation by Adams.
+    /// Akima's interpolation, which Adams uses.
     Akima,
-    /// Interpolation by a model.
+    /// Interpolation of a model's FV curve.
     Model(Interpolation),
 }
 
 impl Reading {
-    /// Returns the slopes before and after the points, or `None` for straight lines.
+    /// Returns the slopes of the curve just below and just above each point, or `None` for linear interpolation.
     fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
@@ -53,7 +55,8 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // If the slope does not change on either side, Akima uses the mean. Rounding errors must not affect this decision.
+        // If the chord slope does not change on either side, Akima uses the mean. The tolerance keeps rounding errors from affecting this
+        // decision.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
@@ -64,7 +67,7 @@ fn piece(v: &[f64], at: f64) -> usize {
     v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
 
-/// A table with one interpolation.
+/// A table with its interpolation.
 struct Read<'a> {
     curve: &'a Curve,
     slopes: Option<Vec<[f64; 2]>>,
@@ -89,7 +92,7 @@ impl<'a> Read<'a> {
 }
 
 /// Returns the force of a table at zero velocity with Adams's interpolation, or with linear interpolation if `straight` is set. Returns 0
-/// if the table excludes zero velocity.
+/// if the table excludes zero velocity or has fewer than two points.
 pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
     let holds =
         curve.velocities.first().is_some_and(|v| *v <= 0.0) && curve.velocities.last().is_some_and(|v| *v >= 0.0);
@@ -104,19 +107,19 @@ pub struct Difference {
     pub force: f64,
     /// Velocity of this difference, m/s.
     pub velocity: f64,
-    /// Largest ratio of a difference to the allowed difference of its side, and the velocity of this ratio. Compression and rebound have
+    /// Largest ratio of a difference to the allowed difference (`share`), and its velocity, m/s (`asks`). Compression and rebound have
     /// different allowed differences.
     share: f64,
     asks: f64,
 }
 
 impl Difference {
-    /// Returns whether the difference is allowed.
+    /// Returns whether the difference is at most the allowed one at all compared velocities.
     pub fn is_small(&self) -> bool {
         self.share <= 1.0
     }
 
-    /// Describes the difference.
+    /// Formats the difference and its velocity.
     pub fn describe(&self) -> String {
         format!("at most {:.1} N (at {:.0} mm/s)", self.force, 1e3 * self.velocity)
     }
@@ -130,8 +133,8 @@ fn tolerance(curve: &Curve) -> [f64; 2] {
     })
 }
 
-/// Computes the largest difference from the target between the points of a table, for all interpolations. Also computes the largest ratio
-/// to the tolerance.
+/// Computes the largest difference between the target and a table, over all `readings` and between the points. Also computes the largest
+/// ratio of a difference to `allowed`.
 fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
     let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
     let mut most = Difference::default();
@@ -154,7 +157,8 @@ fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn
     most
 }
 
-/// Adds points to the table until all its interpolations follow the target, or until a model can contain no more points.
+/// Adds points to a table until it follows the target with each of the `readings`. Stops earlier if a model can contain no more points, or
+/// if two points are too close for another between them.
 fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Curve {
     while curve.velocities.len() < MAX_POINTS {
         let at = worst(&curve, readings, allowed, target);
@@ -167,7 +171,7 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
             break;
         }
         let velocity = at.asks.max(low).min(high);
-        // A model's curve never decreases, and rounding must not cause a decrease.
+        // The force of a model's curve never decreases with velocity, so rounding must not cause a decrease.
         let force = target(velocity).min(curve.forces[i]).max(curve.forces[i - 1]);
         curve.velocities.insert(i, velocity);
         curve.forces.insert(i, force);
@@ -175,7 +179,8 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
     curve
 }
 
-/// Adds points to a model's curve until the Akima curve through them follows it. Returns the points and the remaining difference.
+/// Adds points to a model's curve until the Akima curve through the points follows `model`. Returns the points and the remaining
+/// difference.
 pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) -> f64) -> (Curve, Difference) {
     let allowed = tolerance(&points);
     let akima = |curve: &Curve| worst(curve, &[Reading::Akima], allowed, model);
@@ -183,15 +188,16 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
     if as_it_is.is_small() {
         return (points, as_it_is);
     }
-    // The points also suit the model's interpolation, so reading the file gives this curve again.
+    // The points must also suit the model's interpolation, so that reading the file gives this curve again.
     let curve = refined(points, &[Reading::Akima, Reading::Model(interpolation)], allowed, model);
     let left = akima(&curve);
     (curve, left)
 }
 
-/// Adds points to a file's curve until a model's curve follows the Akima curve of the file.
+/// Finds points and an interpolation with which a model's curve follows the Akima curve of a file.
 ///
-/// Returns the points, the model's interpolation and the remaining difference.
+/// Keeps the points of the file if one of the interpolations suffices. Otherwise, adds points. If the file has more points than a model can
+/// contain, begins with few of them. Returns the points, the model's interpolation and the remaining difference.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -199,11 +205,15 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
         |curve: &Curve, interpolation| worst(curve, &[Reading::Model(interpolation)], allowed, &|v| akima.at(v));
     let fits = points.velocities.len() <= MAX_POINTS;
     if fits {
-        for interpolation in [Interpolation::MonotoneCubic, Interpolation::Linear, Interpolation::CubicEachSide] {
-            let as_it_is = against(&points, interpolation);
-            if as_it_is.is_small() || points.velocities.len() == MAX_POINTS {
-                return (points.clone(), interpolation, as_it_is);
-            }
+        let all = [Interpolation::MonotoneCubic, Interpolation::Linear, Interpolation::CubicEachSide];
+        let mut read = all.map(|interpolation| (interpolation, against(&points, interpolation)));
+        if let Some((interpolation, left)) = read.iter().find(|(_, left)| left.is_small()) {
+            return (points.clone(), *interpolation, left.clone());
+        }
+        if points.velocities.len() == MAX_POINTS {
+            read.sort_by(|a, b| a.1.share.total_cmp(&b.1.share));
+            let [(interpolation, left), ..] = read;
+            return (points, interpolation, left);
         }
     }
     let rising = |at: f64| {
@@ -221,8 +231,8 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
 
 /// Converts the points of a file with linear interpolation.
 ///
-/// If a model cannot contain all points, the function selects points until the model's curve follows the file's curve. Returns the points
-/// and the remaining difference.
+/// If a model cannot contain all points, computes fewer points whose curve follows the file's curve. Returns the points and the remaining
+/// difference.
 pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
@@ -234,7 +244,7 @@ pub fn read_linear(points: Curve) -> (Curve, Difference) {
     (curve, left)
 }
 
-/// Returns the ends of a table and the point nearest to zero velocity. Other points are added to these.
+/// Returns the end points of a table and the point nearest to zero velocity. [`refined`] adds other points to them.
 fn few(points: &Curve) -> Curve {
     let (v, last) = (&points.velocities, points.velocities.len() - 1);
     let slowest = (0..=last).min_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
@@ -300,8 +310,8 @@ mod tests {
 
     #[test]
     fn a_file_becomes_the_curve_that_adams_makes_of_it() {
-        // Akima's curve decreases between points of the steep table, but a model's curve cannot decrease. The test allows for this
-        // difference.
+        // Akima's curve decreases between points of the steep table, but a model's curve cannot decrease. So the test expects that the
+        // model does not follow the curve of this table.
         let car = table(&[
             [-1.27, -1495.5],
             [-0.508, -1000.0],
@@ -327,7 +337,7 @@ mod tests {
 
     #[test]
     fn a_table_longer_than_a_models_keeps_its_curve() {
-        // The damper is degressive with a sharp knee and a blow-off, in steps of 5 mm/s.
+        // The table of a degressive damper has a sharp knee and a linear rise above it, in steps of 5 mm/s.
         let force = |v: f64| if v < 0.0 { 0.55 } else { 1.0 } * 900.0 * libm::tanh(v / 0.08) + 700.0 * v;
         let velocities: Vec<f64> = (-300..=300).map(|i| 5e-3 * f64::from(i)).collect();
         let points = Curve { forces: velocities.iter().map(|v| force(*v)).collect(), velocities };

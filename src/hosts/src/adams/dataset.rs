@@ -5,10 +5,10 @@
 
 use anyhow::{Context as _, bail};
 
-/// Character in [`Statement::text`] at the end of a line before its continuation.
+/// Character in [`Statement::text`] between a line and its continuation line.
 const JOINT: char = '\n';
 
-/// A statement of a file.
+/// A statement of an Adams dataset.
 pub struct Statement {
     /// Text in capitals, without comments and continuation commas.
     text: String,
@@ -22,13 +22,13 @@ pub struct Function {
     pub text: String,
     /// First byte in the file, the F of `FUNCTION`.
     pub begin: usize,
-    /// Position after the last byte, which includes the final backslash.
+    /// Position in the file after the last byte of the function. A final backslash belongs to the function.
     pub end: usize,
-    /// Text of the statement after the function.
+    /// Text of the statement after the function, in capitals.
     pub after: String,
 }
 
-/// Points of a spline: X, and one list of Y for each value of Z.
+/// Points of a SPLINE statement: X, and one list of Y for each value of Z.
 pub struct Spline {
     /// Abscissae.
     pub x: Vec<f64>,
@@ -47,7 +47,7 @@ pub fn lines(file: &[u8]) -> Vec<(usize, &[u8])> {
         .collect()
 }
 
-/// Returns the end of a line: "\r\n", "\n" or nothing.
+/// Returns the line ending of a line: "\r\n", "\n" or nothing.
 pub fn ending(line: &[u8]) -> &'static str {
     match line {
         [.., b'\r', b'\n'] => "\r\n",
@@ -56,7 +56,7 @@ pub fn ending(line: &[u8]) -> &'static str {
     }
 }
 
-/// Returns a line without its comment and end.
+/// Returns a line without its comment and line ending.
 fn code(line: &[u8]) -> &[u8] {
     line.split(|b| matches!(b, b'!' | b'\r' | b'\n')).next().unwrap_or_default()
 }
@@ -65,7 +65,7 @@ fn first(line: &[u8]) -> Option<u8> {
     code(line).iter().copied().find(|b| !b.is_ascii_whitespace())
 }
 
-/// Returns the name and id of the statement that begins on a line.
+/// Returns the name and id of the statement that begins on a line, or `None` if none begins there.
 pub fn head(line: &[u8]) -> Option<(String, u64)> {
     if !line.first()?.is_ascii_alphabetic() {
         return None;
@@ -82,7 +82,7 @@ pub fn is_end(line: &[u8]) -> bool {
     text == "END" || text.starts_with("END ") || text.starts_with("END/")
 }
 
-/// Returns the name that a comment line gives to the following element.
+/// Returns the name that a comment line `! adams_view_name='...'` gives to the following element.
 pub fn view_name(line: &[u8]) -> Option<String> {
     let text = String::from_utf8_lossy(line.strip_prefix(b"!")?).trim().to_string();
     let (key, value) = text.split_once('=')?;
@@ -102,7 +102,7 @@ impl Statement {
                     statement.places.push(place);
                     statement.push((place, line), comma + 1);
                 }
-                // Comments and empty lines may belong to the statement. They do if a continuation follows.
+                // A comment or an empty line belongs to the statement if a continuation line follows.
                 None => {}
                 Some(_) => break,
             }
@@ -142,7 +142,7 @@ impl Statement {
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// Returns the id of an argument such as `I = 75`.
+    /// Returns the id of an argument such as `I = 75`, outside the function.
     pub fn id_of(&self, key: &str) -> Option<u64> {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let mut all =
@@ -150,7 +150,7 @@ impl Statement {
         all.find_map(|a| a.split_once('=').filter(|(k, _)| k.trim() == key)?.1.trim().parse().ok())
     }
 
-    /// Returns the positions of `KEY =` in the text and of its value.
+    /// Returns the positions of `KEY =` and of its value in the text.
     fn key(&self, key: &str) -> Option<(usize, usize)> {
         self.text.match_indices(key).find_map(|(at, _)| {
             let before = self.text[..at].trim_end_matches([' ', '\t']);
@@ -166,7 +166,7 @@ impl Statement {
         (1..=WORD.len()).rev().find_map(|length| self.key(&WORD[..length]))
     }
 
-    /// Returns the function of `FUNCTION = ...`.
+    /// Returns the function expression of the argument `FUNCTION = ...`.
     pub fn function(&self) -> Option<Function> {
         let (at, value) = self.function_key()?;
         let rest = &self.text[value..];
@@ -183,11 +183,11 @@ impl Statement {
     /// Returns the points of a spline.
     ///
     /// # Errors
-    /// Points are in a separate file, points are not numbers, or the numbers of X and Y differ.
+    /// Points are in a separate file, points are not numbers, the numbers of X and Y differ, or X does not increase.
     pub fn spline(&self) -> anyhow::Result<Spline> {
         let mut spline = Spline { x: Vec::new(), y: Vec::new() };
         let mut key = String::new();
-        // The first part is NAME/id.
+        // The first part, NAME/id, is skipped.
         for piece in self.text.split([',', JOINT]).skip(1).map(str::trim).filter(|p| !p.is_empty()) {
             let number = match piece.split_once('=') {
                 Some((k, value)) => {
@@ -215,7 +215,7 @@ impl Statement {
             }
         }
         let count = spline.x.len();
-        // The spline is a surface: it has several lists of Y, and a value of Z precedes each list.
+        // In a spline with several lists of Y, which is a surface, a value of Z precedes each list. It is removed.
         if spline.y.len() > 1 && spline.y.iter().all(|y| y.len() == count + 1) {
             spline.y.iter_mut().for_each(|y| *y = y.split_off(1));
         }
@@ -231,7 +231,7 @@ impl Statement {
 }
 
 impl Spline {
-    /// Returns the value of list `list` at `x`, by linear interpolation.
+    /// Returns the value of the Y list with index `list` at `x`, by linear interpolation. Outside the points, the value is constant.
     pub fn value(&self, list: usize, x: f64) -> f64 {
         let i = self.x.partition_point(|p| *p <= x).min(self.x.len() - 1).max(1);
         let (a, b, y) = (self.x[i - 1], self.x[i], &self.y[list]);

@@ -1,4 +1,4 @@
-//! Evaluation of the function expression of an FV damper at a velocity, for the sign of its force.
+//! Evaluation of the function expression of an FV damper at a velocity. The result shows which sign the damper force has.
 
 use anyhow::{Context as _, bail};
 
@@ -6,13 +6,13 @@ use anyhow::{Context as _, bail};
 pub struct Meaning<'a> {
     /// Markers of the SFORCE, if known.
     pub markers: [Option<u64>; 2],
-    /// Velocity VR between the markers of the SFORCE.
+    /// Velocity VR between the markers of the SFORCE, in model units.
     pub speed: f64,
-    /// Function that returns the value of a spline by its id.
+    /// Function that returns the value of the spline with an id at an abscissa.
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 
-/// Largest nesting depth of brackets and signs. It limits the recursion of the reader. The function of a damper has a few levels.
+/// Largest nesting depth of brackets, signs and powers. It limits the recursion of [`Reader`]. The function of a damper has a few levels.
 const DEEPEST: usize = 100;
 
 /// Evaluates an expression in capitals without spaces.

@@ -4,7 +4,7 @@ use super::native;
 use dashpot_core::{Model, Params};
 use std::fmt::Write as _;
 
-/// A sine test on the rig.
+/// A sine test that the rig model of the run folder simulates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SineTest {
     /// Amplitude, m.
@@ -13,7 +13,7 @@ pub struct SineTest {
     pub frequency_hz: f64,
 }
 
-/// A file of the folder.
+/// A text file of the run folder.
 pub struct File {
     /// Name of the file.
     pub name: &'static str,
@@ -21,7 +21,8 @@ pub struct File {
     pub text: String,
 }
 
-/// Makes the files for a model with length `length`, mm, at zero displacement. If native.adm is missing, also returns the reason.
+/// Makes the files for a model with length `length`, mm, at zero displacement. If Adams's own elements cannot represent the model,
+/// native.adm is omitted, and the reason is also returned.
 pub fn files(
     params: &Params,
     model: &Model,
@@ -41,7 +42,7 @@ pub fn files(
     let native = native::fragment(params, model, length);
     let read_me = match &native {
         Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
-        // The note follows the title, because the program recognizes an older README.txt by its title.
+        // The note follows the title, because the export recognizes an older README.txt by its title.
         Err(reason) => {
             let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
             let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");
@@ -69,15 +70,15 @@ const NATIVE: &str = "\
 native.adm        the same damper from Adams's own elements, without the library: paste it into a model, put in the model's two
                   markers, the length and free ids; the lines at its head say where";
 
-/// Inserts important remarks before the text of README.txt. Later users of the folder did not see the messages of the export.
+/// Inserts important remarks before the text of README.txt, because later users of the folder did not see the messages of the export.
 pub fn above(remarks: &[String], text: &str) -> String {
     remarks.iter().map(|remark| format!("{}\n\n", wrapped(remark))).collect::<String>() + text
 }
 
-/// Appends the remarks on chatter to the text of README.txt, and states for which users they matter.
+/// Appends the remarks on chatter to the text of README.txt, and states which users the remarks concern.
 ///
-/// Adams solves for the force with the derivatives of the routines, in steps of its own choice, so the damper does not chatter there. It
-/// may chatter in a program that evaluates the force once a step.
+/// Adams solves for the force with the derivatives of dashpot's user subroutines and chooses its own steps, so the damper does not chatter
+/// in Adams. It may chatter in a program that evaluates the force once a step.
 pub fn below(text: &str, chatters: &[String]) -> String {
     if chatters.is_empty() {
         return text.to_owned();
@@ -104,9 +105,9 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// Writes the command file of the tests on the rig, with one line for each command.
+/// Writes the command file that simulates the tests with the rig model.
 ///
-/// Every test begins and ends at rest in the middle, so that the next test can follow.
+/// Every test begins and ends at rest at zero displacement, so that the next test can follow.
 fn acf(tests: &[SineTest]) -> String {
     let mut out =
         String::from("rig\nrig\n! Statics, then every test of the matrix: 1 cycle in, 2 cycles, 1 cycle out.\n");

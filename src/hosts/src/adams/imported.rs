@@ -18,10 +18,10 @@ pub struct Imported {
     pub text: String,
     /// Number of points of the model's curve.
     pub points: usize,
-    /// Message about contents of the file in addition to the curve.
+    /// Message about the gas force of the model, and about the elements that are off.
     pub other_contents: String,
-    /// Difference between the curve and Adams's interpolation of the file, and omitted contents. The text contains these remarks as
-    /// comments.
+    /// Remarks on a force at rest that became gas force, on the difference from Adams's interpolation, and on omitted contents. The text
+    /// contains these remarks as comments.
     pub remarks: Vec<String>,
 }
 
@@ -35,7 +35,7 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     let mut read = property::read(&bytes).with_context(named)?;
     let rows = read.curve.velocities.len();
     let constant = constant_force(&mut read);
-    // Adams does not use Akima's method for a linear rate, or for a spline with the mark linear.
+    // Adams does not use Akima's method for a linear rate, or for a spline whose `interpolation_method` is linear.
     let (curve, interpolation, remark) = if read.linear {
         let (curve, left) = akima::read_linear(read.curve);
         let remark = (rows > MAX_POINTS).then(|| fewer(rows, curve.velocities.len(), &left));
@@ -88,12 +88,12 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
     })
 }
 
-/// Fraction of the largest force below which a force at rest is rounding error.
+/// Largest force at zero velocity, relative to the largest force of the curve, that counts as a rounding error and stays in the curve.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force of the curve at zero velocity to the gas force, and reports that force.
+/// Moves the force of the curve at zero velocity to the gas force, and returns a remark. Returns `None` if this force is a rounding error.
 ///
-/// The FV curve of a damper is zero at zero velocity. A force that pushes or pulls at rest acts at every velocity.
+/// The FV curve of a damper is zero at zero velocity. A force that acts at rest also acts at every velocity, so it is not damping.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
     let rest = akima::at_rest(&read.curve, read.linear);
     let largest = read.curve.forces.iter().fold(0.0f64, |most, f| most.max(f.abs()));
@@ -153,7 +153,7 @@ mod tests {
 
     const HEAD: &str = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n";
 
-    /// The files have a row at zero velocity or none. In both cases, the sum of curve and gas force is the curve of the file.
+    /// With and without a row at zero velocity in the file, the sum of curve and gas force equals the curve of the file.
     #[test]
     fn a_force_at_rest_is_gas_and_the_curve_has_none() {
         for (rows, forces) in [

@@ -1,7 +1,7 @@
-//! Damper of Adams's own elements, which needs no routine.
+//! Dataset fragment of a damper from Adams's own elements, which needs no user subroutine.
 //!
-//! It has splines for primary damper, parallel spring and friction, and two differential equations for the internal mass. A third equation
-//! models friction that reverses within a short travel.
+//! The damper has splines for primary damper, parallel spring and friction, and two differential equations for the internal mass. A third
+//! equation models friction that reverses within a short travel.
 //!
 //! The mass is not a PART. A part needs a joint to the tube, and a position in the model. The position is unknown here, and a wrong one
 //! violates the joint. The equations of the mass move it along the line between the damper's markers, as in the kernel. Its displacement is
@@ -16,12 +16,13 @@ use std::fmt::Write as _;
 const POINTS: usize = 161;
 /// Largest displacement of the splines, mm.
 const STROKE: f64 = 150.0;
-/// Highest velocity of the splines, mm/s, and the velocity around which half of their points lie.
+/// Highest velocity of the splines, mm/s (`FASTEST`), and velocity scale of the spacing of their points, mm/s (`FINE`). The points are
+/// uniform in asinh(v / `FINE`), so half of them lie below 71 mm/s.
 const FASTEST: f64 = 5000.0;
 const FINE: f64 = 2.0;
 
-/// Elements that a spring, a damper, a mass and splines of velocity and displacement can represent. Any other element would be silently
-/// omitted from the file.
+/// Elements that a spring, a damper, a mass and splines of velocity and displacement can represent. [`fragment`] rejects a model with any
+/// other element, because the file would silently omit the element.
 const HELD: [Element; 8] = [
     element!("fv_curve"),
     element!("series_compliance"),
@@ -33,10 +34,11 @@ const HELD: [Element; 8] = [
     element!("gas_preload"),
 ];
 
-/// Writes the dataset fragment. If its elements cannot represent the model, returns the reason.
+/// Writes the dataset fragment of a model with length `length`, mm, at zero displacement.
 ///
 /// # Errors
-/// A spline of velocity or displacement cannot represent an element, or the model has no internal mass.
+/// Adams's elements cannot represent the model, and the error states the reason. A spline of velocity or displacement cannot represent an
+/// element, or `series_compliance` is off, or friction and gas force act on the internal mass.
 pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, String> {
     if !params.is_on(element!("series_compliance")) {
         return Err("the element series_compliance is off".into());
@@ -49,7 +51,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     if model.elements().carries_whole() {
         return Err("with series_load = \"whole\" friction and gas force act on the internal mass".into());
     }
-    // Inner and outer end have the same motion. The result is the force of each element at this motion.
+    // The internal mass and the moving end have the same motion, so that the forces of the elements at this motion result.
     let at = |x: f64, v: f64| {
         let state = State {
             mass_displacement: 1e-3 * x,
@@ -62,7 +64,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    // The spline contains only velocity-dependent friction.
+    // The spline contains only velocity-dependent friction, because a differential equation models presliding friction.
     let mut of_velocity = *params;
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
@@ -98,7 +100,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     .map(|number| params.number(number));
     let (length, creep) = (1e3 * length, 1e3 * creep);
     let shape = if power == 1.0 { String::new() } else { format!("*ABS(DIF(3)/{length:?})**{:?}", power - 1.0) };
-    // The factor is 0 during unloading, for elastic return.
+    // For elastic return, the factor is 1 during loading and 0 during unloading.
     let slips = if elastic == 1.0 { "(0.5+SIGN(0.5,VR(11,12)*DIF(3)))*" } else { "" };
     let rate = format!("VR(11,12)\n, -{slips}SQRT(VR(11,12)**2+{:?})*DIF(3)/{length:?}{shape}", creep * creep);
     let contact = format!(
@@ -107,7 +109,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     Some((contact, format!("-{:?}*DIF(3)", level / length)))
 }
 
-/// Returns abscissae that are symmetric about 0. `of` maps them from the range −1 to 1.
+/// Returns abscissae that are symmetric about 0. The function `of` maps the range −1 to 1 to the abscissae.
 fn spaced(of: impl Fn(f64) -> f64) -> Vec<f64> {
     let half = (POINTS / 2) as f64;
     (0..POINTS).map(|i| of((i as f64 - half) / half)).collect()

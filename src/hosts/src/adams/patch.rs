@@ -1,4 +1,5 @@
-//! Replacement of dampers in a compiled Adams Car model (`.adm`) by the routine. All other bytes stay the same.
+//! Replacement of damper functions in an Adams dataset (`.adm`) by calls of dashpot's user subroutine. Apart from added STRING statements,
+//! all other bytes stay the same.
 
 use super::dataset::{self, Function, Spline, Statement};
 use super::expression::{self, Meaning};
@@ -8,7 +9,7 @@ use std::cell::Cell;
 /// A damper to replace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Name of the SFORCE in Adams View, from the preceding comment. The part of this name after a dot suffices, and so does `SFORCE/id`.
+    /// Name of the SFORCE in Adams View, from the preceding comment. The part after a dot of this name suffices, and so does `SFORCE/id`.
     pub name: String,
     /// Length at zero displacement, in model units.
     pub length: f64,
@@ -24,11 +25,11 @@ pub struct Patched {
     pub notes: Vec<String>,
 }
 
-/// Returns the unit of length of a model from its UNITS statement: the word, and its size in meters. Returns `None` without such a
-/// statement or unit.
+/// Returns the unit of length from the UNITS statement of a model: its name, and its size in meters. Returns `None` without such a
+/// statement or without a unit of length.
 ///
 /// # Errors
-/// The word is not a unit of length.
+/// The name is not a unit of length.
 pub fn length_unit(adm: &[u8]) -> anyhow::Result<Option<(String, f64)>> {
     let lines = dataset::lines(adm);
     let begins = |line: &[u8]| {
@@ -59,22 +60,22 @@ const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
 /// Replaces the dampers of a model.
 ///
-/// A function may add a force at rest, such as a gas force, to its spline. Such a function is replaced only with `with_preload`. This
-/// option confirms that the model file contains the force.
+/// A function may add a force at rest, such as a gas force, to its spline. Such a function is replaced only with `with_preload`, which
+/// confirms that the model file contains the force.
 ///
 /// # Errors
-/// A damper is missing or ambiguous, or is not an SFORCE with an FV spline. The function also rejects an SFORCE that is positive in
-/// rebound. The model then does not have the signs of a damper, and the routine must not guess.
+/// A damper is missing or ambiguous, or is not an SFORCE with an FV spline. The path of a model file cannot be part of a STRING, or the
+/// model has no END. An SFORCE that is positive in rebound is also rejected, because the model then does not have the signs of a damper.
 pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Result<Patched> {
     let lines = dataset::lines(adm);
     let strings = lines.iter().filter_map(|l| dataset::head(l.1)).filter(|h| h.0 == "STRING").map(|h| h.1);
     let last = strings.max().unwrap_or(0);
-    // The ids of the STRINGs, at most one per damper, must fit into the number range.
+    // The ids of the added STRING statements, at most one per damper, must not overflow.
     let string = last.checked_add(1).filter(|first| first.checked_add(dampers.len() as u64).is_some());
     let string = string.with_context(|| format!("STRING/{last} leaves no number for another STRING; renumber it"))?;
     let end = lines.iter().rposition(|l| dataset::is_end(l.1)).context("the model has no END statement")?;
     let ending = dataset::ending(lines[0].1);
-    // Each model file gets one STRING.
+    // Each model file gets one STRING statement.
     let mut paths: Vec<&str> = Vec::new();
     for damper in dampers {
         let path = damper.model_file.as_str();
@@ -120,7 +121,7 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
     Ok(Patched { model: out, notes })
 }
 
-/// Checks the function to replace, and returns it.
+/// Checks the function of the SFORCE `name`, and returns it if it can be replaced.
 fn function_of(
     lines: &[(usize, &[u8])],
     name: &str,
@@ -165,7 +166,8 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     };
     let is_text = |line: &[u8]| !line.starts_with(b"!") && !line.trim_ascii().is_empty();
     let begin = (comment + 1..lines.len()).find(|i| is_text(lines[*i].1)).context("nothing follows its name")?;
-    // Adams View writes a disabled element as a comment after the name of the element. The following lines belong to another element.
+    // Adams View writes a disabled element as comment lines after the name of the element. So the statement found may belong to the next
+    // element.
     if let Some(next) = lines[comment + 1..begin].iter().find_map(|l| dataset::view_name(l.1)) {
         bail!("is switched off in the model: its lines are comments, and the next element is {next}");
     }
@@ -177,7 +179,8 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
 
 /// Checks that the existing function resists rebound: with the sign of its own SPLINE, it is negative at positive velocity.
 ///
-/// Parts of the function other than its spline would be lost silently. So a force at rest is rejected, and factors are reported.
+/// Parts of the function other than its spline would be lost silently. So a force at rest is rejected, or reported if `with_preload` is
+/// set. Factors are reported. Returns these reports.
 fn check_function(
     lines: &[(usize, &[u8])],
     sforce: &Statement,
@@ -209,7 +212,7 @@ fn check_function(
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
         let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
-        // Evaluate the function with a spline that is zero.
+        // A spline that is zero everywhere shows what the function adds to its spline.
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
@@ -420,7 +423,7 @@ mod tests {
         }
     }
 
-    /// Pieces of a model: the parts that stay, and between these parts each damper's original function.
+    /// Pieces of a random model: the parts that stay, and the original function of each damper, which lies between two such parts.
     struct Made {
         stays: Vec<Vec<u8>>,
         functions: Vec<(String, &'static str)>,
@@ -522,7 +525,7 @@ mod tests {
             head += &next(dice);
             piece.extend_from_slice(head.as_bytes());
             stays.push(piece);
-            // The sign of the spline makes the SFORCE negative in rebound.
+            // This factor, together with the sign of the spline, makes the SFORCE negative in rebound.
             let minus =
                 if sign > 0.0 { dice.one(&["-", "-1.0*", "(-1)*", "-2.D0 * "]) } else { dice.one(&["", "1.5*", "+"]) };
             let cut = if one_line { String::new() } else { format!("{end}{}", dice.one(&[",", ", ", ",\t"])) };

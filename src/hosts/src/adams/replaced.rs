@@ -1,4 +1,4 @@
-//! Replacement of dampers in a compiled Adams Car model, from the file and the user's data about each damper.
+//! Replacement of dampers in an Adams dataset, from the file and the user's data about each damper.
 
 use super::patch::{self, Damper};
 use crate::damper_length;
@@ -6,10 +6,10 @@ use anyhow::{Context as _, anyhow};
 use dashpot_identification::model_file;
 use std::path::{Path, PathBuf};
 
-/// A damper to replace, as stated by the user. The unit of its length may follow from the model.
+/// A damper to replace, as stated by the user. A length without a unit has the unit of the model.
 #[derive(Debug, Clone)]
 pub struct Named {
-    /// Name of its SFORCE, or `SFORCE/id`.
+    /// Name of the damper's SFORCE, or `SFORCE/id`.
     pub name: String,
     /// Length at zero displacement: a number in the unit of the model, or a number with its own unit.
     pub length: String,
@@ -20,10 +20,10 @@ pub struct Named {
 /// Size limit of an Adams model, bytes. Models of whole vehicles have a few megabytes.
 const LARGEST: u64 = 256 << 20;
 
-/// Replaces dampers in the model of file `input`, and returns the model with notes.
+/// Replaces dampers in the model of the file `input`, and returns the changed model with notes.
 ///
-/// The caller writes the result to `output`. The folder of `output` determines whether the solver finds a model file. With `with_preload`,
-/// a force at rest is replaced too.
+/// The caller writes the result to `output`. A note reports a model file that is missing in the folder of `output`, because the solver
+/// searches that folder. With `with_preload`, a force at rest is replaced too.
 ///
 /// # Errors
 /// The file cannot be read, a length is impossible for a damper, or [`patch::patch`] fails.
@@ -32,7 +32,7 @@ pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool
     let adm = dashpot_records::read_regular(input, LARGEST).with_context(|| format!("cannot read {}", file()))?;
     let unit = patch::length_unit(&adm).with_context(file)?;
     let damper = |damper: &Named| {
-        // Without UNITS, the numbers of a model have no unit. Files of Adams Car have UNITS.
+        // Without a UNITS statement, the unit is unknown, and mm is assumed. Files of Adams Car have UNITS.
         let (unit, metres) = unit.as_ref().map_or(("millimeter", 1e-3), |(unit, metres)| (unit.as_str(), *metres));
         let length =
             damper_length::in_units(&damper.length, unit, metres).map_err(|why| anyhow!("{}: {why}", damper.name))?;
@@ -50,9 +50,9 @@ pub fn replaced(input: &Path, output: &Path, named: &[Named], with_preload: bool
     Ok(patched)
 }
 
-/// Returns a note on a model file that is missing, or that the solver would not find.
+/// Returns a note on a model file that is missing or invalid. The file may be in the folder of `output` or in the working directory.
 ///
-/// The solver usually runs in the folder of its model. The user may copy the file there later, so this is not an error.
+/// The solver usually runs in the folder of its model. A missing file is not an error, because the user may copy it to that folder later.
 fn not_there(path: &str, output: &Path) -> Option<String> {
     let beside = output.parent().map(|folder| folder.join(path));
     let Some(found) = beside.into_iter().chain([PathBuf::from(path)]).find(|p| p.is_file()) else {

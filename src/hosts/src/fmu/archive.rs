@@ -4,7 +4,7 @@ use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, System, ZipWriter};
 
-/// Incomplete archive.
+/// A zip archive to which files are added.
 pub struct Archive {
     writer: ZipWriter<Cursor<Vec<u8>>>,
 }
@@ -15,7 +15,7 @@ impl Archive {
         Archive { writer: ZipWriter::new(Cursor::new(Vec::new())) }
     }
 
-    /// Adds a file. Its name contains the folders, separated by `/`.
+    /// Adds a file. The name contains the folders of the file, separated by `/`.
     pub fn add(&mut self, name: &str, content: &[u8]) -> anyhow::Result<()> {
         // The date is 1 January 1980. The archive contains neither attributes nor the system of the computer.
         let options = SimpleFileOptions::default()
@@ -49,7 +49,7 @@ mod tests {
         };
         let bytes = make();
         assert_eq!(bytes, make());
-        // First local header: time and date of 1 January 1980.
+        // These bytes of the first local header are the time and date: 1 January 1980.
         assert_eq!(bytes[10..14], [0, 0, 0x21, 0]);
         let mut read = zip::ZipArchive::new(Cursor::new(bytes)).unwrap();
         let mut text = String::new();

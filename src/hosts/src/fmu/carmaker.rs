@@ -1,20 +1,23 @@
-//! File next to an FMU. With this file, IPG CarMaker uses the FMU as the damper of a suspension (model class `Susp_Damper`).
+//! Text file `NAME.pluginfo` next to an FMU. With this file, IPG CarMaker uses the FMU as the damper of a suspension (model class
+//! `Susp_Damper`).
 //!
-//! The file maps quantities of CarMaker to variables. Its format follows the vendor's templates: see `vi-crt-bridge/FACTS.md`.
+//! The file maps quantities of CarMaker to variables of the FMU. Its format follows the templates of IPG: see `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use std::fmt::Write as _;
 
-/// Longest damper, m. A larger number is a length in mm. A damper of a heavy truck reaches 1 m, and the limit leaves a margin.
+/// Longest accepted length of a damper, m. A larger number is probably a length in mm. A damper of a heavy truck reaches 1 m, and the limit
+/// leaves a margin.
 pub const LONGEST: f64 = 3.0;
 
 impl Scales {
-    /// Returns the scales of CarMaker.
+    /// Returns the scales for CarMaker.
     ///
     /// CarMaker passes the length of the damper and its velocity, positive in extension. It expects a force that is positive if the damper
-    /// pushes. `length`, m, is the length at displacement 0 of the records. It is also the start value.
+    /// pushes. `length`, m, is the length of the damper where the displacement of the records is 0. It is also the start value of the
+    /// host's displacement.
     ///
     /// # Errors
     /// The length is impossible for a damper.
@@ -26,9 +29,10 @@ impl Scales {
     }
 }
 
-/// Lists the elements that CarMaker's computation of equilibrium lacks.
+/// Returns a remark that lists the elements missing in CarMaker's computation of equilibrium, or `None` if none is missing.
 ///
-/// The file can contain a spring, but no source states the reference of its numbers. Thus, the file contains no spring.
+/// The pluginfo file can describe a spring, but no source states the reference length of its table. Thus, the file contains a spring
+/// without force.
 pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     (!curve.omitted_elements.is_empty()).then(|| {
         format!(
@@ -39,10 +43,10 @@ pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     })
 }
 
-/// Text that links CarMaker's input for controlled dampers to the setting.
+/// Lines that link CarMaker's input for controlled dampers, `CtrlIn`, to the setting of the FMU.
 const SETTING: &str = "FMUIn.setting.Link = IFVar\nFMUIn.setting.Rel = CtrlIn\n";
 
-/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with the curve of `shown` if there is one.
+/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with the curve of `shown` if it is given.
 ///
 /// If the damper depends on a setting, CarMaker's `CtrlIn` is that setting.
 ///
@@ -57,7 +61,7 @@ pub fn plug_info(
     if name.chars().any(char::is_control) {
         bail!("{name:?} is no name for an FMU in CarMaker: it has a line break or another control character");
     }
-    // The name of a model file may contain any character.
+    // `written` contains the name of a model file, which may contain any character.
     let written: String = written.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
     let mut out = format!(
         "#INFOFILE1.1 - Do not remove this line!\n\

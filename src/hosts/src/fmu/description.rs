@@ -7,10 +7,11 @@ use dashpot_core::parameter::Shape;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Identifier of model and binary.
+/// Model identifier in the description, which is also the file name of the binaries.
 pub const IDENTIFIER: &str = "dashpot_damper";
 
-/// Writes the description of an FMU with these variables. `name` is the name of the model. Importers that compile the FMU use `sources`.
+/// Writes the description of an FMU with these variables. `name` is the name of the model. `sources` are the files that an importer
+/// compiles.
 pub fn description(version: Version, variables: &[Variable], guid: &str, name: &str, sources: &[String]) -> String {
     let name = escaped(name);
     let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
@@ -55,8 +56,8 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
         "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n  \
          </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"1\" stepSize=\"0.001\"/>\n  <ModelVariables>\n",
     );
-    // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects such a variable because it requires a start
-    // value that the standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
+    // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects such a variable, because the library requires
+    // a start value that the standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
     let told = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
     for (reference, v) in variables.iter().enumerate().filter(|(_, v)| told(v)) {
         variable(&mut out, version, variables, reference, v);
@@ -188,7 +189,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     };
 }
 
-/// Lists the variables on which outputs and derivatives of a corner depend.
+/// Lists the variables on which an output or a state derivative `v` depends: the inputs and states of its corner.
 fn dependencies(all: &[Variable], v: &Variable) -> String {
     let on: Vec<String> = all
         .iter()

@@ -1,4 +1,4 @@
-//! Kernel sources inside an FMU. A simulator team compiles the kernel from these sources for its own target.
+//! Sources of the kernel inside an FMU, from which a user can compile the kernel for another platform.
 
 include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
 

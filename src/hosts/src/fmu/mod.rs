@@ -24,21 +24,21 @@ use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
 
-/// Note for an export that does not state when the importer sets the inputs.
+/// Note for an export whose option `--inputs` is missing, so that the instant of the inputs is not stated.
 pub const INPUTS_HAVE_ZERO_ORDER_HOLD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
      beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
      nothing changes but this note";
 
-/// Binary of the FMU for another platform.
+/// Binary of the FMU for a further platform.
 pub struct Binary {
     /// Folder below `binaries`, such as `win64`.
     pub platform: String,
-    /// Contents of the library.
+    /// Contents of the shared library.
     pub content: Vec<u8>,
 }
 
 impl Binary {
-    /// Reads a library for a platform.
+    /// Reads a shared library for a platform.
     ///
     /// # Errors
     /// The platform is invalid, or the file cannot be read.
@@ -67,15 +67,16 @@ impl Binary {
 pub struct Options<'a> {
     /// FMI version.
     pub version: Version,
-    /// Signs, units and zero of the host.
+    /// Conversion between host and damper: signs, units and zero of the displacement.
     pub scales: Scales,
-    /// Instant for which the importer sets the inputs of a step.
+    /// Instant of a step for which the importer sets the inputs.
     pub inputs: Inputs,
-    /// Longest step, s, of an explicit solver that integrates the states, or 0 if unknown.
+    /// Longest recommended step, s, of an explicit solver that integrates the states, or 0 if unknown.
     pub explicit_step: f64,
     /// Name of the model.
     pub name: &'a str,
-    /// Static library for this computer. The binary is then compiled from this FMU's own sources. `None` selects the prebuilt runtime.
+    /// Static library of the kernel for this computer. With it, the binary is compiled from this FMU's own sources. `None` selects the
+    /// prebuilt runtime.
     pub from_source: Option<&'a Path>,
     /// Whether the FMU contains its sources.
     pub sources: bool,
@@ -89,15 +90,16 @@ pub struct Options<'a> {
 
 /// An FMU with its platforms.
 pub struct Made {
-    /// The bytes of its file.
+    /// The bytes of the FMU file.
     pub bytes: Vec<u8>,
     /// Folders below `binaries`.
     pub platforms: Vec<String>,
-    /// Identifier, which must be equal in description and binary.
+    /// Identifier of the FMU, which must be equal in description and binary.
     pub guid: String,
 }
 
-/// Returns the dampers of an FMU from one model, two (front, rear) or four (L1, R1, L2, R2). With `four`, one model is used four times.
+/// Returns the dampers of an FMU from one model, two models (front, rear) or four models (L1, R1, L2, R2). With `four`, one model is used
+/// four times.
 ///
 /// # Errors
 /// There is any other number of models.
@@ -111,15 +113,16 @@ pub fn corners<D: Copy>(models: &[D], four: bool) -> anyhow::Result<Vec<D>> {
     }
 }
 
-/// Size limit of a binary that the user gives, bytes. The libraries of dashpot have a few megabytes.
+/// Size limit of a binary that the user supplies, bytes. The libraries of dashpot have a few megabytes.
 const LARGEST_BINARY: u64 = 256 << 20;
-/// Text in every prebuilt runtime. It distinguishes such a runtime from a library that was compiled from one FMU's sources.
+/// Text in every prebuilt runtime, which runs any FMU of this format. It distinguishes such a runtime from a library that was compiled from
+/// the sources of one FMU.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 
 /// Makes an FMU of one or four corners.
 ///
 /// # Errors
-/// A required compiler is missing or fails, or the runtime is missing.
+/// A required compiler is missing or fails, the prebuilt runtime is missing, or a supplied binary does not belong to this FMU.
 pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyhow::Result<Made> {
     let corners: Vec<Definition> = corners.iter().map(|damper| (*damper).into()).collect();
     let corners = corners.as_slice();
@@ -128,7 +131,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     if options.conceal_parameters {
         variables.retain(|v| !matches!(v.kind, variables::Kind::Parameter | variables::Kind::Choice));
     }
-    // The recommended step would reveal stiffness and mass.
+    // The recommended step would reveal stiffness and mass, so an FMU with concealed parameters has none.
     let explicit_step = if options.conceal_parameters { 0.0 } else { options.explicit_step };
     let mut texts: Vec<String> = corners.iter().map(|p| model_file::flat_family(p, |_| String::new())).collect();
     let describe =
@@ -176,7 +179,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
         bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
     }
 
-    // Add sources for an importer that compiles the FMU: the C files, and the kernel as an object file.
+    // An importer can compile the FMU from these files: the C files, and the kernel as an object file.
     let compiled: Vec<String> = if options.sources && kernel.is_some() {
         let c = files.iter().map(|(name, _)| name.clone()).filter(|name| name.ends_with(".c"));
         c.chain([KERNEL.to_owned()]).collect()
@@ -186,7 +189,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let mut archive = Archive::new();
     archive.add("modelDescription.xml", describe(&guid, &compiled).as_bytes())?;
     archive.add(if version == Version::Two { "model.png" } else { "terminalsAndIcons/icon.png" }, sources::ICON)?;
-    // Remarks on chatter would reveal stiffness and damping.
+    // Remarks on chatter would reveal stiffness and damping, so an FMU with concealed parameters has none.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
     for (platform, suffix, content) in &binaries {
@@ -235,7 +238,7 @@ fn platform_of(two: &str, version: Version) -> String {
     }
 }
 
-/// Returns the folder of binaries for this computer.
+/// Returns the name of this computer's platform, which is the folder below `binaries`.
 fn platform(version: Version) -> String {
     use std::env::consts::{ARCH, OS};
     match (version, OS) {
@@ -259,7 +262,7 @@ fn system() -> String {
     format!("{name}-{machine}")
 }
 
-/// Returns whether a library has the format of this computer.
+/// Returns whether a shared library has the binary format of this computer's operating system.
 fn is_of_this_computer(binary: &[u8]) -> bool {
     match std::env::consts::OS {
         "windows" => binary.starts_with(b"MZ"),
@@ -297,13 +300,13 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     Ok(binary)
 }
 
-/// Links the library to one object file without debugging information.
+/// Links the static library to one object file without debugging information.
 fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
     let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // The linker adds the whole interface because of this one function.
+    // The linker adds only what an undefined symbol needs. The symbol `dashpot_step` suffices to add the whole interface.
     link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
     let ran = link.arg(std::path::absolute(library)?).output()?;
     if !ran.status.success() {
@@ -312,7 +315,7 @@ fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     Ok(std::fs::read(object)?)
 }
 
-/// Computes a GUID from the contents of the FMU: two FNV-1a hashes of its texts.
+/// Computes a GUID from the texts of the FMU, as two FNV-1a hashes with different start values.
 fn guid(texts: &[&str]) -> String {
     let sum = |seed: u64| {
         texts.iter().flat_map(|t| t.bytes()).fold(seed, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3))

@@ -8,7 +8,7 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
-/// Text for every damper, before the remarks.
+/// Text at the beginning of the page, equal for every damper.
 const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>dashpot damper</title></head><body>\n\
      <h1>dashpot damper</h1>\n\
      <p>A suspension damper identified from rig records. Motion in, force out. The damper starts as if it had \
@@ -38,7 +38,7 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
-/// Texts about the parameters of the elements, with and without parameters among the variables.
+/// Paragraphs about the parameters of the elements: if they are variables of the FMU (`TUNABLE`), and if they are concealed (`HIDDEN`).
 const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunable: they act from the next step on. A number outside its bounds is \
      refused when it is set, and the old one stays. Numbers that must fit together, such as the points of a curve, which must not fall, may be set \
      one after the other: each is kept as it is written and can be read back. The set is judged as a whole at the end of the initialization mode \
@@ -48,7 +48,7 @@ const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunab
      error, so set what belongs together between two steps.</p>\n";
 const HIDDEN: &str = "<p>The identified numbers of this damper are not among its variables: it runs with those that it was exported with.</p>\n";
 
-/// Text before the rows of variables.
+/// Beginning of the table of variables.
 const HEADINGS: &str = "<table border=\"1\">\n<tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
 
 /// Writes `documentation/index.html`. `remarks` are important notes on this damper. A remark on several corners appears once.

@@ -11,15 +11,16 @@ pub struct Scales {
     pub force: f64,
     /// Extension of the damper from the rig's zero at zero displacement of the host, m.
     pub position_offset: f64,
-    /// Start value of the host's displacement, for a host that sets no displacement before the start.
+    /// Start value of the host's displacement. It applies if the host sets no displacement before the start.
     pub start: f64,
 }
 
 impl Scales {
-    /// Checks the user's scales. By default, extension and tension are positive for one damper, and compression is positive for a vehicle.
+    /// Checks the user's scales. Without a scale, the host counts extension and tension positive for one damper, and compression and push
+    /// positive for a vehicle.
     ///
     /// # Errors
-    /// A scale is 0 or not finite, or the offset is impossible for a damper.
+    /// A scale is 0 or not finite, or the offset is larger than 1 m.
     pub fn checked(
         corners: usize,
         motion: Option<f64>,

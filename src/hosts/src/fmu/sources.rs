@@ -1,4 +1,4 @@
-//! C sources of an FMU: the sources embedded in the command, and the tables of this model.
+//! C sources of an FMU: the sources embedded in the command, and the data of one model.
 
 use super::scales::Scales;
 use super::variables::{Inputs, Variable};
@@ -19,7 +19,7 @@ macro_rules! bundled {
     };
 }
 
-/// Returns every C source of the FMU.
+/// Returns name and text of the C sources that all FMUs share.
 pub fn bundled() -> Vec<(&'static str, &'static str)> {
     let all = bundled![
         "dashpot.h" from "include",
@@ -54,7 +54,7 @@ pub fn bundled() -> Vec<(&'static str, &'static str)> {
 /// Icon of the FMU.
 pub const ICON: &[u8] = include_bytes!("../../../../vi-crt-bridge/fmu/model.png");
 
-/// Writes `contents.txt`, the data of this FMU for the runtime.
+/// Writes `contents.txt`, from which the runtime reads the data of an FMU.
 pub fn contents(
     corners: usize,
     variables: &[Variable],
@@ -62,7 +62,7 @@ pub fn contents(
     (inputs, explicit_step): (Inputs, f64),
     guid: &str,
 ) -> String {
-    // Numbers are written as the bits of a double, because the host's locale affects how C parses decimals.
+    // Numbers are written as the bits of a double, because the locale of the host affects how C parses decimal numbers.
     let bits = |value: f64| format!("{:016x}", value.to_bits());
     let mut out = format!(
         "dashpot-fmu 3\nguid {guid}\ncorners {corners}\nscales {} {} {} {}\nsolver {} {}\n",
@@ -85,7 +85,8 @@ pub fn contents(
     out
 }
 
-/// Writes `model_data.c`: contents and models as texts, for a binary of this FMU alone.
+/// Writes `model_data.c`, which contains `contents` and the model files as string constants. A binary compiled with it
+/// serves this FMU only.
 pub fn model_data(contents: &str, texts: &[String]) -> String {
     let mut out = String::from("/* Written by dashpot export. */\n#include \"contents.h\"\n\n");
     let text = |out: &mut String, text: &str| {
@@ -104,10 +105,10 @@ pub fn model_data(contents: &str, texts: &[String]) -> String {
     out
 }
 
-/// Script for a simulator team that compiles the FMU for its own target.
+/// Shell script that compiles the FMU for another platform.
 pub const BUILD: &str = include_str!("../../../../vi-crt-bridge/fmu/build.sh");
 
-/// Explanation of the build script.
+/// Text of README.txt, which explains the build script.
 pub const README: &str = "The damper FMU from its sources, which are all in this folder:\n\n\
      \x20   sh build.sh\n\n\
      compiles it into ../binaries with a C compiler alone, on the platform that lib/platform names: lib holds the kernel compiled\n\

@@ -2,19 +2,20 @@
 //!
 //! Parameters and states have the units of the parameter table. Motion and force have the units of the host.
 //!
-//! An importer converts values with the declared units, and the FMU scales by `motion_scale` and `force_scale`. So the declaration must
-//! state the units before these scales. If the FMU declared meters for a host in millimeters, the values would be converted twice.
+//! An importer converts values with the declared units, and then the FMU scales them by `motion_scale` and `force_scale`. So the FMU must
+//! declare the units that its values have before these scales. If the FMU declared meters for a host in millimeters, the values would be
+//! converted twice.
 
 use super::scales::Scales;
 
-/// A unit.
+/// A unit that an FMU may declare.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
     /// Name of the unit. It is "-" for a pure number, and if the host's unit has no name.
     pub name: String,
     /// Size of the unit in `si`.
     pub factor: f64,
-    /// SI unit of the same quantity (and degrees Celsius), which determines the dimensions.
+    /// SI unit of the same quantity, or degC for a temperature. It determines the dimensions.
     pub si: &'static str,
 }
 
@@ -24,7 +25,7 @@ impl From<&'static str> for Unit {
     }
 }
 
-/// Units of a setting with their size in SI. The pound-force per square inch follows from pound-force and inch.
+/// Known units of a setting: name, size in SI units, and SI unit. The size of psi follows from pound-force and inch.
 const OF_A_SETTING: [(&str, f64, &str); 14] = [
     ("A", 1.0, "A"),
     ("mA", 1e-3, "A"),
@@ -43,7 +44,7 @@ const OF_A_SETTING: [(&str, f64, &str); 14] = [
 ];
 
 impl Unit {
-    /// Returns the unit of a setting from its name in the model file, or "-" without a name.
+    /// Returns the unit of a setting from its name in the model file, or "-" for an empty name.
     pub fn of_setting(name: &str) -> Unit {
         match OF_A_SETTING.iter().find(|(known, ..)| *known == name) {
             Some((_, factor, si)) => Unit { name: name.to_owned(), factor: *factor, si },
@@ -52,7 +53,7 @@ impl Unit {
         }
     }
 
-    /// Returns whether the FMU declares the unit.
+    /// Returns whether the FMU declares the unit. It declares every unit with a name.
     pub fn is_declared(&self) -> bool {
         self.name != "-"
     }
@@ -104,7 +105,7 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// Largest relative difference of a scale from a unit that it represents.
+/// Largest relative difference between a scale and the size of a unit at which the scale is taken for this unit.
 ///
 /// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance, a motion ratio near 1
 /// would be ignored.
@@ -114,15 +115,15 @@ fn named(units: &[(&'static str, f64)], size: f64) -> Option<(&'static str, f64)
     units.iter().copied().find(|(_, factor)| (size / factor - 1.0).abs() < NEAR)
 }
 
-/// Units of a host for motion and force.
+/// Units in which a host states motion and force. A unit is `None` if a scale corresponds to no unit.
 pub struct HostUnits {
     length: Option<(&'static str, f64)>,
     force: Option<(&'static str, f64)>,
 }
 
 impl HostUnits {
-    /// Returns the units of a host with these scales, without regard to the sign. A scale that includes a motion ratio corresponds to no
-    /// unit.
+    /// Returns the units of a host with these scales, without regard to the sign. A scale that includes a motion ratio usually corresponds
+    /// to no unit.
     pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }

@@ -6,13 +6,13 @@ use dashpot_core::family::{Definition, Delay, Family};
 use dashpot_core::parameter::{self, Number, Parameter, Shape};
 use dashpot_core::{Input, Model, Output, Params, list, step};
 
-/// Indices of a corner's states. The FMU's sources use the same indices.
+/// Indices of the states of a corner. The C sources of the FMU use the same indices.
 const TRAVEL: usize = 0;
 const DEFLECTION: usize = 1;
 const MASS_VELOCITY: usize = 2;
 const FIRST_INTERNAL: usize = 3;
 
-/// Behavior of inputs between two communication points. The order is that of the FMU's sources.
+/// Choices for the inputs between two communication points, in the order of the C sources of the FMU.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
 /// Instant at which the importer sets the inputs of a co-simulation step. It determines the start value of `inputs_between_points`.
@@ -28,14 +28,14 @@ pub enum Inputs {
 }
 
 impl Inputs {
-    /// Returns the start value, an index of [`BETWEEN_POINTS`]. Inputs at the end of a step have a zero-order hold, as with `automatic`.
-    /// The value does not change model exchange.
+    /// Returns the start value, an index of [`BETWEEN_POINTS`]: `extrapolate` for inputs at the beginning of a step, otherwise `automatic`.
+    /// In co-simulation, `automatic` is a zero-order hold, as inputs at the end of a step need.
     pub fn start_value(self) -> f64 {
         if self == Inputs::Begin { 2.0 } else { 0.0 }
     }
 }
 
-/// Kind of a variable. The names are those of `enum kind` in the FMU's sources.
+/// Kind of a variable. The names correspond to those of `enum kind` in the C sources of the FMU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Kind {
@@ -63,7 +63,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Returns the name in C.
+    /// Returns the name of the kind in C.
     pub fn c(self) -> String {
         let mut name = String::new();
         for c in format!("{self:?}").chars() {
@@ -90,19 +90,19 @@ impl Kind {
 pub struct Variable {
     /// Kind of the variable.
     pub kind: Kind,
-    /// Corner, or `None` for the time.
+    /// Index of the corner, or `None` for a variable of the whole FMU, such as the time.
     pub corner: Option<usize>,
     /// Index among the states, or in the list of a parameter.
     pub index: Option<usize>,
     /// Name in the FMU.
     pub name: String,
-    /// Row of the parameter table.
+    /// Row of the parameter table, for a parameter of the model.
     pub parameter: Option<&'static Parameter>,
     /// Start value, if any.
     pub start: Option<f64>,
     /// Unit. Its name is "-" for a pure number, and if the host's unit has no name.
     pub unit: Unit,
-    /// Description in one sentence.
+    /// Description for `modelDescription.xml` and the documentation page.
     pub meaning: String,
     /// Nominal value of a state.
     pub nominal: Option<f64>,
@@ -110,7 +110,7 @@ pub struct Variable {
 
 const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
 
-/// Returns the file name of a corner's model in the FMU's resources. The FMU's sources use the same name.
+/// Returns the file name of a corner's model in the resources of the FMU. The C sources of the FMU use the same name.
 pub fn model_file_name(corner: usize, corners: usize) -> String {
     if corners == 1 { "model.toml".into() } else { format!("model_{}.toml", CORNERS[corner]) }
 }
@@ -157,7 +157,7 @@ pub fn variables(corners: &[Definition], scales: Scales, inputs: Inputs) -> Vec<
     all
 }
 
-/// Returns the setting input of a damper that depends on a setting.
+/// Returns the input variable for the setting, or `None` for a damper without a setting.
 fn setting(corner: usize, four: bool, damper: &Definition) -> Option<Variable> {
     let axis = &damper.axis;
     if !axis.is_some() {
@@ -198,7 +198,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
     let motion = sign(scales.motion, "extension positive", "compression positive");
     let force = sign(scales.force, "tension positive", "push positive");
     let units = HostUnits::from_scales(scales);
-    // If the unit is not declared, the description states the factor.
+    // If the unit is not declared, the description of the variable states the conversion factor.
     let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
     let (m, n) = (scales.motion.abs(), scales.force.abs());
     let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
@@ -315,7 +315,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         .collect()
 }
 
-/// Returns the nominal values of the states. Each is the power of ten below the state's largest value on a typical stroke.
+/// Returns the nominal values of the states. Each is the power of ten at or below the state's largest value on a typical stroke.
 ///
 /// Hosts multiply their relative tolerance by the nominal value. An internal state may be a length, a velocity, a force or a temperature,
 /// so its magnitude is measured in a simulation.
@@ -323,7 +323,8 @@ fn usual(damper: &Definition) -> [f64; 11] {
     if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
 }
 
-/// Returns the nominal values of a damper over a setting, from its start setting and both ends of its grid.
+/// Returns the nominal values of the states of a damper that depends on a setting. The simulation uses the start setting and both ends of
+/// the setting range.
 fn usual_of_family(damper: &Definition) -> [f64; 11] {
     let mut family = Box::new(Family::OFF);
     if family.set(&damper.params, &damper.axis).is_err() {
@@ -352,19 +353,19 @@ fn usual_of_family(damper: &Definition) -> [f64; 11] {
     decades(largest)
 }
 
-/// Step of the typical stroke, s.
+/// Time step of the simulation of the typical stroke, s.
 const STEP: f64 = 1e-3;
 
-/// Returns the motion of the typical stroke.
+/// Returns the motion of the typical stroke at time `t`, s.
 fn motion(t: f64) -> Input {
-    // The stroke is ±25 mm at 0.5 m/s, three times.
+    // The stroke is a sine of ±25 mm with a peak velocity of 0.5 m/s. The simulation of 0.9 s has almost three cycles.
     const AMPLITUDE: f64 = 0.025;
     const SPEED: f64 = 0.5;
     let phase = SPEED / AMPLITUDE * t;
     Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
 }
 
-/// Returns the powers of ten. A state that stays constant during the stroke gets 1e-4.
+/// Returns the power of ten at or below each value. A state that stays zero during the stroke gets 1e-4.
 fn decades(largest: [f64; 11]) -> [f64; 11] {
     largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
 }
@@ -427,7 +428,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     used().map(|k| one(k, false)).chain(used().map(|k| one(k, true))).collect()
 }
 
-/// Returns the parameters of the enabled elements, without the parameters that depend on the setting.
+/// Returns the parameters of the integration and of the enabled elements, without the parameters that depend on the setting.
 fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let Definition { params, axis } = damper;
     let mut all = Vec::new();
@@ -462,8 +463,8 @@ fn parameters(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
 
 /// Returns the power of ten at or below a positive number.
 ///
-/// The power is parsed from digits, because the powers of math libraries differ in the last bits between systems. So every system writes
-/// the same FMU of a model.
+/// The power is parsed from digits, because the power functions of math libraries differ in the last bits between systems. So every system
+/// writes the same FMU of a model.
 fn decade(number: f64) -> f64 {
     let digits = format!("{number:e}");
     let exponent = digits.split_once('e').map_or("0", |(_, exponent)| exponent);

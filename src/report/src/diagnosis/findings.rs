@@ -1,4 +1,4 @@
-//! The added effects with their parameters, and the evidence against the alternatives.
+//! The added effects with their parameters, the evidence against the alternatives, and the changed parameters.
 
 use super::{both_curves, capital};
 use crate::blocks::{Block, Column, Section, Table};
@@ -8,7 +8,8 @@ use crate::numbers::{error, fraction, with_unit};
 use crate::words::Words;
 use dashpot_diagnosis::{Change, Diagnosis, Finding, Rival, Verdict};
 
-/// Builds the findings and the suspected causes of unexplained residuals. Returns `None` for a complete model.
+/// Builds the section of findings, suspected causes of unexplained residuals, measurement corrections and changed
+/// parameters. Returns `None` if there are none of them.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let mut blocks = Vec::new();
     for (k, finding) in found.findings.iter().enumerate() {
@@ -32,7 +33,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
             .collect();
         blocks.push(Block::Warning(words.fill(words.rig_added, &[("all", &all.join(words.comma))])));
     }
-    // If the section contains only changed parameters, they give the section its title.
+    // If the section contains only changed parameters, its title names them, and the heading above their table is
+    // omitted.
     let changed_alone = blocks.is_empty() && found.shifts.is_empty() && !found.changes.is_empty();
     if !found.changes.is_empty() {
         blocks.extend((!changed_alone).then(|| Block::Heading(words.changed_section.into())));
@@ -54,7 +56,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     Some(Section::new("findings", title, blocks))
 }
 
-/// Returns the unit of an effect of the rig: the unit of its identified parameter.
+/// Returns the unit of a measurement error, which is the unit of its first identified parameter. Without such a
+/// parameter, the unit is N.
 fn unit_of(found: &Diagnosis, effect: &str) -> &'static str {
     let finding = found.findings.iter().find(|finding| finding.effect == effect);
     finding.and_then(|finding| finding.parameters.values().next()).map_or("N", |value| value.unit)

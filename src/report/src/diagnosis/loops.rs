@@ -6,11 +6,11 @@ use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
 
-/// Number of fitted tests shown, and number of left-out tests shown.
+/// Largest number of fitted tests, and of left-out tests, whose loops are shown.
 const SHOWN: usize = 3;
 
-/// Builds the loops of the worst left-out test and of other tests. The brief print includes only the first section. If no test was left
-/// out, the first section shows the worst fitted test.
+/// Builds one section with the loops of the worst left-out test, and one with those of other tests. The brief print includes only the first
+/// section. If no test was left out, the first section shows the worst fitted test.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
@@ -44,7 +44,7 @@ pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
 }
 
 /// Sorts the indices of the left-out or fitted tests by the gap between error and noise, largest first. The gap is relative to the test's
-/// largest force. Tests without cycles come last, because their loops are unreadable.
+/// largest force. Tests without cycles come last, because their loops are unreadable. Tests without finite errors are omitted.
 fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
     let gap = |test: &TestOutcome| {
         let top = test.curves.measured.iter().fold(0.0_f64, |top, f| top.max(f.abs()));

@@ -36,7 +36,8 @@ fn figures(validation: &Validation, changed: bool, words: &Words) -> Vec<Block> 
     before.into_iter().chain(after).collect()
 }
 
-/// Makes one record per test from its mean cycles. Adds the forces before and after, and whether the test was left out.
+/// Makes one record per test from its mean cycles. Each entry also has the model's forces before and after the
+/// diagnosis, and whether the test was left out.
 fn mean_cycles(tests: &[TestOutcome], records: &[&Record]) -> Vec<(Record, Vec<f64>, Vec<f64>, bool)> {
     let mut all: Vec<(Record, Vec<f64>, Vec<f64>, bool)> = Vec::new();
     for test in tests {

@@ -13,7 +13,8 @@
 //! | [`tried`] | all tested hypotheses, by iteration |
 //! | [`over_settings`] | one damper diagnosed at several settings |
 //!
-//! The brief print consists of the first five sections and the loops of the worst test.
+//! The brief print consists of the first six rows. From [`loops`], it includes only the worst test, and from
+//! [`limits`], it omits the remarks.
 
 mod answer;
 mod both_curves;
@@ -48,11 +49,12 @@ pub struct DiagnosisReport<'a> {
     pub data: String,
     /// Result of the diagnosis.
     pub found: &'a Diagnosis,
-    /// The records. They contain the motion of each test.
+    /// The records, from which the error matrix uses the motion of each test.
     pub records: &'a [&'a Record],
     /// Remarks on reading: the detected sign, and notes of the cleaning.
     pub reading: Vec<String>,
-    /// Errors of the models over whole records. `dashpot validate` reports the same errors.
+    /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
+    /// errors.
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,
@@ -60,7 +62,7 @@ pub struct DiagnosisReport<'a> {
     pub made: Made,
     /// Extent of the printed report.
     pub print: Print,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'static Words,
 }
 

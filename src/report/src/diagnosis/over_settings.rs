@@ -1,4 +1,4 @@
-//! The report of one damper diagnosed at several settings: one table over the settings, then a collapsed part for each setting.
+//! The report of one damper diagnosed at several settings: tables over the settings, then a collapsed part for each setting.
 
 use super::DiagnosisReport;
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -12,7 +12,7 @@ use dashpot_diagnosis::settings::{
 };
 use dashpot_records::setting_in_words;
 
-/// Contents of the report.
+/// Contents of the report of a diagnosis at several settings.
 #[derive(Debug, Clone)]
 pub struct SettingsReport<'a> {
     /// Name of the diagnosed model file.
@@ -23,13 +23,13 @@ pub struct SettingsReport<'a> {
     pub unit: String,
     /// Joint result of the settings.
     pub over: &'a OverSettings,
-    /// The report of each setting.
+    /// Value and report of each setting.
     pub settings: Vec<(f64, DiagnosisReport<'a>)>,
     /// Origin of the report.
     pub made: Made,
     /// Extent of the printed report.
     pub print: Print,
-    /// The language.
+    /// Texts in the language of the report.
     pub words: &'static Words,
 }
 
@@ -78,7 +78,7 @@ impl SettingsReport<'_> {
         sections
     }
 
-    /// Joins the texts of all settings in one cell.
+    /// Joins one text per setting to the text of one cell.
     fn each(&self, all: impl Iterator<Item = (f64, String)>) -> String {
         let all: Vec<String> = all.map(|(setting, text)| format!("{}: {text}", self.named(setting))).collect();
         all.join(self.words.comma)

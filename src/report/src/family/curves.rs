@@ -1,4 +1,4 @@
-//! Force over velocity and setting.
+//! Figures of the force over velocity and over the setting.
 
 use super::{axis_title, named, named_summary};
 use crate::blocks::Figure;
@@ -11,7 +11,7 @@ use dashpot_identification::validation::{PeakForce, Validation};
 use dashpot_simulation::comparison::at_constant_velocity;
 use dashpot_simulation::prediction::at_velocities;
 
-/// Size of the first figure, px, for the full width of a printed page.
+/// Size of the figure of the curves by setting, px, for the full width of a printed page.
 const WIDE: [f64; 2] = [880.0, 400.0];
 /// Number of points of a line over the setting.
 const POINTS: usize = 61;
@@ -74,10 +74,10 @@ fn measured(peak: &PeakForce) -> [f64; 2] {
     [1e3 * peak.velocity_m_s, peak.force_n.measured]
 }
 
-/// Draws the force over the setting, and the ratio of the stiffest to the softest setting over velocity.
+/// Draws the force over the setting, and the force ratio of the hardest to the softest setting over velocity.
 pub fn over_setting(damper: &Definition, validation: &Validation, words: &Words) -> Vec<Figure> {
     let peaks: Vec<f64> = validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s).collect();
-    // Slowest and fastest peak of one direction, or 0 without peaks.
+    // Slowest and fastest peak velocity of one direction, or 0 without peaks.
     let reach = |is_own: fn(&f64) -> bool| {
         let own = || peaks.iter().copied().filter(is_own);
         let slowest = own().reduce(|a, b| if b.abs() < a.abs() { b } else { a }).unwrap_or(0.0);
@@ -114,7 +114,7 @@ fn force_over_setting(damper: &Definition, [low, high]: [f64; 2], words: &Words)
     Some(Figure::new("force-over-setting", svg).saying(words.over_setting_caption))
 }
 
-/// Returns the damper at a setting without its static gas force. That force would distort a ratio of damping forces.
+/// Returns the model at a setting without its static gas force, because that force would distort a ratio of damping forces.
 fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
     let mut params = damper.params_at(setting);
     params.enable(element!("gas_preload"), false);
@@ -123,7 +123,7 @@ fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
 
 /// Draws the force ratio of the hardest to the softest setting over velocity.
 ///
-/// Each direction covers the velocities from its slowest to its fastest peak. Below this range, no test determines both forces.
+/// Each direction covers the velocities from its slowest to its fastest peak. Below the slowest peak, no test determines the two forces.
 fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Words) -> Option<Figure> {
     let strength = |setting: f64| -> Option<f64> {
         let model = without_gas(damper, setting)?;
@@ -141,7 +141,7 @@ fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Wor
         let [soft, hard] = [&of_soft, &of_hard].map(|model| at_velocities(model, &velocities));
         let points = soft.iter().zip(&hard).filter(|(a, b)| a[0] == b[0] && a[0] != 0.0);
         let ratios = points.map(|(soft, hard)| [1e3 * soft[0].abs(), hard[1] / soft[1]]).filter(|p| p[1].is_finite());
-        // If all tests have one velocity, they give a single point.
+        // If all tests have one peak velocity, the ratio is a single point.
         let marks = if from == to { Marks::Dots } else { Marks::Line };
         all.add(Role::Group(role), name.to_owned(), ratios.collect(), marks);
     }

@@ -34,13 +34,14 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
-/// Describes the error of the family between its settings, with advice if it is larger than at them.
+/// Describes the largest error of the family between its settings. If it is worse than at the settings, adds advice.
 pub fn between(fit: &FamilyFit, words: &Words) -> String {
     let Some(worst) = fit.worst_left_out() else { return words.family_between_unknown.to_owned() };
     let at = words.number(&setting_in_words(worst.setting, &fit.setting.unit));
     let figures = [digits(worst.error.mean_error_n, 3), percent(worst.error.error_percent), digits(worst.ratio, 2)];
     let [error, percent, ratio] = figures.each_ref();
-    // Records in doubt make the error between the settings large, and further records do not help then.
+    // Records whose setting is in doubt make the error between the settings large. Further records do not help then, so
+    // the advice is different.
     let advice = match fit.has_doubtful_labels {
         true => words.family_between_labels.to_owned(),
         false => words.fill(words.family_between_records, &[("at", &at)]),
@@ -50,7 +51,8 @@ pub fn between(fit: &FamilyFit, words: &Words) -> String {
     words.fill(text, &values)
 }
 
-/// Compares the errors of an ordinary fit, of the family, and of the family that was fitted without the setting.
+/// Builds a table of the errors at each setting. The models are an ordinary fit at the setting, the family, and the
+/// family that was fitted without the setting.
 pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
     let pair = |of: Option<&SettingError>| match of {
         Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],

@@ -13,7 +13,7 @@ use dashpot_identification::validation::{Compared, Validation};
 /// Largest relative difference of amplitude and peak velocity between tests with the same motion.
 const SAME_MOTION: f64 = 0.1;
 
-/// Builds the section. Returns `None` without settings.
+/// Builds the section of loops. Returns `None` without settings.
 pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Option<Section> {
     let common = common_motion(validation)?;
     let mut blocks = Vec::new();
@@ -73,7 +73,7 @@ fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
         .map(|(all, _)| all)
 }
 
-/// Draws the loops of one motion at all settings. The model lies over the measurement.
+/// Draws the loops of one motion at all settings, with the model on top of the measurement.
 fn together(
     damper: &Definition,
     validation: &Validation,
@@ -87,7 +87,7 @@ fn together(
         common.iter().enumerate().filter_map(|(k, place)| Some((k, tests.get((*place)?)?))).collect();
     let lines = |compared: &Compared<'_>, force: &[f64]| -> Vec<Vec<[f64; 2]>> {
         let x = over(compared);
-        // Several loops coincide, so one loop is enough.
+        // The loops of one test coincide, so one loop is enough.
         let last = of_test::shown(compared).pop();
         last.into_iter().map(|range| range.map(|i| [1e3 * x[i], force[i]]).collect()).collect()
     };

@@ -1,4 +1,4 @@
-//! The report of an adjustable damper: curves, errors and loops, in this order. The caller collapses all other sections.
+//! The report of an adjustable damper: curves, errors and loops, in this order. The caller collapses the sections of the ordinary report.
 //!
 //! | module | contents |
 //! |---|---|
@@ -27,7 +27,7 @@ use dashpot_records::setting_in_words;
 pub struct FamilyReport<'a> {
     /// The model file.
     pub model: &'a ModelFile,
-    /// Its fit, if this run included a fit.
+    /// The fit of the damper over the setting, if this run included a fit.
     pub fit: Option<&'a FamilyFit>,
 }
 
@@ -55,7 +55,7 @@ impl FamilyReport<'_> {
         sections
     }
 
-    /// Builds the tables of parameters with intervals, and of their dependence on the setting.
+    /// Builds the tables of parameters with intervals, of their dependence on the setting, and of the force of every effect.
     pub fn tables(self, words: &Words) -> Option<Section> {
         let mut blocks: Vec<Block> = numbers::table(self.model, words).map(Block::Table).into_iter().collect();
         blocks.extend(self.fit.map(|fit| Block::Table(numbers::dependences(fit, words))));
@@ -64,7 +64,7 @@ impl FamilyReport<'_> {
     }
 }
 
-/// Returns the name of the setting, or a generic word if the file contains no name.
+/// Returns the name of the setting, or a generic word if the model file contains no name.
 fn axis_name<'a>(damper: &'a Definition, words: &'a Words) -> &'a str {
     let name = damper.axis.name();
     if name.is_empty() { words.col_setting } else { name }

@@ -13,7 +13,7 @@ use dashpot_core::parameter::{self, Number, Row};
 use dashpot_identification::family::{FamilyFit, FamilyItem, ForceAtSetting};
 use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
 
-/// Friction levels and the gas force. They have figures even if they do not depend on the setting.
+/// Parameters that have a figure even if they do not depend on the setting: friction levels and the gas force.
 const ALWAYS: [Number; 5] = [
     number!("coulomb_force"),
     number!("stribeck_coulomb_force"),
@@ -93,7 +93,8 @@ fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
     Figure::new(format!("number-{}", number.name()), svg).saying(caption)
 }
 
-/// Builds the table of every parameter that depends on the setting, at each value of the grid.
+/// Builds the table of every parameter that depends on the setting, and of the points of the FV curve, at each value of
+/// the grid.
 pub fn table(model: &ModelFile, words: &Words) -> Option<Table> {
     let definition = model.definition();
     let mut rows: Vec<Vec<Cell>> = Vec::new();

@@ -17,14 +17,14 @@ use dashpot_simulation::prediction::at_velocities;
 
 /// Largest overshoot that counts as rounding, percent.
 const NO_OVERSHOOT: f64 = 0.05;
-/// Smallest displayed uncertainty of a response time, as a fraction of it.
+/// Uncertainty of a response time, as a fraction of this time, above which the table states the uncertainty.
 const COARSE: f64 = 0.1;
-/// Number of points of one branch over the setting.
+/// Number of points of one branch of the hysteresis loop over the setting.
 const POINTS: usize = 61;
-/// Fraction of the tests' largest velocity at which hysteresis is drawn.
+/// Velocity at which the hysteresis is drawn, as a fraction of the tests' largest velocity.
 const VELOCITY: f64 = 0.5;
 
-/// Builds the section. Returns `None` if the damper has no actuator and no test contains a step.
+/// Builds the section of step responses. Returns `None` if the damper has no actuator and no test contains a step.
 pub fn section(
     report: FamilyReport<'_>,
     damper: &Definition,
@@ -63,7 +63,7 @@ fn step_name(damper: &Definition, of: &StepResponse, words: &Words) -> String {
     format!("{} → {}", named(damper, of.from, words), named(damper, of.to, words))
 }
 
-/// Draws one kind of step. The model lies over the measurement.
+/// Draws the response to one kind of step, with the model on top of the measurement.
 fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: &Words) -> Figure {
     let line = |response: &[f64]| -> Vec<[f64; 2]> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|p| p[1].is_finite()).collect()
@@ -85,7 +85,7 @@ fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: 
     Figure::new(file, plane.draw_named(&names, SIZE, words)).saying(step_name(damper, of, words))
 }
 
-/// Builds the table of the times of all kinds of steps.
+/// Builds the table of the response times for all kinds of steps.
 fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Table {
     let five = |times: Option<&ResponseTimes>, uncertainty: Option<TimeUncertainty>| -> [Cell; 5] {
         let milli = |s: f64, known: Option<f64>| {
@@ -130,7 +130,7 @@ fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
     let rows: Vec<Vec<Cell>> = actuator_numbers(&model.axis, &model.identification)
         .into_iter()
         .map(|number| {
-            // The table of the steps has response times in ms too.
+            // Times are in ms, as in the table of response times.
             let (unit, factor) = if number.unit == "s" { ("ms".to_owned(), 1e3) } else { (number.unit, 1.0) };
             let known =
                 |end: usize| number.interval.map_or_else(Cell::none, |ends| Cell::digits(factor * ends[end], 3));
@@ -168,7 +168,7 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
     let peaks = validation.tests.iter().map(|test| test.peak_velocity_m_s);
     let velocity = VELOCITY * peaks.fold(0.0, f64::max);
     let (low, high) = damper.axis.range();
-    // The setting changes slowly, so the valve is in equilibrium at each command.
+    // The setting changes slowly, so the valve is in equilibrium at each command. Thus, dead time and lag are omitted.
     let still = Actuator { hysteresis: actuator.hysteresis, ..Actuator::NONE };
     let mut stand = Stand { lagged: low, turned: 0.0 };
     let mut way = |is_up: bool| -> Vec<[f64; 2]> {

@@ -7,15 +7,15 @@ use crate::words::Words;
 
 /// Size of a plane figure, px.
 pub const SIZE: [f64; 2] = [460.0, 330.0];
-/// Largest number of points of a series' lines. With 260, a report of 55 tests stays below 3 MB. With 450, the report has 3.8 MB without
-/// visible improvement.
+/// Largest number of points of all lines of a series. With 260, a report of 55 tests stays below 3 MB. With 450, the report has 3.8 MB
+/// without visible improvement.
 pub const LINE_LIMIT: usize = 260;
 
-/// Size of the title, px.
+/// Font size of the title, px.
 pub const TITLE: f64 = 13.0;
-/// Size of axis titles and legend, px.
+/// Font size of axis titles and legend, px.
 pub const LABEL: f64 = 12.0;
-/// Size of tick labels, px.
+/// Font size of tick labels, px.
 pub const TICK: f64 = 11.0;
 
 /// One axis: its title with unit, and its visible range.
@@ -72,8 +72,8 @@ impl Scale {
 }
 
 impl Axis {
-    /// Makes an axis that shows all values with a margin. If all values are equal, the margin is half their magnitude. Without values, the
-    /// range is about −1 to 1.
+    /// Makes an axis that shows all values with a margin. If all values are equal, the margin is half their magnitude, or 1 if they are
+    /// zero. Without values, the range is about −1 to 1.
     pub fn around(label: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = values.into_iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         let (low, high) = if low > high { (-1.0, 1.0) } else { (low, high) };
@@ -88,7 +88,7 @@ impl Axis {
         Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 
-    /// Makes an axis that ends exactly at the extreme values, such as a time axis.
+    /// Makes an axis that ends exactly at `low` and `high`, such as a time axis. If `high` is not above `low`, the axis has a margin.
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
         if high > low {
             Self { label: label.into(), low, high, scale: Scale::Linear }
@@ -103,7 +103,7 @@ impl Axis {
         (value - low) / (high - low)
     }
 
-    /// Returns about `wanted` ticks.
+    /// Returns about `wanted` ticks. A logarithmic axis selects its own number.
     pub fn ticks(&self, wanted: usize, words: &Words) -> Ticks {
         let ticks = match self.scale {
             Scale::Linear => Ticks::linear(self.low, self.high, wanted),
@@ -270,8 +270,8 @@ pub enum Mark {
     Dot,
 }
 
-/// Draws the title and, below the title, the legend: a mark and a name for each series. Text that is too wide for the figure gets a smaller
-/// font.
+/// Draws the title and, below the title, the legend: a mark and a name for each series. A title or legend that is too wide for the figure
+/// gets a smaller font.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mark)]) {
     let room = svg.width() - left - 4.0;
     let size = TITLE * (room / (BOLD * text_width(title, TITLE))).min(1.0);
@@ -293,8 +293,8 @@ pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mar
 /// Ratio of the widths of bold and regular letters.
 const BOLD: f64 = 1.08;
 
-/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans). Chinese letters are as wide as high. A narrower
-/// font leaves a small gap. An estimate from a narrow font would truncate labels.
+/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans). Chinese letters are as wide as high. If the
+/// page has a narrower font, a small gap remains. An estimate from a narrow font would truncate labels.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let letter = |c: char| if ('\u{2e80}'..='\u{ffef}').contains(&c) { 1.02 } else { 0.64 };
     size * text.chars().map(letter).sum::<f64>()

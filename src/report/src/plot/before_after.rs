@@ -8,7 +8,7 @@ use super::ticks::Ticks;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Smallest error that the figure distinguishes from zero, N.
+/// Smallest error on the logarithmic axis, N. Smaller errors are drawn at this value.
 const FLOOR: f64 = 0.01;
 
 /// Returns the name of every test, with numbers for the segments of a long test.
@@ -24,7 +24,7 @@ pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
             }
             let place = tests[..k].iter().filter(|other| same(other, test)).count();
             let (place, count) = ((place + 1).to_string(), count.to_string());
-            // The name comes last, because it may contain braces.
+            // The test name is inserted last, because it may contain braces, which look like placeholders.
             words.fill(words.stretch, &[("place", &place), ("count", &count), ("test", &test.test)])
         })
         .collect()
@@ -46,7 +46,8 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
     let legend = [(Role::Before, words.before, Mark::Dot), (Role::Model, words.after, Mark::Dot)];
     heading(&mut svg, title, left, &legend);
-    // The noise entry stands to the right of the legend. In some languages, the legend is wider than in English.
+    // The entry for the noise stands to the right of the legend. Its position follows from the texts, because the legend is wider in some
+    // languages than in English.
     let wide: f64 = legend.iter().map(|(_, label, _)| 41.0 + text_width(label, LABEL)).sum();
     let noise = left + wide.max(175.0);
     svg.frame(&[[[noise, 33.0], [noise + 12.0, 33.0]]], 1.6);
@@ -119,7 +120,7 @@ pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     plane([words.plot_left_velocity, words.axis_velocity, words.axis_residual], series, words)
 }
 
-/// Returns the indices along the curve. For a cycle, the first index follows the last.
+/// Returns the sample indices along a curve. For a cycle, the first index follows the last, so that the loop closes.
 fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
     let count = test.curves.measured.len();
     (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))

@@ -89,7 +89,7 @@ fn draw(
     svg.finish()
 }
 
-/// Draws the floor and two back walls with grid, frame, tick labels and axis titles along the outer edges.
+/// Draws the floor and the two back walls of the box, with grid, frame, tick labels and axis titles along the outer edges.
 fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
     let ticks = [(0, 5), (1, 4), (2, 5)].map(|(axis, wanted)| axes[axis].ticks(wanted, words));
     let places = |axis: usize| ticks[axis].at.iter().map(move |(value, _)| axes[axis].place(*value));

@@ -7,11 +7,12 @@ use crate::numbers::{digits, error};
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// Number of effects with a distinct hue. One further layer combines all smaller effects, if there are several.
+/// Number of effects with a separate layer in the figure. One further layer combines all smaller effects, if there are several.
 const SHOWN: usize = 7;
-/// Largest number of bands of one kind. With it, both kinds fit on half a printed page.
+/// Largest number of bands of amplitude, and of peak velocity, so that the figure fits on half a printed page.
 const BANDS: usize = 6;
-/// Ratio of neighboring values that may separate two bands. Rigs control an amplitude within 5 %, and test matrices step by 20 % or more.
+/// Smallest ratio of neighboring values that may separate two bands. Rigs control an amplitude within 5 %, and test matrices step by 20 %
+/// or more.
 const APART: f64 = 1.15;
 /// Width of the figure, px, for the full width of a printed page.
 const WIDTH: f64 = 880.0;
@@ -23,7 +24,7 @@ const BAR: f64 = 16.0;
 struct Band {
     low: f64,
     high: f64,
-    /// Indices of its tests.
+    /// Indices of the tests in the band.
     tests: Vec<usize>,
 }
 
@@ -55,22 +56,22 @@ impl Band {
         words.number(&words.fill_as_is(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
     }
 
-    /// Computes the root mean square over the tests of the band.
+    /// Computes the root mean square of `by_test` over the tests of the band.
     fn rms(&self, by_test: &[f64]) -> f64 {
         let sum: f64 = self.tests.iter().map(|k| by_test[*k] * by_test[*k]).sum();
         (sum / self.tests.len() as f64).sqrt()
     }
 }
 
-/// An effect with its hue and its force in each test.
+/// An effect with its color role and its force in each fitted test, N.
 struct Layer {
     role: Role,
     name: String,
     by_test: Vec<f64>,
 }
 
-/// Returns the effects of the most probable model. The largest force comes first. The last layer combines all effects without a distinct
-/// hue, with the root of their summed squares.
+/// Returns the effects of the most probable model. The largest force comes first. The last layer combines all effects without a separate
+/// layer. Its force is the root of their summed squares.
 fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     let is_drawn = |item: &&InventoryItem| {
         matches!(item.status, Status::Kept | Status::Added)
@@ -165,7 +166,7 @@ pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(svg.finish())
 }
 
-/// Positions the names in as few lines as possible. Returns the lower edge of the last line.
+/// Positions the names of the legend in as few lines as possible. Returns the positions and the lower edge of the last line.
 fn legend(layers: &[Layer], left: f64, right: f64) -> (Vec<[f64; 2]>, f64) {
     let [mut x, mut y] = [left, 37.0];
     let mut all = Vec::new();

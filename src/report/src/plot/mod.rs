@@ -1,7 +1,7 @@
 //! Figures as SVG text, with one function per figure. Each function returns a complete SVG document.
 //!
-//! The crate has its own SVG writer, because engineers read the shape of the loops. Coordinates have a resolution of a tenth of a pixel,
-//! and thinning does not change a path visibly.
+//! The crate has its own SVG writer, because engineers read the shape of the loops. The writer keeps this shape: coordinates have a
+//! resolution of a tenth of a pixel, and thinning of points does not change a path visibly.
 //!
 //! | file | figures |
 //! |---|---|
@@ -14,7 +14,7 @@
 //! | [`residual`], [`residual_map`] | residual over velocity, time since reversal and displacement |
 //!
 //! In every figure the measurement is blue, the model red, and the force–velocity curve green and dashed. A model before its improvement is
-//! gray and dashed. Each mark has a color for a light background, and a class. With the class, a page can recolor the figure for a dark
+//! gray and dashed. Each mark has a color for a light background. It also has a class, so that a page can recolor the figure for a dark
 //! background ([`palette::page_css`]).
 
 pub mod axes;

@@ -9,7 +9,7 @@ use crate::words::Words;
 use dashpot_identification::validation::{Compared, Hysteresis};
 use std::ops::Range;
 
-/// Number of whole cycles in a loop.
+/// Number of whole cycles that the figures of loops show.
 pub const CYCLES_SHOWN: usize = 2;
 
 /// Draws force over velocity.
@@ -17,7 +17,7 @@ pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
     let mut series = forces(compared, words, &shown, |i| 1e3 * velocity[i]);
-    // The curve has no loop, so one line runs from the lowest to the highest velocity.
+    // The FV curve has no loop, so one line runs from the lowest to the highest velocity.
     for curve in series.iter_mut().filter(|one| one.role == Role::FvOnly) {
         let mut line = curve.lines.concat();
         line.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -26,7 +26,7 @@ pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Draws force over velocity with a second model for comparison.
+/// Draws force over velocity: measured, of the model, and of another model for comparison.
 pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64], words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
@@ -76,7 +76,7 @@ pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Draws the gap between the strokes over velocity, averaged over all whole cycles.
+/// Draws the gap of the hysteresis loop over velocity, averaged over all whole cycles.
 pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,
@@ -92,7 +92,8 @@ pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     plane([words.plot_gap, words.axis_velocity, words.axis_gap], series, words)
 }
 
-/// Returns the non-empty ranges of samples in a loop. Each range includes the first sample of the next cycle, so that loops close.
+/// Returns the non-empty ranges of samples that a figure shows: the last cycles, or the whole test without cycles. The range of a cycle
+/// includes the first sample of the next cycle, so that loops close.
 pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     let cycles = &compared.record.cycles;
     let samples = compared.record.force.len();

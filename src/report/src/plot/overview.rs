@@ -51,15 +51,15 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     svg.finish()
 }
 
-/// Draws the relative error by amplitude (rows) and peak velocity (columns). The curve's error stands below the model's error. Returns
-/// `None` if the campaign has no periodic tests.
+/// Draws the relative error by amplitude (rows) and peak velocity (columns). In each cell, the error of the FV curve stands below the
+/// model's error. Returns `None` if the campaign has no periodic tests.
 pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     let note = words.fill(words.plot_error_map_note, &[("model", words.model), ("curve", words.fv_curve)]);
     let both = |errors: &Errors| (errors.model.error_percent, Some(errors.fv_only.error_percent));
     map(validation, [words.plot_error_map, &note], words, both)
 }
 
-/// Draws the error map of one of the two compared forces.
+/// Draws the error map with the error that `of` selects. Returns `None` if the campaign has no periodic tests.
 pub fn error_map_of(
     validation: &Validation,
     title: &str,
@@ -121,7 +121,7 @@ fn millimetres(si: f64) -> String {
     number(value, (2.0 - libm::log10(value.abs().max(0.01)).floor()).clamp(0.0, 2.0) as usize)
 }
 
-/// Formats a percentage with two or three digits.
+/// Formats a percentage with two decimals below 1, one decimal below 100, and none above.
 fn percent(value: f64) -> String {
     number(
         value,

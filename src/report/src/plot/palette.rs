@@ -1,11 +1,11 @@
 //! Colors of the figures.
 //!
-//! Deuteranopes and protanopes can distinguish the three hues: blue, vermilion and bluish green. Their source is Okabe & Ito, *Color
-//! Universal Design*, 2008. The green is also dashed, so that it stays distinct in a gray print.
+//! Deuteranopes and protanopes can distinguish the three hues of the forces: blue, vermilion and bluish green. The hues follow Okabe & Ito,
+//! *Color Universal Design*, 2008. The green line is also dashed, so that it stays distinct in a gray print.
 
 use std::fmt::Write as _;
 
-/// Source of a plotted force.
+/// Role of a mark in a figure, such as the source of a plotted force. It selects color, line width and dashes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The rig's measurement.
@@ -24,7 +24,7 @@ pub enum Role {
     Group(u8),
 }
 
-/// Hues of many dampers, on light and on dark background. Their source is Okabe & Ito too.
+/// Hues of many dampers, on light and on dark background. The first five follow Okabe & Ito; violet, olive and brown are additions.
 const GROUPS: [[&str; 2]; 8] = [
     ["#d43d0f", "#ff7f52"],
     ["#0067a5", "#5cb8f2"],
@@ -35,7 +35,7 @@ const GROUPS: [[&str; 2]; 8] = [
     ["#4f6b00", "#b5cf5a"],
     ["#7a5230", "#d3a57e"],
 ];
-/// CSS classes of the hues.
+/// CSS classes of the hues of many dampers.
 const GROUP_CLASSES: [&str; 8] = ["g0", "g1", "g2", "g3", "g4", "g5", "g6", "g7"];
 
 /// All roles except `Group`, for the page's style sheet.
@@ -84,7 +84,7 @@ impl Role {
     /// Returns the line width, px.
     pub fn width(self) -> f64 {
         match self {
-            // The line is wide, so that both its edges stay visible if the model coincides with it.
+            // The line is wide, so that both edges of the line stay visible if the model coincides with it.
             Self::Measured => 2.8,
             Self::Model => 1.1,
             Self::FvOnly | Self::Before => 1.3,
@@ -94,7 +94,7 @@ impl Role {
         }
     }
 
-    /// Returns the dash pattern of a dashed line.
+    /// Returns the dash pattern of the role's lines, or `None` for solid lines.
     pub fn dash(self) -> Option<&'static str> {
         matches!(self, Self::FvOnly | Self::Before).then_some("5 2.5")
     }

@@ -7,7 +7,7 @@ use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Quantity};
 use dashpot_identification::validation::Validation;
 
-/// Size, px, of the first figure in the report, for the full width of a printed page.
+/// Size of the figure, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
 
 /// Draws the figure. Returns `None` if no test has a peak velocity.
@@ -20,7 +20,7 @@ pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words)
     draw(measured, model, curve, validation.limits.as_ref(), words)
 }
 
-/// Draws the peaks of a certificate.
+/// Draws the peaks of a certificate with its limits. Returns `None` without measured peaks.
 pub fn against_limits(certificate: &Certificate, curve: &[[f64; 2]], words: &Words) -> Option<String> {
     let peaks = &certificate.peaks;
     let measured = peaks.iter().map(|p| [1e3 * p.velocity_m_s, p.force_n]).collect();

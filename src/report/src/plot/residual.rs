@@ -5,14 +5,14 @@ use super::palette::Role;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Number of velocity bins of both directions together.
+/// Number of velocity bins, for compression and rebound together.
 const VELOCITY_BINS: usize = 30;
 /// Number of bins per decade of time.
 const PER_DECADE: f64 = 5.0;
 /// Smallest number of samples in a bin whose mean is shown.
 const FEWEST: usize = 8;
 
-/// One sample of a test.
+/// One sample of a test, with its residuals.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     /// Displacement, m.
@@ -25,7 +25,7 @@ pub struct Sample {
     pub after: f64,
     /// Noise of the sample, N.
     pub noise: f64,
-    /// Whether the speed rises.
+    /// Whether the speed, the magnitude of the velocity, rises.
     pub speeding_up: bool,
     /// Time since the last change of the velocity's sign, s; `None` for a test without cycles.
     pub since_reversal: Option<f64>,
@@ -79,7 +79,7 @@ fn of_test(test: &TestOutcome) -> Vec<Sample> {
         .collect()
 }
 
-/// Sums over a bin.
+/// Number of samples in a bin, and sums over these samples.
 #[derive(Debug, Clone, Copy, Default)]
 struct Bin {
     count: usize,
@@ -119,7 +119,7 @@ fn binned(
         .collect()
 }
 
-/// Makes an axis of velocity in mm/s with a magnified range of low velocities.
+/// Makes an axis of velocity in mm/s that covers all samples and magnifies low velocities.
 pub fn velocity_axis(samples: &[Sample], words: &Words) -> Axis {
     let top = samples.iter().map(|s| 1e3 * s.velocity.abs()).fold(1e-3, f64::max);
     Axis { scale: Scale::Root, ..Axis::exactly(words.axis_velocity, -top, top) }
@@ -159,13 +159,13 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
     draw([title, words.axis_residual], axis, &means, false, words)
 }
 
-/// Draws the mean residual over the time since the last change of the velocity's sign. Returns `None` without cycles.
+/// Draws the mean residual over the time since the last change of the velocity's sign. Returns `None` if no test has cycles.
 ///
-/// The residual is positive if the damper resists more than the model.
+/// The drawn residual is positive if the damper resists more than the model, in both directions.
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    // At less than 0.1 ms from the reversal, even the fastest tests have no samples.
+    // The axis begins at 0.1 ms or later, because even the fastest tests have no samples closer to the reversal.
     let low = low.max(0.1);
     if low * 1.001 >= high {
         return None;

@@ -7,11 +7,11 @@ use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::number;
 use crate::words::Words;
 
-/// Cells along velocity and displacement.
+/// Number of cells along velocity and along displacement.
 const CELLS: [usize; 2] = [36, 24];
 /// Size of one map, px.
 const MAP: [f64; 2] = [396.0, 288.0];
-/// Fraction of the cells before the improvement that lie within the color scale.
+/// Fraction of the cells before the improvement whose residual lies within the color scale.
 const WITHIN: f64 = 0.97;
 
 /// Draws both maps side by side. Returns `None` without samples.

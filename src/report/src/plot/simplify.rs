@@ -1,4 +1,4 @@
-//! Thins a path without a visible change.
+//! Thinning of a path without a visible change.
 
 /// A point of the figure, px.
 pub type Point = [f64; 2];
@@ -6,7 +6,7 @@ pub type Point = [f64; 2];
 /// Largest invisible deviation of a thinned path, px.
 const INVISIBLE: f64 = 0.2;
 
-/// Deviation above which a thinned path is called rough, px.
+/// Tolerance of thinning above which the result has `rough` set, px.
 const ROUGH: f64 = 1.0;
 
 /// A thinned path.
@@ -20,12 +20,13 @@ pub struct Thinned {
 
 /// Thins a path (Douglas & Peucker 1973) without a visible change.
 ///
-/// Points closer together than a fraction of a pixel merge. Points within 0.2 px of the line between remaining points are removed. If more
-/// than `limit` points remain, as in a noisy measurement, the tolerance increases until the path fits. The result then has `rough` set.
+/// Points closer together than 0.2 px merge. Points within 0.2 px of the line between remaining points are removed. If more than `limit`
+/// points remain, as in a noisy measurement, the tolerance increases until the path fits. The result then has `rough` set.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;
     let mut merged = merge(path, near);
-    // A path of this density is noise on the scale of pixels. Merging first limits the work below.
+    // A path with so many points is noise on the scale of pixels. Points are merged at larger distances, because that limits the work of
+    // the next step.
     while merged.len() > 50 * limit.max(2) {
         near *= 1.5;
         merged = merge(path, near);

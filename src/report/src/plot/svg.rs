@@ -1,11 +1,11 @@
-//! The SVG writer. Each mark has a class for the page, and a color for a light background in all other viewers.
+//! The SVG writer. Each mark has a class, by which the page recolors it, and a color for a light background in all other viewers.
 
 use super::palette::{FAINT_INK, GRID, INK, PAPER, Role};
 use super::simplify::{Point, Thinned, simplify};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Width of a noisy line, px.
+/// Largest width of a noisy line, px.
 const NOISY: f64 = 0.6;
 
 /// Alignment of a text.
@@ -24,7 +24,7 @@ pub enum Anchor {
 pub struct TextStyle {
     /// Size, px.
     pub size: f64,
-    /// Anchor.
+    /// Alignment of the text at its point.
     pub anchor: Anchor,
     /// Rotation about the point, degrees clockwise.
     pub turn: f64,
@@ -50,7 +50,7 @@ impl TextStyle {
 #[derive(Debug)]
 pub struct Svg {
     body: String,
-    /// Attributes of the document in addition to its size.
+    /// Attributes of the `svg` element in addition to its size.
     about: String,
     width: f64,
     height: f64,
@@ -148,8 +148,8 @@ impl Svg {
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
     }
 
-    /// Draws the area that a line of a role covers, as small squares. The file size of a line with hundreds of self-intersections then
-    /// depends only on its area, without thinning.
+    /// Draws the area that lines of a role cover, as small squares. For lines with hundreds of self-intersections, the file size then
+    /// depends only on this area, and thinning is not needed.
     pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
         let bars = bars(lines, square);
         if bars.is_empty() {
@@ -196,7 +196,7 @@ impl Svg {
         self.dot_saying(role, at, radius, "");
     }
 
-    /// Draws a filled dot that shows its value under the cursor.
+    /// Draws a filled dot that shows the text `value` under the cursor.
     pub fn dot_saying(&mut self, role: Role, at: Point, radius: f64, value: &str) {
         let (class, colour) = (role.class(), role.light());
         let _ = write!(
@@ -213,7 +213,7 @@ impl Svg {
         }
     }
 
-    /// Draws a filled rectangle of a role that shows its value under the cursor.
+    /// Draws a filled rectangle of a role that shows the text `value` under the cursor.
     pub fn bar(&mut self, role: Role, corner: Point, size: Point, value: &str) {
         let (class, color) = (role.class(), role.light());
         let ([x, y], [width, height]) = (corner.map(px), size.map(px));
@@ -246,7 +246,7 @@ impl Svg {
         let _ = write!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"/>");
     }
 
-    /// Embeds another complete document.
+    /// Embeds another complete SVG document with its upper left corner at `corner`.
     pub fn inside(&mut self, corner: Point, document: &str) {
         let place = format!("<svg x=\"{}\" y=\"{}\" ", px(corner[0]), px(corner[1]));
         self.body.push_str(&document.replacen("<svg ", &place, 1));
@@ -283,7 +283,7 @@ impl Svg {
         self.body.push_str("</g>");
     }
 
-    /// Draws a text on a [`Svg::cell`]. The text is dark or light to match the fill, on a dark page too.
+    /// Draws a text on a [`Svg::cell`]. The text is black or white to match the fill, and stays so on a dark page.
     pub fn cell_text(&mut self, at: Point, text: &str, style: TextStyle, dark: bool) {
         self.text_in(at, text, style, "fixed", if dark { "#000000" } else { "#ffffff" });
     }
@@ -318,7 +318,7 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
         for point in line {
             let [x, y] = point.map(|p| p / square);
             let [from_x, from_y] = last.unwrap_or([x, y]);
-            // Steps of half a square leave no gap.
+            // Steps of at most half a square leave no gap.
             let parts = (2.0 * (x - from_x).abs().max((y - from_y).abs())).ceil().max(1.0);
             for k in 0..=parts as u32 {
                 let part = f64::from(k) / parts;
@@ -338,8 +338,8 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     bars
 }
 
-/// Writes path data through points to a tenth of a pixel. Relative steps make it shorter. Each step starts from the rounded position, so
-/// that rounding errors do not accumulate.
+/// Writes path data through points to a tenth of a pixel. Relative steps make the data shorter. Each step starts from the rounded position,
+/// so that rounding errors do not accumulate.
 fn path_data(points: &[Point]) -> String {
     let tenths = |value: f64| (value * 10.0).round() as i64;
     let mut data = String::with_capacity(8 * points.len());

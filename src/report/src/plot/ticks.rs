@@ -28,8 +28,8 @@ impl Ticks {
         Self { at: (first..=last).map(|i| (i as f64 * step, number(i as f64 * step, decimals))).collect() }
     }
 
-    /// Returns the ticks of a logarithmic axis inside `low..=high`, which must be positive. They are decades. For short ranges, 2 and 5
-    /// times a decade are included.
+    /// Returns the ticks of a logarithmic axis inside `low..=high`, which must be positive. The ticks are powers of ten. If `high` is at
+    /// most 2000 times `low`, 2 and 5 times a power of ten are included.
     pub fn logarithmic(low: f64, high: f64) -> Self {
         let factors: &[f64] = if high / low > 2e3 { &[1.0] } else { &[1.0, 2.0, 5.0] };
         let mut at = Vec::new();
@@ -46,7 +46,7 @@ impl Ticks {
 
     /// Returns about `wanted` ticks of an axis with a square-root scale.
     ///
-    /// The ticks are zero and round values on both sides, with space for their labels.
+    /// The ticks are zero and round values on both sides of it, with space for the labels.
     pub fn root(low: f64, high: f64, wanted: usize) -> Self {
         let place = |value: f64| value.signum() * value.abs().sqrt();
         let room = (place(high) - place(low)) / wanted.max(1) as f64;
@@ -58,7 +58,7 @@ impl Ticks {
             at.push((0.0, number(0.0, 0)));
         }
         for (sign, end) in [(1.0, high), (-1.0, -low)] {
-            // Proceed from the ends inward, so that the widest range has the best ticks.
+            // Larger values come first, so that values near the ends of the axis get their ticks before values near zero.
             let mut last = f64::INFINITY;
             let mut exponent = libm::log10(end.max(f64::MIN_POSITIVE)).floor() as i32;
             while place(10f64.powi(exponent + 1)) >= 0.8 * room {
@@ -77,7 +77,7 @@ impl Ticks {
         Self { at }
     }
 
-    /// Returns the ticks with labels in the format of a language.
+    /// Returns the ticks with labels in the number format of a language.
     pub fn localized(self, words: &Words) -> Self {
         Self { at: self.at.into_iter().map(|(value, label)| (value, words.number(&label))).collect() }
     }

@@ -1,8 +1,8 @@
-//! All text of the reports, in the languages that they are written in.
+//! All texts of the reports, in every language of the reports.
 //!
-//! The texts stand in `src/report/locales`, one Fluent file a language; [`Words`] has one of them, by the names of its fields. A text with
-//! arguments is a [`Message`], which [`Words::fill`] formats. What reading, a fit and a diagnosis say is made
-//! by their crates in English and looked up by the ids of their messages ([`sentences`]).
+//! The texts are in `src/report/locales`, with one Fluent file per language. [`Words`] contains the texts of one language as fields. A text
+//! with arguments is a [`Message`], which [`Words::fill`] formats. The crates for records, fit and diagnosis make their sentences in
+//! English. The reports find the translations by the ids of the messages ([`sentences`]).
 
 use dashpot_messages::{Catalog, Message, is_number};
 use names::MARK;
@@ -28,7 +28,7 @@ fn read(code: &'static str, source: &str) -> Words {
     Words::read(catalog, code, catalog)
 }
 
-/// What the terminal says: English with the identifiers and signs that scripts read.
+/// Texts for the terminal: English, with identifiers instead of names and with the ASCII minus sign, because scripts read them.
 pub static TERMINAL: LazyLock<Words> = LazyLock::new(|| Words { code: TERMINAL_CODE, ..*EN });
 const TERMINAL_CODE: &str = "terminal";
 
@@ -47,11 +47,11 @@ pub enum Language {
 }
 
 impl Language {
-    /// All, by the code that users write.
+    /// All languages, with the codes that users write.
     pub const ALL: [(&'static str, Language); 4] =
         [("en", Language::English), ("de", Language::German), ("fr", Language::French), ("zh", Language::Chinese)];
 
-    /// Its texts.
+    /// Returns the texts of the language.
     pub fn words(self) -> &'static Words {
         match self {
             Language::English => &EN,
@@ -74,14 +74,14 @@ impl std::str::FromStr for Language {
 }
 
 impl Words {
-    /// A number, or several with their units, as this language writes them; they come with a decimal point, as programs write them. What is
-    /// copied from a report into a command or a file (options, names, versions) is no number in this sense.
+    /// Formats a text of one or several numbers with units for this language. In `plain`, the numbers have a decimal point and an ASCII
+    /// minus sign. Do not pass options, names or versions, because users copy them from a report into a command or a file.
     pub fn number(&self, plain: &str) -> String {
         let letters: Vec<char> = plain.chars().collect();
         let is_digit = |k: Option<usize>| k.and_then(|k| letters.get(k)).is_some_and(char::is_ascii_digit);
         let written = letters.iter().enumerate().map(|(k, letter)| match letter {
             '.' if is_digit(k.checked_sub(1)) && is_digit(Some(k + 1)) => self.decimal_sign.to_owned(),
-            // One minus sign everywhere, that of the figures.
+            // Texts use the minus sign of the figures, U+2212, except in the terminal.
             '-' if self.code != TERMINAL_CODE
                 && is_digit(Some(k + 1))
                 && (k == 0 || letters[k - 1].is_whitespace()) =>
@@ -93,25 +93,26 @@ impl Words {
         written.collect()
     }
 
-    /// A message with its figures put in, by name: numbers as this language writes them, effects and parameters in words.
+    /// Formats a message with its arguments by name. Numbers have the format of this language, and identifiers of effects and parameters
+    /// become names.
     pub fn fill(&self, message: Message, figures: &[(&str, &str)]) -> String {
         self.fill_from(self.catalog, message, figures)
     }
 
-    /// A message of another interface in this language, with its figures put in as [`Words::fill`] does.
+    /// Formats a message from another catalog of this language, with the arguments formatted as in [`Words::fill`].
     pub fn fill_from(&self, catalog: &Catalog, message: Message, figures: &[(&str, &str)]) -> String {
         let figures: Vec<(&str, String)> =
             figures.iter().map(|(place, value)| (*place, self.at_place(place, value))).collect();
         self.with_names(&format(catalog, message, &figures))
     }
 
-    /// A message with its figures put in as they are, by name.
+    /// Formats a message with unchanged arguments by name.
     pub(crate) fn fill_as_is(&self, message: Message, figures: &[(&str, &str)]) -> String {
         let figures: Vec<(&str, String)> = figures.iter().map(|(place, value)| (*place, (*value).to_owned())).collect();
         format(self.catalog, message, &figures)
     }
 
-    /// What stands at a place of a sentence, in this language; names are marked for [`Words::with_names`].
+    /// Formats the value of an argument in this language. An identifier gets marks for [`Words::with_names`].
     fn at_place(&self, place: &str, value: &str) -> String {
         match () {
             () if is_number(place, value) => self.number(value),
@@ -121,7 +122,7 @@ impl Words {
     }
 }
 
-/// A message in its language; its id where the language lacks it.
+/// Formats a message from a catalog. If the catalog lacks the message, returns the id of the message.
 fn format(catalog: &Catalog, message: Message, figures: &[(&str, String)]) -> String {
     catalog.format(message.0, figures).unwrap_or_else(|| message.0.to_owned())
 }
@@ -133,7 +134,7 @@ pub(crate) mod tests {
     use dashpot_messages::{Template, word_id};
     use std::collections::{BTreeMap, BTreeSet};
 
-    /// The Fluent file of each language, with its name.
+    /// Name and text of the Fluent file of each language.
     const FILES: [(&str, &str); 4] = [
         ("src/report/locales/en.ftl", include_str!("../../locales/en.ftl")),
         ("src/report/locales/de.ftl", include_str!("../../locales/de.ftl")),
@@ -141,12 +142,13 @@ pub(crate) mod tests {
         ("src/report/locales/zh.ftl", include_str!("../../locales/zh.ftl")),
     ];
 
-    /// The messages of every file, with its name.
+    /// Returns the name and the messages of every Fluent file.
     pub fn entries() -> [(&'static str, Vec<Entry>); 4] {
         FILES.map(|(name, source)| (name, file::read(source)))
     }
 
-    /// Every message that the code asks a file for, with its arguments. The English of what other crates say stands in their code.
+    /// Returns the id of every message that the code uses from a Fluent file, with the arguments. The English file needs no messages of
+    /// other crates, because their code contains the English text.
     fn used(is_english: bool) -> BTreeMap<String, BTreeSet<String>> {
         let of_pages = Words::MESSAGES.iter().map(|(id, arguments)| (id.to_string(), *arguments));
         let of_pages = of_pages.map(|(id, arguments)| (id, arguments.iter().map(ToString::to_string).collect()));
@@ -183,7 +185,7 @@ pub(crate) mod tests {
 
     #[test]
     fn titles_of_axes_end_with_their_unit() {
-        // The read-out of the figures takes name and unit from here.
+        // The script that shows values in a figure reads the name and the unit of an axis from its title.
         for (name, entries) in entries() {
             for Entry { id, text, .. } in entries.into_iter().filter(|entry| entry.id.starts_with("axis-")) {
                 assert!(text.contains(", "), "{name}: {id} is {text:?}");
@@ -208,7 +210,7 @@ pub(crate) mod tests {
         assert_eq!(DE.number("2.50·10⁻⁸"), "2,50·10⁻⁸");
         assert_eq!(DE.number("1.2e-5"), "1,2e-5");
         assert_eq!(DE.fill(DE.row_amplitude, &[("value", "1.5")]), "1,5 mm Amplitude");
-        // A command keeps its point, and so does a name.
+        // An option of a command and the name of a test keep their decimal point.
         let catalog = Catalog::new("de", "made = { $value } { $option } { $test }");
         let figures = [("value", "1.5"), ("option", "--delay=0.0065"), ("test", "2.5")];
         assert_eq!(DE.fill_from(&catalog, Message("made"), &figures), "1,5 --delay=0.0065 2.5");
@@ -228,7 +230,8 @@ pub(crate) mod tests {
 
     #[test]
     fn every_velocity_is_in_millimeters_a_second() {
-        // The figures of a report are in mm, mm/s and N. A velocity in m/s would be a second unit system; that of the model file is SI.
+        // The figures of a report are in mm, mm/s and N, so a velocity in m/s would mix two unit systems. Meanings of parameters are
+        // exempt, because the model file is in SI.
         for (name, entries) in entries() {
             for Entry { id, text, .. } in entries.into_iter().filter(|entry| !entry.id.starts_with("parameter-")) {
                 let in_meters = text.match_indices("m/s").filter(|(at, _)| {

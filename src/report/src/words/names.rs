@@ -1,36 +1,36 @@
-//! What effects, elements, parameters and their choices are called, and what they mean. Their identifiers stand in model files, in `--help`
-//! and in what scripts read; a sentence for people names them in words, with the identifier in brackets where it comes first.
+//! Names and meanings of effects, elements, parameters and their choices. Model files, `--help` and outputs for scripts contain
+//! identifiers. A sentence for people contains names instead, with the identifier in brackets at its first occurrence.
 //!
-//! What they mean is said in English by the kernel and the diagnosis; the Fluent files of the other languages have that too.
+//! The English meanings are in the code of the kernel and the diagnosis. The Fluent files of the other languages contain the translations.
 
 use super::{TERMINAL_CODE, Words};
 use dashpot_core::parameter;
 use std::borrow::Cow;
 
-/// Places of sentences where an identifier is no effect and no parameter.
+/// Names of message arguments whose value is never taken for the identifier of an effect or a parameter.
 ///
-/// Tests and files may be called like one, and what a command takes is listed as it is written.
+/// The name of a test or a file may look like an identifier. Values that a command accepts are listed as users type them.
 const OTHER: &[&str] =
     &["at", "column", "file", "folder", "found", "known", "option", "record", "test", "tests", "text", "twin", "unit"];
 
 impl Words {
-    /// The short name of an effect, an element or a parameter; `None` for anything else.
+    /// Returns the short name of an effect, an element or a parameter. Returns `None` for any other text, and for the terminal.
     pub fn name_of(&self, identifier: &str) -> Option<&'static str> {
         self.for_people(&id("name-", identifier)).filter(|_| is_identifier(identifier))
     }
 
-    /// What an element or an effect is.
+    /// Returns the meaning of an element or an effect.
     pub fn meaning_of_element(&self, name: &str) -> &'static str {
         self.catalog.text(&id("element-", name)).unwrap_or_else(|| dashpot_diagnosis::meaning(name))
     }
 
-    /// What a parameter means; nothing for a name that is none.
+    /// Returns the meaning of a parameter, or an empty text if no parameter has this name.
     pub fn meaning_of_parameter(&self, name: &str) -> &'static str {
         let english = || parameter::find(name).map_or("", |row| row.parameter.meaning);
         self.catalog.text(&id("parameter-", name)).unwrap_or_else(english)
     }
 
-    /// A word that a parameter may be set to.
+    /// Returns the name of a choice, which is a word that a parameter may be set to.
     pub fn choice<'a>(&self, identifier: &'a str) -> Cow<'a, str> {
         match self.for_people(&id("choice-", identifier)) {
             Some(choice) => Cow::Borrowed(choice),
@@ -38,12 +38,13 @@ impl Words {
         }
     }
 
-    /// A text that the terminal does without: scripts read identifiers there.
+    /// Returns a text of the catalog, or `None` for the terminal, because scripts read identifiers from its output.
     fn for_people(&self, id: &str) -> Option<&'static str> {
         self.catalog.text(id).filter(|_| self.code != TERMINAL_CODE)
     }
 
-    /// The name with its identifier in brackets, for headings and tables.
+    /// Returns the name of an effect, an element or a parameter with the identifier in brackets, for headings and tables. Returns any other
+    /// text unchanged.
     pub fn named(&self, identifier: &str) -> String {
         match self.name_of(identifier) {
             Some(name) => self.bracketed(name, identifier),
@@ -55,13 +56,13 @@ impl Words {
         if self.code == "zh" { format!("{name}（{identifier}）") } else { format!("{name} ({identifier})") }
     }
 
-    /// Whether what stands at a place of a sentence is an effect, an element or a parameter.
+    /// Returns whether the value of the message argument `place` is the identifier of an effect, an element or a parameter.
     pub(super) fn is_named(&self, place: &str, text: &str) -> bool {
         !OTHER.contains(&place) && is_identifier(text) && self.catalog.text(&id("name-", text)).is_some()
     }
 
-    /// A sentence in which identifiers stand between [`MARK`]s: each is put in words, at its first place with itself in brackets. Brackets that
-    /// follow are drawn into those: "gas force (gas_force, 97 % sure)".
+    /// Replaces identifiers between [`MARK`]s by names. At its first occurrence, an identifier follows its name in brackets. Brackets after
+    /// the identifier are merged with these brackets: "gas force (gas_force, 97 % sure)".
     pub(super) fn with_names(&self, marked: &str) -> String {
         let mut pieces = marked.split(MARK);
         let mut text = pieces.next().unwrap_or("").to_owned();
@@ -86,17 +87,17 @@ impl Words {
     }
 }
 
-/// Whether a text is written as identifiers are; a sentence in the middle of another is none.
+/// Returns whether a text has the form of an identifier: lowercase letters, digits and underscores.
 fn is_identifier(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_')
 }
 
-/// The id of what is said of an identifier.
+/// Returns the id of the message about an identifier.
 fn id(prefix: &str, identifier: &str) -> String {
     prefix.to_owned() + &identifier.replace(['_', ' '], "-")
 }
 
-/// Stands before and behind an identifier until the sentence is whole; no text has it.
+/// Character that marks the beginning and the end of an identifier until the sentence is complete. No text contains it.
 pub(super) const MARK: char = '\u{1}';
 
 #[cfg(test)]
@@ -108,7 +109,8 @@ pub(super) mod tests {
     use dashpot_diagnosis::EFFECTS;
     use std::collections::BTreeSet;
 
-    /// Numbers and look-alikes of fits and diagnoses that are no rows of the kernel's table, and parts of the FV curve that change as one.
+    /// Quantities and alternative causes in fits and diagnoses that are not in the kernel's parameter table. Parts of the FV curve that
+    /// change together are included.
     const NO_ROWS: [&str; 21] = [
         "cylinder_expansion",
         "gain_drift",
@@ -133,7 +135,7 @@ pub(super) mod tests {
         "lost_stroke",
     ];
 
-    /// Ids of the names and choices, and of what only the other languages have: the meanings.
+    /// Returns the ids of names and choices, and the ids of meanings. Only the files of languages other than English contain the meanings.
     pub fn ids() -> [BTreeSet<String>; 2] {
         let groups = || GROUPS.iter().map(|group| group.name);
         let parameters = || parameter::table().map(|row| row.parameter.name);
@@ -155,7 +157,7 @@ pub(super) mod tests {
             for entry in entries {
                 let letters = entry.text.chars().count();
                 let is_name = !entry.id.starts_with("name-") || letters <= 42 && !entry.text.contains([',', '_']);
-                // Choices stand in a list of a narrow panel.
+                // A choice must be short, because a narrow panel lists the choices.
                 let is_choice = !entry.id.starts_with("choice-") || letters <= 21;
                 assert!(is_name && is_choice, "{file}: {}", entry.id);
             }
@@ -164,7 +166,7 @@ pub(super) mod tests {
 
     #[test]
     fn meanings_keep_their_symbols() {
-        // Symbols have an underscore, a power or a bar in them.
+        // A word is a symbol if it contains an underscore, a power or a bar.
         let symbols = |text: &str| -> BTreeSet<String> {
             text.split([' ', ',', ';', ':', '，', '；', '：', '、', '（', '）', '(', ')'])
                 .filter(|word| word.contains(['_', '^', '|']))
@@ -202,7 +204,7 @@ pub(super) mod tests {
         assert_eq!(DE.with_names(sentence), "Gaskraft (gas_force) 1 N, Gaskraft 2 N, Luft im Öl (aeration, 97 %)");
         assert_eq!(ZH.with_names("缺少：\u{1}aeration\u{1}（把握 97 %）"), "缺少：油中含气（aeration，把握 97 %）");
         assert_eq!(EN.named("rubber"), "rubber");
-        // The terminal keeps what scripts read.
+        // The terminal keeps identifiers, because scripts read them.
         assert_eq!(TERMINAL.with_names("missing: \u{1}aeration\u{1} (97 % sure)"), "missing: aeration (97 % sure)");
         assert!(!EN.is_named("test", "aeration") && EN.is_named("names", "aeration"));
     }

@@ -1,10 +1,11 @@
-//! What other crates say in sentences, in every language. The English is theirs, the other languages have it by the ids of the messages.
+//! Sentences of other crates in every language. Their code contains the English text, and the Fluent files contain the translations by the
+//! ids of the messages.
 
 use super::Words;
 use dashpot_messages::{Kept, Locale, Restorer, Sentence, word_id};
 use std::sync::LazyLock;
 
-/// Makes the sentences again that a model file keeps.
+/// Restorer of the sentences that a model file contains in English, so that they can be translated.
 static KEPT: LazyLock<Restorer> = LazyLock::new(|| {
     let crates = [dashpot_records::templates(), dashpot_identification::templates(), dashpot_diagnosis::templates()];
     Restorer::new(crates.concat())
@@ -25,17 +26,17 @@ impl Locale for Words {
 }
 
 impl Words {
-    /// A sentence in this language.
+    /// Formats a sentence in this language.
     pub fn say(&self, sentence: &Sentence) -> String {
         self.with_names(&sentence.to_text(self))
     }
 
-    /// A text that a model file keeps in English, in this language where the file has its message too.
+    /// Translates a text that a model file contains in English. Returns it unchanged if the file does not contain its message.
     pub fn say_kept(&self, english: &str, messages: &[Kept]) -> String {
         self.say(&KEPT.find(english, messages))
     }
 
-    /// What is called by a word in a sentence (a path, a form of an effect, a choice), in this language.
+    /// Translates a word of a sentence, such as a force path, a form of an effect or a choice. Returns it unchanged without a translation.
     pub fn word<'a>(&self, english: &'a str) -> &'a str {
         word_id(english).and_then(|id| self.catalog.text(&id)).unwrap_or(english)
     }
@@ -48,7 +49,7 @@ pub(super) mod tests {
     use dashpot_messages::Template;
     use std::collections::{BTreeMap, BTreeSet};
 
-    /// Every message of the other crates.
+    /// Returns every message of the other crates.
     pub fn templates() -> Vec<Template> {
         let crates = [
             dashpot_records::templates(),
@@ -59,7 +60,7 @@ pub(super) mod tests {
         crates.concat()
     }
 
-    /// Every word of theirs.
+    /// Returns every word of the other crates that has a translation.
     pub fn words() -> BTreeSet<&'static str> {
         let of_fits = dashpot_records::words().chain(dashpot_identification::words());
         of_fits.chain(dashpot_diagnosis::words()).chain(dashpot_dimensions::words()).collect()
@@ -81,7 +82,7 @@ pub(super) mod tests {
         for (file, entries) in entries() {
             for entry in entries {
                 let Some(english) = english.get(&entry.id) else { continue };
-                // One of places alone has nothing to translate.
+                // A sentence that consists mostly of arguments may be equal in two languages.
                 let words = english.split(' ').filter(|word| !word.contains('{')).count();
                 assert!(words <= 3 || entry.text != **english, "{file}: {}", entry.id);
             }
@@ -127,7 +128,7 @@ pub(super) mod tests {
         for (_, english, said) in &kept_and_said {
             assert_eq!(german.say_kept(english, &file.messages), *said);
             assert_eq!(terminal.say_kept(english, &file.messages), *english);
-            // A file of an earlier version has the English alone.
+            // A model file of an earlier version contains only the English text.
             assert_eq!(german.say_kept(english, &[]), *english);
         }
         assert_eq!(german.say_kept("a remark by hand", &file.messages), "a remark by hand");

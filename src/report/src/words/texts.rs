@@ -1,9 +1,9 @@
-//! Every text of the reports by name; the Fluent files in `src/report/locales` have them under these names in kebab-case.
+//! Names of all texts of the reports. The Fluent files in `src/report/locales` contain the texts under these names in kebab-case.
 
 use dashpot_messages::Catalog;
 
 dashpot_messages::interface! {
-    /// Every text of the reports in one language.
+    /// All texts of the reports in one language.
     #[derive(Debug, Clone, Copy)]
     #[allow(missing_docs)] // the English text is the meaning
     pub struct Words {
@@ -71,7 +71,7 @@ dashpot_messages::interface! {
         only_fitted,
         largest_error(test percent error force),
         noise_sentence(noise),
-        // Its sections.
+        // Sections of the validation report.
         fv_section,
         fv_caption_by_setting,
         fv_caption,
@@ -150,7 +150,7 @@ dashpot_messages::interface! {
         test_used,
         test_left_out,
         test_sentence(force error percent curve_error curve_percent),
-        // The literature.
+        // Adjustable dampers, and models of the literature.
         family_section,
         family_between(at error percent ratio),
         family_between_worse(at error percent ratio advice),
@@ -260,7 +260,7 @@ dashpot_messages::interface! {
         gas_force,
         friction,
         hysteresis,
-        // How it was made.
+        // Origin of a report.
         made_version(version),
         made_date(date),
         made_command(command),
@@ -320,7 +320,7 @@ dashpot_messages::interface! {
         workbook_contents,
         workbook_sheet,
         workbook_about,
-        // What a fit found.
+        // Result of a fit.
         fit_title,
         fit_subtitle(model data),
         fit_answer(tests error),
@@ -338,12 +338,12 @@ dashpot_messages::interface! {
         remarks,
         col_why,
         col_interval,
-        // Of figures and tables everywhere.
+        // Punctuation of all texts.
         comma,
         sentence_end(sentence),
         semicolon,
         colon,
-        // The direction that the files count positive.
+        // Sign convention of the files, and ranges.
         sign_given(direction),
         sign_found(direction percent),
         sign_found_by(direction percent reasons),
@@ -384,7 +384,7 @@ dashpot_messages::interface! {
         mean_cycles_caption,
         whole_deviation(error percent),
         whole_records(came refitted improved),
-        // The picture of a diagnosis.
+        // The summary picture of a diagnosis.
         name_and_sure(name sure),
         picture_named(names),
         picture_nothing,
@@ -393,7 +393,7 @@ dashpot_messages::interface! {
         picture_below(test kind),
         kind_left_out,
         kind_fitted,
-        // Where they disagree.
+        // Regions where model and records disagree.
         where_section,
         no_region,
         left_map_caption,
@@ -414,7 +414,7 @@ dashpot_messages::interface! {
         col_noise_n,
         col_in_words,
         regions_caption,
-        // What is missing.
+        // Findings: missing effects and changed parameters.
         findings_section,
         suspects_section,
         suspects_cannot_tell,
@@ -471,7 +471,7 @@ dashpot_messages::interface! {
         map_before_caption,
         map_after_caption,
         mean_cycles_rule,
-        // Everything that was tried.
+        // Tested hypotheses.
         tried_section,
         tried_about,
         col_form,
@@ -481,7 +481,7 @@ dashpot_messages::interface! {
         col_strange,
         col_tests_better,
         look(number),
-        // What to measure next.
+        // Limits of the records, and proposed tests.
         limits_section,
         next_tests_section,
         cannot_show_section,

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Injected effect and its strength.
 const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
-/// Runs this part of the demo and writes its results to a folder. Returns the path of the report.
+/// Runs the second half of the demo and writes its results to a subfolder. Returns the path of the report.
 pub fn write(folder: &Path, seed: u64) -> anyhow::Result<PathBuf> {
     let say = |text: &str| dashpot_output::say(None, text);
     let folder = folder.join("riddle");

@@ -1,4 +1,4 @@
-//! `dashpot export adm`: replacement of dampers in a compiled Adams Car model by the routine.
+//! `dashpot export adm`: replacement of dampers in a compiled Adams Car model by calls of dashpot's user subroutine.
 
 use dashpot_hosts::adams::replaced::{Named, replaced};
 use dashpot_hosts::damper_length;
@@ -31,7 +31,7 @@ pub struct Args {
 fn damper(text: &str) -> Result<Named, String> {
     let (name, length) = text.split_once('=').ok_or("say NAME=LENGTH")?;
     let (length, model_file) = length.split_once(',').unwrap_or((length, ""));
-    // Otherwise, `412,5` would mean length 412 and a model file with the name 5.
+    // Without this check, `412,5` would mean length 412 and a model file with the name 5.
     let next = model_file.split(',').next().unwrap_or_default().trim();
     if !next.is_empty() && next.bytes().all(|b| b.is_ascii_digit()) {
         return Err(format!(

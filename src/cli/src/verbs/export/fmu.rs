@@ -1,4 +1,4 @@
-//! `dashpot export fmu`: model in the format that most simulators import.
+//! `dashpot export fmu`: export of a model in the format that most simulators import.
 
 use super::super::host_step::HostArgs;
 use crate::quantity::metres;
@@ -97,7 +97,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let (mut notes, mut remarks) = (Vec::new(), Vec::new());
     let mut models: Vec<Definition> = Vec::new();
-    // A model without a curve has no curve to return.
+    // Curve for CarMaker's computation of equilibrium. It stays `None` for a model without an FV curve.
     let mut curve = None;
     for path in &args.models {
         let file = model::read_family(path)?;
@@ -140,7 +140,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
-    // A command without an embedded runtime compiles one here, if possible.
+    // A command without an embedded runtime compiles one on this computer, if possible.
     let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
     let compiles = args.from_source || !holds_one && library(None).is_ok();
     if compiles && !args.from_source {
@@ -166,7 +166,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             remarks: &remarks,
         },
     )?;
-    // The text is formatted before any file is written, because this can fail.
+    // The text of the pluginfo file is formatted before any file is written, because the formatting can fail.
     let plug_info = plug_info.map(|path| -> anyhow::Result<_> {
         let name = args.output.file_stem().unwrap_or_default().to_string_lossy();
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();

@@ -80,7 +80,7 @@ fn of_click(output: &Path, click: f64) -> PathBuf {
     output.with_file_name(format!("{stem}_{click}{ending}"))
 }
 
-/// Makes one model.
+/// Makes and writes one model file.
 fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
     let options = PeakOptions { clicks, ..args.options()? };
     let make = if args.clicks.as_deref() == Some("family") { family_of_peaks } else { of_peaks };
@@ -100,7 +100,7 @@ fn one(args: &Args, clicks: Option<f64>, output: &Path) -> anyhow::Result<()> {
 }
 
 impl Args {
-    /// Converts the arguments to options of the table.
+    /// Converts the arguments to options for reading the table.
     fn options(&self) -> anyhow::Result<PeakOptions> {
         let mut options = PeakOptions { positive: self.positive, ..PeakOptions::default() };
         for text in &self.unit {

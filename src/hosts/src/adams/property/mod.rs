@@ -1,4 +1,5 @@
-//! Damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. Rebound velocity and tension are positive, in both formats and here.
+//! Damper property files of Adams Car: TeimOrbit (`.dpr`) and XML. Rebound velocity and tension are positive in both formats and in this
+//! module.
 
 mod teim_orbit;
 mod units;
@@ -61,9 +62,9 @@ pub struct Properties {
 /// Format of a property file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
-    /// `.dpr`. It cannot represent a gas force.
+    /// TeimOrbit, `.dpr`. This format cannot represent a gas force.
     TeimOrbit,
-    /// `.xml`.
+    /// XML, `.xml`.
     Xml,
 }
 
@@ -78,9 +79,10 @@ pub fn write(properties: &Properties, form: Form) -> String {
 /// Reads both formats, regardless of the file name.
 ///
 /// # Errors
-/// The file has another type, an unknown unit, or an invalid table. The message states the line.
+/// The file has another type, an unknown unit, an invalid table, or a number that is too large in SI. If one line of the file is the cause,
+/// the message states it.
 pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
-    // Property files of Adams Car may also reference models of MTS Empirical Dynamics (.edd).
+    // Adams Car also uses models of MTS Empirical Dynamics (.edd), so a user may pass such a file.
     if bytes.starts_with(b"EDM") {
         anyhow::bail!(
             "this is a binary model of MTS Empirical Dynamics; it holds no curve that could be read. Take the records it was made from"
@@ -90,7 +92,7 @@ pub fn read(bytes: &[u8]) -> anyhow::Result<Properties> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let read = if text.trim_start().starts_with('<') { xml::read(text) } else { teim_orbit::read(text) }?;
-    // A number that is finite in the units of the file may overflow in SI or in the units of the next file.
+    // A number that is finite in the units of the file may overflow in SI, or in mm/s when a property file is written.
     let numbers = read.curve.velocities.iter().chain(&read.curve.forces).chain([&read.gas_force]);
     if let Some(number) = numbers.into_iter().find(|n| !(n.abs() <= MOST)) {
         anyhow::bail!("a velocity or force of it becomes {number:e} in SI (m/s, N); look at its numbers and units");
@@ -108,8 +110,8 @@ pub fn length_in_metres(word: &str) -> anyhow::Result<f64> {
 
 /// Formats a note as a comment.
 ///
-/// The result is one line of ASCII, which every host reads, without characters that either format forbids. The note may cite parts of
-/// another user's file, so characters are replaced.
+/// The result is one line of ASCII, which every host reads, without characters that either format forbids. The note may cite another user's
+/// file with any characters, so forbidden characters are replaced.
 fn as_comment(note: &str) -> String {
     let ascii = |c: char| match c {
         '·' => '*',
@@ -120,8 +122,8 @@ fn as_comment(note: &str) -> String {
     note.chars().map(ascii).collect()
 }
 
-/// Largest velocity or force in SI. Numbers that extend a curve stay far below this limit. Without the limit, a number could overflow in
-/// mm/s.
+/// Largest accepted velocity or force, in SI units. Without the limit, a number could overflow in mm/s. Real dampers, and points that
+/// extrapolate their curves, stay far below it.
 const MOST: f64 = 1e12;
 
 /// Reads one row of a table. An error message states `line`.
@@ -138,7 +140,7 @@ fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
 /// A row of a table with its line number.
 type Row = ([f64; 2], usize);
 
-/// Makes a curve from rows whose abscissae increase throughout or decrease throughout.
+/// Makes a curve from rows. Their abscissae must increase throughout or decrease throughout.
 ///
 /// If `rises` is set, the ordinates must not decrease. This applies to the curve of a damper, because a model cannot represent a decreasing
 /// curve.
@@ -149,7 +151,7 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     }
     let mut curve = Curve::default();
     for (i, ([v, f], own)) in rows.iter().enumerate() {
-        // Number of that row of the pair that comes later in the file.
+        // Line number of the row that comes later in the file, of this row and the row before it.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
             anyhow::bail!(
@@ -189,7 +191,7 @@ mod tests {
         let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains("becomes inf in SI"), "{error}");
-        // The number is finite here, but would overflow in the millimeters of the next file.
+        // The number is finite in SI, but would overflow when a property file is written in mm.
         assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
         assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
     }

@@ -23,7 +23,7 @@ pub fn write(properties: &Properties) -> String {
     out
 }
 
-/// Removes the comment of a line. A comment begins outside quotes.
+/// Removes the comment of a line. A comment begins with `$` or `!` outside quotes.
 fn without_comment(line: &str) -> &str {
     let mut quoted = None;
     for (i, c) in line.char_indices() {
@@ -98,7 +98,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 (within, turned) = (String::new(), force < velocity);
             }
         } else if within == "COMMENTS" && !is_key(line) {
-            // A comment has one or several lines.
+            // The lines of a comment are skipped.
         } else if block == "UNITS" && within == "BASE" {
             for (column, word) in columns.iter().zip(words(line)) {
                 match column.as_str() {
@@ -109,7 +109,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 }
             }
         } else if block == "UNITS" && within == "USER" {
-            // Units of derived quantities are powers of the base units, times a factor.
+            // A row (USER) gives the unit of a derived quantity as powers of the base units, times a conversion factor.
             let kind = words(line).next().unwrap_or_default().to_lowercase();
             let factor = columns.iter().position(|c| c.starts_with("conv")).and_then(|place| words(line).nth(place));
             let is_one = factor.is_some_and(|factor| factor.parse() == Ok(1.0));
@@ -120,7 +120,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 );
             }
         } else if !within.is_empty() && within != "COMMENTS" {
-            // Lines of other sub-blocks are handled above.
+            // Lines of other sub-blocks are skipped. A note already names the sub-block.
         } else if let Some((key, value)) = line.split_once('=') {
             within.clear();
             let (key, value) = (key.trim().to_uppercase(), value.trim().trim_matches(['\'', '"']).trim());

@@ -19,7 +19,8 @@ impl Units {
         self.metres(v) / self.time
     }
 
-    /// Converts a length of the file to m. Division by an integer converts 254 mm to exactly the number 0.254.
+    /// Converts a length of the file to m. If 1 m is an integer number of units, divides, so that 254 mm becomes
+    /// exactly 0.254.
     pub fn metres(&self, x: f64) -> f64 {
         let per_metre = 1.0 / self.length;
         if per_metre.fract() == 0.0 { x / per_metre } else { x * self.length }
@@ -74,7 +75,7 @@ pub fn force(word: &str) -> anyhow::Result<f64> {
 mod tests {
     use super::*;
 
-    /// The words come from the documentation of the format.
+    /// The names of units come from the documentation of the property files.
     #[test]
     fn every_word_of_the_format_is_known() {
         for word in ["mm", "m", "meter", "cm", "mile", "foot", "inch"] {

@@ -1,4 +1,4 @@
-//! XML property files: root `afc` with bibliography, units and the damper. They can represent a gas force.
+//! XML property files: root element `afc` with bibliography, units and the damper. They can represent a gas force.
 
 use super::units::{self, Units};
 use super::{Curve, Properties, row};
@@ -54,7 +54,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 if held.is_empty() { String::new() } else { format!(", but {}", held.join(", ")) }
             )
         }
-        // A file of a whole vehicle, such as the send file of VI-CarRealTime.
+        // The file describes a whole vehicle, such as the send file of VI-CarRealTime.
         _ => {
             let lines: Vec<String> = dampers.iter().map(|d| line(d).to_string()).collect();
             bail!(
@@ -106,7 +106,8 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             notes.push(format!("<{}> {name}", other.tag_name().name()));
         }
     }
-    // Files contain either attribute. If a file has both, dampingMethod is the newer one.
+    // Files contain `dampingMethod` or `method`. If a file has both, `dampingMethod` counts, because it is the newer
+    // one.
     let method = damper.attribute("dampingMethod").or(damper.attribute("method")).unwrap_or("non_linear");
     let (curve, straight) = match method {
         "linear" => {
@@ -157,7 +158,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
     Ok(Properties { curve, linear: straight, gas_force, notes })
 }
 
-/// Reads the rows of a spline in SI, over velocity or over length.
+/// Reads the rows of a spline over velocity or over length, and converts them to SI units.
 fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -> anyhow::Result<Curve> {
     let first = document.text_pos_at(node.range().start).row as usize;
     // A spline may have its own units.
