@@ -208,7 +208,7 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
         let all = [Interpolation::MonotoneCubic, Interpolation::Linear, Interpolation::CubicEachSide];
         let mut read = all.map(|interpolation| (interpolation, against(&points, interpolation)));
         if let Some((interpolation, left)) = read.iter().find(|(_, left)| left.is_small()) {
-            return (points.clone(), *interpolation, left.clone());
+            return (points.clone(), *interpolation, *left);
         }
         if points.velocities.len() == MAX_POINTS {
             read.sort_by(|a, b| a.1.share.total_cmp(&b.1.share));
