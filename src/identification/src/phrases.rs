@@ -1,6 +1,7 @@
-//! English templates of every sentence that a fit reports. A test finds templates without a translation.
+//! English templates of every sentence that a fit, a validation or a model file reports. A test finds templates without a translation.
 //!
-//! A model file keeps these texts in English, with the ids of their messages for reports in other languages ([`dashpot_messages::Kept`]).
+//! A model file contains the sentences in English. It also contains the ids of their messages for reports in other languages
+//! ([`dashpot_messages::Kept`]).
 
 dashpot_messages::phrases! {
     "identification-";
@@ -43,9 +44,9 @@ dashpot_messages::phrases! {
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
     IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
-    // Numbers of the model file that have no effect.
+    // Numbers of the model file that have no effect, because their element is off.
     IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
-    // Numbers that the model file lacks, and numbers that changed since the fit.
+    // Errors of a family relative to separate fits, numbers that the model file lacks, and numbers that changed since the fit.
     FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does";
     ALONE_WORSE: "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing";
     ON_DEFAULTS: "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md";
