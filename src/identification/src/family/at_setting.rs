@@ -103,8 +103,8 @@ impl Place {
         of(self.left)?.between(of(self.right)?, self.part)
     }
 
-    /// Returns the interval of a number or a list at the setting. Returns `None` if the error of interpolation is unknown, if the intervals
-    /// do not match the grid, or if a neighbor has no interval of a number.
+    /// Returns the interval of a number or a list at the setting. Returns `None` if the error of interpolation is unknown or the intervals
+    /// do not match the grid. Also returns `None` for a number without an interval at a neighbor.
     fn interval(
         &self,
         name: &str,

@@ -22,7 +22,7 @@ struct Bend {
 /// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
 /// Approximation, 1963, 3.1). The deviation of the value at a setting from the line through its neighbors shows this derivative. Between
 /// two settings, the larger of the derivatives at these settings applies. In the first and last interval, the two nearest derivatives are
-/// also extrapolated linearly, because near a point of inflection the nearest derivative alone is almost zero.
+/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection.
 ///
 /// The model interpolates with a monotone cubic. It is more accurate than the line if the damper is smooth over the setting, and equally
 /// accurate at a kink.

@@ -17,7 +17,7 @@ use dashpot_records::setting_in_words;
 /// of 5, the odds for a wrong label are then 6 to 1 between two settings and even among six settings. With a lower ratio, a correct test
 /// with a poor fit would be suspected. Test: `a_test_with_the_label_of_another_setting_is_named`.
 pub const LABEL_DOUBT_RATIO: f64 = 5.0;
-/// Smallest ratio of the median number of tests per setting to the number of tests at a setting at which these tests are checked as strays.
+/// Smallest ratio of the median number of tests per setting to the number of tests at a setting for a check by [`strays`].
 ///
 /// A wrong label rarely applies to many tests alike, so only settings with few tests are checked. The check costs a simulation of these
 /// tests at every setting. Test: `a_test_with_the_label_of_another_setting_is_named`.
