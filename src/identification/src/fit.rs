@@ -167,7 +167,7 @@ impl Fit {
     }
 }
 
-/// Results of the least-squares fits, before the names and fingerprints of the records are added.
+/// Results of the search and the least-squares fits. [`Fit`] adds the names and fingerprints of the records.
 struct Found {
     params: Params,
     estimates: Vec<Estimate>,

@@ -37,7 +37,7 @@ pub struct Identification {
     /// belong to the damper.
     #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
     pub measurement: BTreeMap<String, [f64; 3]>,
-    /// 95 % intervals by parameter. Curves have one pair for each point. A point without an interval has NaN.
+    /// 95 % intervals by parameter. Curves have one pair for each point. A point that was changed since the fit has NaN ends after reading.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals: BTreeMap<String, Interval>,
     /// 95 % intervals of the parameters that depend on the setting, with one entry for each value of the setting.
@@ -100,22 +100,22 @@ pub enum IntervalOverSetting {
     List(Vec<Vec<[f64; 2]>>),
 }
 
-/// A plain FV curve at a setting.
+/// Plain FV curve that was fitted to the tests at one setting.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnlyAt {
     /// Value of the setting.
     pub setting: f64,
-    /// The curve.
+    /// Plain FV curve at this setting.
     #[serde(flatten)]
     pub curve: FvOnly,
 }
 
-/// The plain FV curve with a constant gas force.
+/// Plain FV curve with a constant gas force.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnly {
     /// Velocities, m/s.
     pub velocity: Vec<f64>,
-    /// Forces, N.
+    /// Forces without the gas force, N.
     pub force: Vec<f64>,
     /// Gas force, N.
     pub gas_force: f64,

@@ -54,7 +54,7 @@ pub struct Estimate {
 pub enum Standing {
     /// Identified, with an interval.
     Identified,
-    /// The data does not determine the parameter. The value is the default or an initial guess.
+    /// The data does not determine the parameter. The value then follows mainly from the prior. It is 0 if the element is off.
     NotIdentified,
     /// The estimate lies at a bound of the parameter's range.
     AtBound,

@@ -43,7 +43,7 @@ pub enum ModelFileError {
     /// The file cannot be read.
     #[error("cannot read the model file {file}: {why}")]
     Unreadable {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Reason from the operating system.
         why: std::io::Error,
@@ -51,15 +51,15 @@ pub enum ModelFileError {
     /// The file is empty.
     #[error("{file} is empty; dashpot fit writes a model file, docs/parameters.md of dashpot lists what one may hold")]
     Empty {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
     },
     /// A line before the first table is invalid. The kernel reads this part of the file.
     #[error("{file}, line {line}: {subject}{text}")]
     Line {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
-        /// Line.
+        /// Line number, from 1.
         line: u32,
         /// Name of the invalid parameter with a colon, or empty.
         subject: String,
@@ -69,7 +69,7 @@ pub enum ModelFileError {
     /// A table is invalid.
     #[error("{file}: {why}")]
     Tables {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Message of the TOML reader, with line and column.
         why: String,
@@ -79,13 +79,13 @@ pub enum ModelFileError {
         "{file} holds a model of the literature for comparison; the kernel cannot run it. Give it to dashpot validate --against"
     )]
     ForComparison {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
     },
     /// The parameters do not form a valid model.
     #[error("{file}: {fault}")]
     Model {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Invalid parameter, and the reason.
         fault: NoModel,

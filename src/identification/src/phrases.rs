@@ -24,7 +24,7 @@ dashpot_messages::phrases! {
     // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
-    // Limits of the campaign.
+    // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
@@ -60,7 +60,7 @@ dashpot_messages::phrases! {
     PIECEWISE: "piecewise-linear curve";
     WITH_LAG: "polynomial with lag";
     DONE: "done";
-    // Damper whose parameters depend on a setting.
+    // Fit of a damper whose parameters depend on a setting: stages, remarks and errors.
     FAMILY_EACH: "each setting by itself";
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";

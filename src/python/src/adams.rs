@@ -26,7 +26,7 @@ fn millimetres(length: &str) -> Result<f64, String> {
     in_millimetres(&if has_unit { length.to_owned() } else { format!("{length}m") })
 }
 
-/// Writes a run folder of Adams. Returns notes on the folder.
+/// Writes a folder with all files that Adams needs to run a damper. Returns notes on the folder.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_adams(

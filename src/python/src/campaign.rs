@@ -1,4 +1,4 @@
-//! Rig records in Python.
+//! Rig records as Python objects.
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
@@ -133,8 +133,7 @@ impl Campaign {
 
     /// Returns all data that [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
     ///
-    /// These data are the findings as JSON, the channels of every test, the fingerprints that the tests had when they were read, and the
-    /// paths of the files.
+    /// These data are the findings as JSON, the channels of every test, the original fingerprints of the tests, and the paths of the files.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {

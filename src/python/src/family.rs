@@ -1,4 +1,4 @@
-//! Model files of dampers that depend on a setting, in Python.
+//! Model files of dampers that depend on a setting, as Python objects.
 
 use crate::campaign::Campaign;
 use crate::compare::figures;

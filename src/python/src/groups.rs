@@ -44,7 +44,7 @@ pub struct Grouping {
     reference: Option<Data>,
     /// Name of the reference.
     reference_name: String,
-    /// Whether each group is compared with the preceding group.
+    /// Whether each group is compared with the preceding group instead of the reference.
     chain: bool,
     /// Entries of a `campaign.toml` as JSON. They are the options for reading the files.
     mapping: String,
@@ -54,7 +54,7 @@ pub struct Grouping {
 /// Diagnoses of groups with all data that reports need. They cannot be stored, so only the process that made them can write reports.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
-    /// Diagnoses.
+    /// Results of the diagnoses.
     pub results: GroupResults,
     /// Diagnosed model.
     pub model: Py<Model>,
@@ -80,10 +80,10 @@ impl From<GroupError> for Refusal {
 /// Mean cycles of every test of a group.
 type Cycles<'py> = Vec<Bound<'py, PyDict>>;
 
-/// Diagnoses groups of records. Each group is compared with the reference, or with the preceding group if [`Grouping::chain`] is set.
+/// Diagnoses groups of records. Each group is compared with the reference, or with the preceding group if `chain` is set in `grouping`.
 ///
 /// Returns the output of `dashpot diagnose --group --json`, and the notes on whole campaigns as JSON. Also returns the mean cycles of every
-/// group, and the input of reports.
+/// group, and the data for reports.
 #[pyfunction]
 #[pyo3(signature = (model, grouping, max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::needless_pass_by_value)]

@@ -31,7 +31,7 @@ struct FitJson<'a> {
 /// Fit with all data that a workbook of its tables needs. It cannot be stored, so only the process that made it can write the workbook.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Fitted {
-    /// Fit.
+    /// Results of the fit.
     pub fit: Fit,
     /// Errors of the model over every sample of the records.
     pub over_whole_records: Deviation,

@@ -1,4 +1,4 @@
-//! Model files in Python.
+//! Model files as Python objects, and the forces of their dampers.
 
 use crate::errors::{ModelError, MotionError, OutputError, raise, say};
 use crate::work;

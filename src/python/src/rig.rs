@@ -22,7 +22,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// Returns the thesis's tests with the given changes.
+    /// Returns the tests of the thesis with the given changes.
     fn of_thesis(&self) -> Result<Matrix, Refusal> {
         let usual = MatrixOptions::default();
         Matrix::thesis(&MatrixOptions {
@@ -159,7 +159,7 @@ pub fn measure(
     measured?.map_err(refused)
 }
 
-/// Returns the rig's test matrix as the text of a CSV file, and the number of tests.
+/// Returns the test matrix of the thesis, with changes, as the text of a CSV file. Also returns the number of tests.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn test_matrix(tests: Tests) -> PyResult<(String, usize)> {

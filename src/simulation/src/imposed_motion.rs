@@ -209,7 +209,7 @@ impl ImposedMotion {
 
     /// Returns the command during the step that ends at a sample, or `None` if the motion has no setting.
     ///
-    /// The command is the mean of the settings at both ends of the step, because a change is equally likely in both halves of the step.
+    /// The command is the mean of the settings at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
         let setting = self.setting.as_ref()?;
         Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))

@@ -67,11 +67,11 @@ pub fn notes(
 /// Record whose forces belong to another setting than the stated one.
 #[derive(Debug, PartialEq)]
 struct Suspect {
-    /// Position of the stated setting.
+    /// Index of the stated setting in the grid.
     stated: usize,
     /// Index of the record among the records of the stated setting.
     record: usize,
-    /// Position of the setting whose damper fits the record.
+    /// Index, in the grid, of the setting whose damper fits the record.
     fitting: usize,
     /// Ratio of a larger error to the error at the fitting setting. The larger error is that at the stated setting, or at the better of its
     /// neighbors for strays.

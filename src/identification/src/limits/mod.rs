@@ -56,14 +56,14 @@ impl Overall {
     }
 }
 
-/// A figure and the tests from which it comes.
+/// Figure of one quantity, and the tests from which it comes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// Figure: a force, N, or a time, s.
     pub value: f64,
     /// Names of the tests.
     pub tests: Vec<String>,
-    /// Largest error of the measurement to either side, in the unit of the figure, or `None` if it is unknown.
+    /// Half-width of the 95 % interval of a measured time, s, or `None` if it is unknown.
     pub uncertainty: Option<f64>,
 }
 

@@ -4,7 +4,7 @@
 //! hysteretic force builds up. Then `dq/du = 1 − |q|ⁿ w`. If the bristle is deflected along the travel (q ≥ 0), `w = 1`. If it is still
 //! deflected against the travel, `w = 1 − 2b`. With β + γ = 1 in Wen's notation, b is β. Dahl's model has n = 1 and b = 1.
 
-/// Shape of the hysteresis: the exponents and coefficients of the law for dq/du.
+/// Shape of the hysteresis: the exponent n and the fraction b of the law for dq/du.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// Sharpness n of the transition from sticking to sliding.
@@ -13,7 +13,7 @@ pub struct Shape {
     pub turning: f64,
 }
 
-/// Travel of one step, in units of δ.
+/// Longest travel of one integration step, in units of δ.
 const STEP: f64 = 0.1;
 /// Deflection above which the law is nearly linear, and the travel of one step above it, in units of δ. For a nearly linear law, steps of
 /// any length are nearly exact.

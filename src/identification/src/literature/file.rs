@@ -20,7 +20,7 @@ pub enum FileError {
     /// The file cannot be opened.
     #[error("cannot read the comparison model {file}: {why}")]
     Unreadable {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Reason from the operating system.
         why: std::io::Error,
@@ -28,7 +28,7 @@ pub enum FileError {
     /// The file has another format, or it is damaged.
     #[error("{file} is no comparison model that dashpot fit --model wrote: {why}")]
     Wrong {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Message of the TOML reader, with line and column.
         why: String,

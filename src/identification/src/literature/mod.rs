@@ -1,8 +1,8 @@
 //! Models for comparison with dashpot's own model: the models of today's vehicle simulation, and damper models of the literature.
 //!
-//! Each model has a separate source file that names the paper with its definition. It is identified from the same tests and with the same
-//! least-squares solver as dashpot's model. It then predicts the force of any motion. The models serve for comparison only. The kernel can
-//! run the models for which it has elements ([`Literature::params`]). The other models are stored in a separate file format ([`mod@file`]).
+//! Each model has a separate source file that names the paper with its definition. All models are identified from the tests of dashpot's
+//! model by the same least squares, and then predict the force of any motion. The models serve for comparison only. The kernel can run the
+//! models for which it has elements ([`Literature::params`]). The other models are stored in a separate file format ([`mod@file`]).
 //!
 //! | file | model |
 //! |---|---|

@@ -14,9 +14,9 @@ pub struct Against {
     pub meaning: String,
     /// Errors on every test, in the order of the validation's tests.
     pub tests: Vec<AgainstTest>,
-    /// Mean errors on the tests from which the model was identified, or `None` without such tests.
+    /// Mean errors on the tests that the fit of the validated model used, or `None` without such tests.
     pub used_in_fit: Option<AgainstSummary>,
-    /// Mean errors on the left-out tests, or `None` without such tests.
+    /// Mean errors on all other tests, or `None` without such tests.
     pub left_out: Option<AgainstSummary>,
     /// The model with its parameters, or `None` for the validated model.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,7 +28,7 @@ pub struct Against {
 pub struct AgainstTest {
     /// Name of the test.
     pub name: String,
-    /// Whether the model was identified from this test.
+    /// Whether the fit of the validated model used this test.
     pub used_in_fit: bool,
     /// Errors of the model.
     #[serde(flatten)]

@@ -1,4 +1,4 @@
-//! Hysteresis of one test: the gap between the strokes at equal velocity, the loop area, and the energy per cycle.
+//! Hysteresis of one test: the force gap between rising and falling velocity, the loop area, and the energy per cycle.
 //!
 //! These figures come from whole cycles only, because an open loop has no area.
 //!

@@ -8,7 +8,7 @@
 //! |---|---|
 //! | [`Against`] | errors of the models of the literature on the same tests |
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
-//! | [`hysteresis`] | vertical gap between the strokes, loop area, energy per cycle |
+//! | [`hysteresis`] | force gap between rising and falling velocity, loop area, energy per cycle |
 //! | [`ResponseTimes`] | times of the force response to a step of the setting |
 //! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
 //!

@@ -108,7 +108,7 @@ fn end_noise(time: &[f64], response: &[f64]) -> Option<f64> {
     Some((square * count / (count - 2.0)).sqrt())
 }
 
-/// Response to the steps of one test in one direction.
+/// Response to the steps of one test in one stroke direction: rebound or compression.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepGroup {
     /// Name of the test.
@@ -123,7 +123,7 @@ pub struct StepGroup {
     /// Uncertainties of the measured times, or `None` if they cannot be computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<TimeUncertainty>,
-    /// Times of the model's force.
+    /// Times of the model's force, or `None` if they cannot be determined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
 }
@@ -143,7 +143,8 @@ pub struct StepResponse {
     pub sample_s: f64,
     /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
     pub end_fraction: f64,
-    /// Response times of each test and direction with at least three steps. A limit applies to the slowest group.
+    /// Response times of each test and stroke direction with at least three steps. A limit applies to the slowest of these groups and of
+    /// all steps together.
     pub groups: Vec<StepGroup>,
     /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -151,7 +152,7 @@ pub struct StepResponse {
     /// Uncertainties of the measured times, or `None` if they cannot be computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<TimeUncertainty>,
-    /// Times of the model's force.
+    /// Times of the model's force, or `None` if they cannot be determined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
     /// Time since the step, s.

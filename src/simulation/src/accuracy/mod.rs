@@ -93,8 +93,8 @@ impl References {
             .par_iter()
             .map(|sine| {
                 let steps = ((CYCLES / sine.frequency).min(LONGEST) / dt).ceil() as usize;
-                // The number of reference steps is a multiple of 40, the coarsest host step of a comparison, so that every compared test
-                // ends at its last host step.
+                // The number of reference steps is a multiple of 40, the coarsest host step of a comparison. So every host step that
+                // divides 40 ends at the end of the test.
                 let steps = steps.div_ceil(40) * 40;
                 (*sine, radau::reference_forces(model, &sine.motion(), dt, steps, PARTS))
             })

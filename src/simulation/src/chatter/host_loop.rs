@@ -13,9 +13,9 @@ use dashpot_core::{element, number};
 const TYRE: f64 = 2e5;
 /// Largest phase, rad, by which the oscillation of the mass on the tire advances in a step.
 const FOLLOWS: f64 = 0.3;
-/// Velocity, m/s, above which the loop counts as diverged. Dampers are always slower.
+/// Velocity, m/s, above which the loop counts as diverged. No damper moves as fast.
 const BEYOND: f64 = 100.0;
-/// Initial velocity of the loop, m/s. An acceleration of 10 m/s² gives it in a millisecond.
+/// Initial velocity of the mass in the loop, m/s. An acceleration of 10 m/s² reaches this velocity in a millisecond.
 const KNOCK: f64 = 0.01;
 /// Smallest alternating part of the force, N, that counts as a reversal. It is visible in a vehicle's signals.
 const SEEN: f64 = 5.0;

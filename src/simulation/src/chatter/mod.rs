@@ -18,7 +18,7 @@
 //! | `gain` | gain over motions and over the FV curve |
 //! | [`Turning`] | result of the simulated host loop |
 //! | [`chatter`] | full check of one damper, and the element that causes chatter |
-//! | [`mod@softened`] | damper that does not chatter |
+//! | [`mod@softened`] | replacement of friction that chatters |
 //! | [`Ready`] | damper checked in a host and prepared for it |
 //! | `told` | messages |
 

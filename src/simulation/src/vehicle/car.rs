@@ -52,7 +52,7 @@ pub enum CarError {
     /// A name does not belong to a vehicle.
     #[error("line {line}: a vehicle has no {name:?}; it has {}", Car::default().values().map(|v| v.name).join(", "))]
     Unknown {
-        /// The name.
+        /// Name in the file.
         name: String,
         /// Line number, from 1.
         line: usize,
@@ -60,7 +60,7 @@ pub enum CarError {
     /// A value is out of range.
     #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
     Range {
-        /// The name.
+        /// Name of the number.
         name: &'static str,
         /// Value of the number.
         value: f64,
