@@ -1,7 +1,7 @@
 //! Temperature of the damper at the start of each record.
 //!
 //! A model with a heat balance starts cold in every simulation. On the rig, the preceding tests have warmed the oil. Records with a common
-//! clock show the rise ϑ of the oil temperature: C_h dϑ/dt = F v − h ϑ with measured force and velocity, and with F v = 0 in pauses.
+//! clock show the rise ϑ of the oil temperature: C_h dϑ/dt = F v − h ϑ. Force and velocity are measured, and F v is 0 in pauses.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;

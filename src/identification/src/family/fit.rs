@@ -358,9 +358,9 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
     notes
 }
 
-/// Ratio of the larger to the smaller of two errors above which a note names a setting: the errors of the family and of a separate fit of
-/// the setting. The worst ratio in the UTFSM records is 1.15. The ratio was 2.2 for a model with shared friction and records with friction
-/// that depends on the setting.
+/// Ratio of two errors above which a note names a setting. The errors are those of the family and of a separate fit of the setting, the
+/// larger divided by the smaller. The worst ratio in the UTFSM records is 1.15. The ratio was 2.2 for a model with shared friction and
+/// records with friction that depends on the setting.
 const WORSE: f64 = 1.5;
 
 /// Returns notes on settings at which a separate fit is clearly better or clearly worse than the family.

@@ -134,8 +134,7 @@ fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow
 
 /// Groups the indices of nearly equal values. The group with the smallest values comes first. Within a group, the indices increase.
 ///
-/// A value joins the preceding group if its distance from the mean of the group is small: at most `floor`, or at most [`SAME`] of the
-/// value.
+/// A value joins the preceding group if its distance from the mean of the group is at most `floor` or [`SAME`] of the value.
 fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
