@@ -1,4 +1,4 @@
-//! Correction of records by the measurement errors that the model's own fit found.
+//! Correction of records for the measurement errors that the fit of a model found.
 //!
 //! Measurement errors belong to the campaign and not to the damper, so no model contains them. Without a correction, a validation or
 //! diagnosis of the same campaign would attribute them to the model.
@@ -11,7 +11,7 @@ use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_records::{Note, Record};
 use rayon::prelude::*;
 
-/// Kind of the note that reports this correction.
+/// Kind of the note that reports the correction, or the errors that were found in other records.
 pub const AS_THE_FIT_SAW: &str = "as_the_fit_saw";
 
 impl Identification {
@@ -20,10 +20,10 @@ impl Identification {
         self.measurement.iter().filter_map(|(name, numbers)| Measured::named(name, *numbers)).collect()
     }
 
-    /// Corrects the records in place for the measurement errors that the fit found. Returns a note.
+    /// Corrects the records in place for the measurement errors that the fit found. Returns a note, or `None` if the fit found no error.
     ///
-    /// If one of the records belongs to the fit, all records belong to its rig and campaign, including the records that the fit left out.
-    /// If no record belongs to the fit, the records stay unchanged. The note then reports the errors that the fit found in its own records.
+    /// If the fit used one of the records, all records count as records of the rig and campaign of the fit, even left-out ones. If the fit
+    /// used none of the records, they stay unchanged. The note then reports the errors that the fit found in its own records.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = to_measurement_error(&measured);
@@ -42,11 +42,12 @@ impl Identification {
             return Some(Note { kind: AS_THE_FIT_SAW, text });
         }
         records.into_par_iter().for_each(|record| {
-            // Drifts count from the start of the fit's own campaign. These records may be a part of that campaign.
+            // Drifts count from the start of the fit's own campaign. The given records may be only a part of that campaign, so their own
+            // start may be later.
             if let (Some(from), Some(begins)) = (self.clock_from, record.begins) {
                 record.clock_s = begins - from;
             }
-            // The errors that the user stated are already corrected in the records.
+            // The reader has already corrected the errors that the user stated. So only the rest is corrected here.
             *record = correct_record(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);

@@ -1,4 +1,4 @@
-//! Detection of numbers that changed since the fit: they lie outside the interval from the fit.
+//! Detection of numbers of a model file that were changed since the fit. Such a number lies outside its interval from the fit.
 
 use crate::fit_tables::{Identification, Interval, IntervalOverSetting};
 use dashpot_core::Params;
@@ -6,12 +6,12 @@ use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::parameter::{self, Number, Row};
 
-/// Interval without information.
+/// Interval of a number for which the fit gives no information.
 const NONE: [f64; 2] = [f64::NAN; 2];
 
 /// Removes the intervals and sources of changed numbers, and returns their names in the format of `not_identified`.
 ///
-/// A curve keeps the intervals of its other points. A change of a number without an interval cannot be detected.
+/// A curve keeps the intervals of its unchanged points. A change of a number without an interval cannot be detected.
 pub(crate) fn take_out(params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {
     let mut edited = Vec::new();
     for row in parameter::table().filter(|row| row.element().is_none_or(|element| params.is_on(element))) {
@@ -70,7 +70,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         }
         _ => false,
     };
-    // The grid or the number of points changed.
+    // The grid or the number of points was changed, so no interval over the setting is valid.
     if is_over_setting && !is_whole {
         known.intervals_over_setting.remove(name);
         edited = vec![name.to_owned()];
@@ -93,8 +93,8 @@ fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     places
 }
 
-/// Returns whether an interval contains a value. An interval with NaN ends contains every value. The interval of a fixed point has two
-/// equal ends.
+/// Returns whether an interval contains a value. An interval with a NaN end contains every value. The interval of a fixed point has two
+/// equal ends, so a tolerance of 1e-9 of the value covers rounding.
 fn holds(ends: &[f64; 2], value: f64) -> bool {
     let room = 1e-9 * value.abs();
     ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(&value)

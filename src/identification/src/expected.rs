@@ -1,4 +1,5 @@
-//! Sentences about the priors of one damper: the priors that the fit used, and the priors that the records contradict.
+//! Sentences about the priors that follow from the dimensions of one damper: the priors that the fit used, and the priors that the records
+//! contradict.
 
 use crate::phrases;
 use crate::short::in_words;
@@ -6,7 +7,7 @@ use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 use dashpot_messages::Sentence;
 
-/// Writes a sentence for each number that has its own prior: the expected value, or the contradiction with the records.
+/// Formats a sentence for each number that has its own prior: the expected value, or the contradiction with the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
     let own = |estimate: &Estimate| {
         let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
@@ -15,7 +16,7 @@ pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentenc
     estimates.iter().filter_map(own).collect()
 }
 
-/// Returns whether the interval from the records and the interval of the prior are disjoint.
+/// Returns whether the records identify the number and their interval does not overlap the interval of the prior.
 pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
     let (low, high) = row.interval();
     let is_outside = |(from, to): (f64, f64)| to < low || from > high;
@@ -34,7 +35,7 @@ pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
         .with("facts", row.facts())
 }
 
-/// Formats the ratio of the identified value to the expected value.
+/// Formats the contradiction of a number: the identified value, the expected value and their ratio.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)

@@ -1,4 +1,4 @@
-//! Identification of a model from records, with all stages of the fit.
+//! Fit of a model to records, with all its stages.
 
 use super::expected::describe_priors;
 use super::intervals::{Estimate, Standing, estimates};
@@ -40,7 +40,7 @@ use std::sync::Arc;
 /// Kind of model to fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Family {
-    /// The thesis's model.
+    /// The model of the thesis (Jonnalagadda & Vyas 2020) with further elements.
     #[default]
     Thesis,
     /// The plain FV curve with a constant gas force, which vehicle models use today.
@@ -51,7 +51,7 @@ pub enum Family {
     Lag,
 }
 
-/// Element of the polynomial with lag.
+/// Element of the polynomial with lag. It excludes all other elements.
 const LAG: Element = element!("lagged_polynomial");
 
 /// Options of a fit.
@@ -83,20 +83,20 @@ pub enum FitError {
         /// The given name.
         name: String,
     },
-    /// No fit identifies the element.
+    /// The element exists, but no fit identifies it.
     NotFitted {
         /// The given name.
         name: String,
     },
-    /// The lagged polynomial is a separate model and allows no other element.
+    /// The element is the lagged polynomial, which is a separate model and allows no other element.
     OtherFamily,
-    /// The tests have no velocity on one side.
+    /// The tests never move in this direction, rebound or compression.
     OneSided(&'static str),
     /// The fit of a model of the literature failed.
     Literature(#[from] LiteratureError),
-    /// The least-squares fit found no finite forces.
+    /// A measured force is not finite, or the search finds no finite simulated forces.
     NotFinite {
-        /// Name of the test.
+        /// Name of the test with the measured force, or of the first test if the search fails.
         test: String,
     },
 }
@@ -123,7 +123,7 @@ impl FitError {
     }
 }
 
-/// Stage of a fit, for the progress line.
+/// Stage of a fit, for a progress display.
 #[derive(Debug, Clone, Copy)]
 pub struct Stage {
     /// Completed fraction, 0..1.
@@ -135,15 +135,15 @@ pub struct Stage {
 /// An identified model.
 #[derive(Debug, Clone)]
 pub struct Fit {
-    /// The model's parameters.
+    /// Parameters of the model.
     pub params: Params,
     /// Estimates of all fitted numbers.
     pub estimates: Vec<Estimate>,
     /// Every effect of the model, and the most probable missing effects, with force and probability.
     pub inventory: Vec<InventoryItem>,
-    /// Measurement errors of the records. The comparison corrects them. The model never contains them.
+    /// Measurement errors of the records. The fit and later comparisons correct the records for them. The model never contains them.
     pub measured: Vec<Measured>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970. It requires records with date and time.
+    /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
     pub clock_from: Option<f64>,
     /// Prior knowledge of the damper, in addition to its records.
     pub priors: PriorSet,
@@ -155,7 +155,7 @@ pub struct Fit {
     pub fingerprints: Vec<String>,
     /// Plain FV curve fitted to the same tests, for comparison.
     pub fv_only: Params,
-    /// Root mean square of the weighted residual. At 1, the residual equals noise and form error.
+    /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,
 }
 
@@ -167,7 +167,7 @@ impl Fit {
     }
 }
 
-/// Results of the least-squares fits, before the names and fingerprints of the records are added.
+/// Results of the search and the least-squares fits. [`Fit`] adds the names and fingerprints of the records.
 struct Found {
     params: Params,
     estimates: Vec<Estimate>,
@@ -178,7 +178,7 @@ struct Found {
 }
 
 impl Found {
-    /// Records that this data cannot determine a parameter, and that the element of the parameter therefore stays off.
+    /// Adds a note and an estimate that say that the records cannot determine a parameter, so that its element stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
         self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
@@ -188,7 +188,8 @@ impl Found {
     }
 }
 
-/// Mixes the intervals with the intervals of alternative structures. Each alternative has a weight, relative to 1 for this structure.
+/// Mixes the intervals with the intervals of alternative structures. `others` gives a weight for each alternative, relative to 1 for the
+/// structure of `estimates`.
 fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
     for estimate in estimates {
@@ -215,15 +216,15 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
     }
 }
 
-/// Prior scale of the delay of the force channel, s: a filter of 200 Hz delays by 1 ms.
-///
-/// The prior scale of the mass between load cell and damper, kg, covers eye, clamp and joint of a car's damper.
+/// Prior standard deviation of the delay of the force channel, s. A filter of 200 Hz delays by about 1 ms.
 const USUAL_DELAY: f64 = 1e-3;
+/// Prior standard deviation of the mass between load cell and damper, kg. It covers eye, clamp and joint of a car's damper.
 const USUAL_MASS: f64 = 2.0;
 
-/// Makes a hypothesis in which a rejected delay and mass of the load cell are free within their priors.
+/// Makes a hypothesis in which a delay of the force channel and a mass on the load cell are free within their priors. The search has
+/// rejected these errors.
 ///
-/// Returns `None` if both delay and mass are free or stated already.
+/// Returns `None` if `of` already contains each of the two errors or the user stated it.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::from_params(&freed.base).force();
@@ -232,7 +233,7 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
         let free = Free::Rig(artefact);
         if freed.position(&free).is_none() {
             let (low, high) = artefact.bounds();
-            // The mean of a nonnegative mass is at most half its spread.
+            // A mass has the lower bound 0, so it starts above the bound.
             let start = if artefact == Artefact::Mass { 0.1 * spread } else { 0.0 };
             freed.numbers.push(FreeNumber {
                 free,
@@ -246,15 +247,15 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
     (freed.numbers.len() > of.numbers.len()).then_some(freed)
 }
 
-/// Estimates the numbers again after freeing a rejected delay and mass of the load cell within their priors. A soft series path may become
-/// stiff once these errors are free.
+/// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors. A soft series
+/// path may become stiff once these errors are free.
 fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
     refit(&freed, tests, &start, None, refit::Effort::JUDGE).map_or_else(Vec::new, |end| estimates(&freed, &end, tests))
 }
 
-/// Checks the elements that a fit may use.
+/// Checks that a fit can identify all elements of the options.
 pub(crate) fn check_elements(options: &FitOptions) -> Result<(), FitError> {
     if let Some(names) = &options.elements
         && let Some(name) = names.iter().find(|n| Element::find(n).is_err())
@@ -291,7 +292,8 @@ pub(crate) fn check_motion(segments: &[Segment]) -> Result<(), FitError> {
 /// Fits a model to records.
 ///
 /// # Errors
-/// There are no tests, an element name is unknown, the tests move in one direction only, or forces are not finite.
+/// There are no tests, an element is unknown or cannot be fitted, the tests move in one direction only, or forces are not finite. For a
+/// model of the literature, also the errors of [`Literature::fit`].
 pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) -> Result<Fit, FitError> {
     if records.is_empty() {
         return Err(FitError::NoTests);
@@ -370,7 +372,7 @@ pub(crate) struct About {
     clock_runs_on: bool,
     /// Measurement errors that the user stated.
     pub(crate) given: MeasurementError,
-    /// Middle of the measured temperatures, °C. `None` if there are none, or if they hardly vary.
+    /// Middle of the range of the measured temperatures, °C. `None` if no temperatures were measured, or if they hardly vary.
     temperature: Option<f64>,
 }
 
@@ -381,7 +383,7 @@ impl About {
     }
 }
 
-/// Effects that a fit tries: those typical of dampers and of rigs. A diagnosis searches for all others.
+/// Effects that a fit tries, because they are typical of dampers and rigs. A diagnosis searches for all other effects.
 const USUAL: [&str; 15] = [
     "series_compliance",
     "gas_preload",
@@ -410,16 +412,16 @@ pub fn identified() -> Vec<Element> {
     all
 }
 
-/// Smallest number of tests that distinguishes a drift from differences between the tests. `SHORTEST` is the shortest span for a drift, s.
-/// In less than a minute, the drift of a load cell is below the noise.
+/// Smallest number of tests at which a fit tries a drift. Fewer tests cannot distinguish a drift from differences between the tests.
 const FEWEST: usize = 6;
+/// Duration of the campaign, s, above which a fit tries a drift. In less than a minute, the drift of a load cell is below the noise.
 const SHORTEST: f64 = 60.0;
 
-/// Returns whether a fit of these records may use a candidate.
+/// Returns whether a fit of these records may try a candidate for an effect.
 fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options: &FitOptions, tests: &[Test]) -> bool {
     let effect = candidate.effect;
     let is_fault = candidate.is_artefact();
-    // With known dimensions of the oil column, the data separates the oil from the mount.
+    // With a prior from known dimensions of the oil column, the records distinguish the compliance of the oil from that of the mount.
     let is_known_column = effect == OIL_COLUMN && options.priors.find(number!("oil_stiffness")).is_some();
     if !(USUAL.contains(&effect) || is_known_column)
         || candidate.unnamed.is_some()
@@ -440,12 +442,13 @@ fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options
             _ => false,
         };
     }
-    // A fit does not use `moving_mass`, because only a diagnosis identifies a mass of the damper. A mass on the load cell is removed from
-    // the records.
+    // This candidate `moving_mass` is a mass of the damper, which only a diagnosis identifies. A mass on the load cell is a measurement
+    // error and was decided above.
     effect != "moving_mass" && effects_can_be_shown(effect, situation, about) && options.allows(effect)
 }
 
-/// Smallest span of side forces, N, for which a fit tries friction under side force. It applies to a damper of a car.
+/// Range of the side forces of a campaign, N, above which a fit tries friction under side force. It applies to a damper of a car; for other
+/// dampers, it scales with their force.
 const VARIED_SIDE_FORCE: f64 = 20.0;
 
 fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> bool {
@@ -456,8 +459,8 @@ fn effects_can_be_shown(effect: &str, situation: &Situation, about: &About) -> b
     }
 }
 
-/// Effects of every damper, with their numbers. If the most probable structure lacks such an effect, no test shows it. Effects of one row
-/// are alternatives.
+/// Effects of every damper, with their numbers. If the most probable structure lacks such an effect, a note states that no test shows it.
+/// Effects of one row are alternatives.
 const IN_EVERY_DAMPER: [(&[&str], &[Number]); 3] = [
     (&["series_compliance"], &[number!("series_stiffness"), number!("internal_mass"), number!("series_damping")]),
     (&["gas_preload"], &[number!("gas_force")]),
@@ -511,7 +514,7 @@ fn fit_thesis(
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
     mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
     found.inventory = inventory;
-    // The note applies without a series path too, because a leading force channel would hide the path.
+    // The note also applies if the best structure has no series path, because a leading force channel can hide a series path.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(phrases::ONE_RATE.into());
     }
@@ -532,7 +535,8 @@ fn fit_thesis(
     Ok(found)
 }
 
-/// Computes the intervals. Notes the numbers that the records do not determine.
+/// Computes the intervals and measurement errors of the best structure. Adds notes on numbers that the records do not determine or that are
+/// at a bound.
 fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
@@ -556,12 +560,13 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
 
 /// Formats a sentence about a number of the model.
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
-    // Round to significant digits. With four decimals, 0.15 mm in m would become 0.2 mm, and a creep of nm would become 0.
+    // Round to significant digits instead of decimals. With four decimals, a value of 0.15 mm in m would become 0.2 mm, and a creep of nm/s
+    // would become 0.
     let value = in_words(estimate.value);
     Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
 }
 
-/// Computes the root mean square of the weighted residual.
+/// Computes the root mean square of the weighted residual over the scored samples.
 fn misfit_of(refit: &Refit, tests: &[Test]) -> f64 {
     let scored: usize = tests.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     (refit.residual.norm_squared() / scored.max(1) as f64).sqrt()
@@ -574,7 +579,7 @@ fn misfit(tests: &[Test], params: &Params) -> f64 {
     residual.map_or(f64::NAN, |r| (r.norm_squared() / scored.max(1) as f64).sqrt())
 }
 
-/// Wraps a model of the literature at the parameters of its own least-squares fit, and adds intervals.
+/// Makes the result of a model of the literature from the parameters of its own least-squares fit, with intervals.
 fn as_found(tests: &[Test], (base, list): (Params, Vec<Unknown>)) -> Found {
     let numbers = list.into_iter().map(|unknown| free_number(&base, unknown)).collect();
     let hypothesis = Hypothesis { base, numbers, heating: None, priors: PriorSet::default() };
@@ -613,15 +618,17 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// Smallest reported fraction of the residual mean square that is due to a constant force in each test. `OFF` is the smallest ratio of the
-/// residual to noise and form error. A model that fits stays below both limits. A model distorted by zeros that differ between tests
-/// exceeds both.
+/// Fraction of the residual mean square due to a constant force in each test above which [`zero_moves`] reports these forces.
+///
+/// A model that fits stays below this limit and below [`OFF`]. A model distorted by zeros that differ between tests exceeds both.
 const CONSTANT: f64 = 0.2;
+/// Ratio of the residual to noise and form error above which a fit searches the residual for constant forces.
 const OFF: f64 = 2.0;
 
-/// Returns a remark if the residual has a different constant force in each test.
+/// Returns a remark if the residuals of at least three tests consist to a large part of a different constant force in each test.
 ///
-/// All tests share the numbers of a model. So the zero of the channel drifts, or the gas force changes with its temperature.
+/// A model has the same numbers in all tests. Such residuals therefore mean that the zero of the force channel drifts, or that the gas
+/// force changes with its temperature.
 fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     let model = Model::new(params).ok()?;
     let (mut constant, mut rest) = (Vec::new(), 0.0);
@@ -646,14 +653,14 @@ pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
     Some((selected, note))
 }
 
-/// Notes that long roads are simulated in sections, if the tests contain such roads.
+/// Returns a note that long tests without cycles are simulated in sections. Returns `None` without such tests.
 pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     let Shortened { roads, stretches, seconds } = shortened(tests)?;
     let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
-/// Returns notes about effects that the campaign cannot show.
+/// Returns notes about tests that the campaign lacks: slow tests, and tests of different amplitudes.
 pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
@@ -695,7 +702,7 @@ mod tests {
         assert!(said("gas_force", 58.040_02, "N").ends_with("held at 58.04 N"));
     }
 
-    /// Sines of ±12 mm at 0.9 Hz on a damper with friction and spring.
+    /// Makes a sine test of ±12 mm at 0.9 Hz on a damper with friction and spring.
     fn slow_sine() -> Record {
         let n = 1000;
         let time: Vec<f64> = (0..n).map(|i| i as f64 * 0.01).collect();

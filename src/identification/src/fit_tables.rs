@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Tables of a model file after the lines that the kernel reads.
 #[derive(Debug, Clone, Default, Deserialize, Serialize)]
 pub struct Identification {
-    /// Names of the tests that the fit used.
+    /// Names of the tests that the fit used. [`Identification::used`] decides by these names if there are no fingerprints.
     #[serde(default)]
     pub tests: Vec<String>,
     /// Fingerprints of the contents of these tests.
@@ -22,10 +22,10 @@ pub struct Identification {
     /// Remarks of the fit.
     #[serde(default)]
     pub notes: Vec<String>,
-    /// Remarks and sources by their messages, so that reports have them in other languages.
+    /// Messages of the remarks and sources, so that reports can show them in other languages.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Kept>,
-    /// When the clock by which gain and zero drift was nought, s since 1970 by the rig's own clock.
+    /// Instant from which the drifts of gain and zero count, s since 1970 by the rig's own clock.
     #[serde(
         default,
         deserialize_with = "known_time",
@@ -33,10 +33,11 @@ pub struct Identification {
         skip_serializing_if = "Option::is_none"
     )]
     pub clock_from: Option<f64>,
-    /// Measurement errors that the fit found in its records, each with the ends of its 95 % interval. They do not belong to the damper.
+    /// Measurement errors that the fit found in its records, in SI units: value, and lower and upper end of the 95 % interval. They do not
+    /// belong to the damper.
     #[serde(default, deserialize_with = "known_numbers", skip_serializing_if = "BTreeMap::is_empty")]
     pub measurement: BTreeMap<String, [f64; 3]>,
-    /// 95 % intervals by parameter. Curves have one pair for each point. A point without an interval has NaN.
+    /// 95 % intervals by parameter. Curves have one pair for each point. A point that was changed since the fit has NaN ends after reading.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub intervals: BTreeMap<String, Interval>,
     /// 95 % intervals of the parameters that depend on the setting, with one entry for each value of the setting.
@@ -64,7 +65,7 @@ fn known_time<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Erro
     clock::seconds(&text).map(Some).ok_or_else(|| serde::de::Error::custom(refusal()))
 }
 
-/// Rejects names that no fit uses, because an unknown error could not be corrected in any record.
+/// Reads the measurement errors. Rejects names that no fit uses, because an unknown error could not be corrected in any record.
 fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, [f64; 3]>, D::Error> {
     let numbers = BTreeMap::<String, [f64; 3]>::deserialize(from)?;
     match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
@@ -76,7 +77,7 @@ fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, 
     }
 }
 
-/// A 95 % interval of a number or of every point of a curve.
+/// 95 % interval of a number, or 95 % intervals of the points of a curve.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(untagged, expecting = "an interval is [low, high], that of a list has one such pair for each entry")]
 pub enum Interval {
@@ -99,29 +100,30 @@ pub enum IntervalOverSetting {
     List(Vec<Vec<[f64; 2]>>),
 }
 
-/// A plain FV curve at a setting.
+/// Plain FV curve that was fitted to the tests at one setting.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnlyAt {
-    /// The setting.
+    /// Value of the setting.
     pub setting: f64,
-    /// The curve.
+    /// Plain FV curve at this setting.
     #[serde(flatten)]
     pub curve: FvOnly,
 }
 
-/// The plain FV curve with a constant gas force.
+/// Plain FV curve with a constant gas force.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 pub struct FvOnly {
     /// Velocities, m/s.
     pub velocity: Vec<f64>,
-    /// Forces, N.
+    /// Forces without the gas force, N.
     pub force: Vec<f64>,
     /// Gas force, N.
     pub gas_force: f64,
 }
 
 impl Identification {
-    /// Returns whether the fit used this record: the measurement must be the same, and not only the name.
+    /// Returns whether the fit used this record. The fingerprints of the measurements must agree. Names decide only for a file without
+    /// fingerprints.
     pub fn used(&self, record: &Record) -> bool {
         if self.fingerprints.is_empty() {
             return self.tests.contains(&record.name);
@@ -140,7 +142,8 @@ impl FvOnly {
         }
     }
 
-    /// Returns the force at a velocity by linear interpolation and extrapolation. Returns `None` for fewer than two points.
+    /// Returns the force at a velocity, N, without the gas force, by linear interpolation and extrapolation. Returns `None` for fewer than
+    /// two points.
     fn at(&self, velocity: f64) -> Option<f64> {
         let right =
             restrict(self.velocity.partition_point(|known| *known < velocity), 1, self.velocity.len().max(2) - 1);
@@ -149,7 +152,8 @@ impl FvOnly {
         Some(low + (velocity - from) / (to - from) * (high - low))
     }
 
-    /// Interpolates between this curve and another at the fraction `part`. Returns `None` if one of the curves has fewer than two points.
+    /// Interpolates between this curve and another at the fraction `part` of the distance to the other curve. The points lie at the
+    /// velocities of the nearer curve. Returns `None` if one of the curves has fewer than two points.
     pub(crate) fn between(&self, other: &FvOnly, part: f64) -> Option<FvOnly> {
         let mix = |from: f64, to: f64| from + part * (to - from);
         let velocity = if part < 0.5 { &self.velocity } else { &other.velocity };

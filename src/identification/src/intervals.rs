@@ -17,31 +17,32 @@ use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
 pub(crate) const Z: f64 = 1.96;
-/// Relative half-width beyond which a parameter counts as not identified. [`SHARE`] states the exception.
+/// Largest half-width of an interval, relative to the value, at which a parameter counts as identified. [`SHARE`] states a second
+/// criterion.
 const RELATIVE: f64 = 0.5;
-/// Fraction of the largest force. A parameter counts as identified if the uncertainty of its force effect is smaller.
+/// Largest force effect of an interval's half-width, as a fraction of the largest force, at which a parameter also counts as identified.
 const SHARE: f64 = 0.005;
-/// Side force, N, for the evaluation of side-force friction.
+/// Side force, N, at which the force effect of the side-force friction is evaluated.
 const SIDE_FORCE: f64 = 300.0;
-/// Largest amplitude, m, of small strokes in the sources of a parameter.
+/// Amplitude, m, below which [`sources`] counts a test as a small-stroke test.
 const SMALL_STROKE: f64 = 0.006;
 
-/// Estimate of one number of the model.
+/// Estimate of one number of the model, with its interval and source.
 #[derive(Debug, Clone, Serialize)]
 pub struct Estimate {
     /// Name of the parameter.
     pub name: &'static str,
-    /// Index in its list, for curves.
+    /// Index of the number in its list, or `None` for a single number.
     pub index: Option<usize>,
-    /// Value.
+    /// Value, in `unit`.
     pub value: f64,
-    /// Lower end of the 95 % interval.
+    /// Lower end of the 95 % interval, or `None` if the data does not determine the number.
     pub low: Option<f64>,
-    /// Upper end.
+    /// Upper end of the 95 % interval, or `None` if the data does not determine the number.
     pub high: Option<f64>,
     /// Unit.
     pub unit: &'static str,
-    /// Kinds of tests from which the number was identified.
+    /// Kinds of tests from which the number was identified, as a sentence.
     pub from: Sentence,
     /// Whether the data determines the number.
     pub standing: Standing,
@@ -53,22 +54,22 @@ pub struct Estimate {
 pub enum Standing {
     /// Identified, with an interval.
     Identified,
-    /// The data does not determine the parameter. The value is the default or an initial guess.
+    /// The data does not determine the parameter. The value then follows mainly from the prior. It is 0 if the element is off.
     NotIdentified,
-    /// The fit reached a bound of the parameter table.
+    /// The estimate lies at a bound of the parameter's range.
     AtBound,
 }
 
-/// Computes the estimates of all numbers of the model at a refit.
+/// Computes the estimates of all numbers of the model at a refit. Returns none if the covariance cannot be computed.
 pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
     let Some((covariance, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
     let known = Known { covariance, determined, sources: sources(hypothesis, refit, tests) };
     known.estimates(hypothesis, &refit.theta, tests, refit.residual.as_slice())
 }
 
-/// Information that the records give about free numbers.
+/// Information that the records give about the free numbers of a model.
 pub struct Known {
-    /// Covariance of the numbers.
+    /// Covariance of the numbers, in the coordinates of the fit.
     pub covariance: DMatrix<f64>,
     /// Degree to which each number is determined independently of all others and of its prior, 0 to 1.
     pub determined: Vec<f64>,
@@ -113,7 +114,7 @@ impl Known {
                     let (a, b) = match unknown {
                         Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
                         Unknown::Above(_, below) => {
-                            // The value is level · (1 + fraction), and both factors are uncertain.
+                            // The value is level · (1 + fraction), and both level and fraction are uncertain.
                             let level = params.number(*below);
                             let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
                             let factor = 1.0 + theta[i];
@@ -125,7 +126,8 @@ impl Known {
                         _ => (value - Z * sd, value + Z * sd),
                     };
                     let half = 0.5 * (b - a);
-                    // A parameter may be almost zero with small uncertainty. So the force effect counts too.
+                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. So the force effect counts
+                    // too.
                     let force = half * per_unit(*number, stroke, speed);
                     let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                     let (bound_low, bound_high) = scale.reach(*number);
@@ -139,7 +141,7 @@ impl Known {
                         from: sources[i].clone(),
                         standing: match (identified, at_bound) {
                             (false, _) => Standing::NotIdentified,
-                            // A bound needs no report if it is the default law, such as Dahl's exponent of 1.
+                            // A bound needs no report if it is zero or the default, such as Dahl's exponent of 1.
                             (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
                             _ => Standing::Identified,
                         },
@@ -148,7 +150,7 @@ impl Known {
                 Unknown::Rise { curve, point } => {
                     let u = params.list(curve.abscissae());
                     let zero = anchor(u);
-                    // The force at a point is the sum of the rises up to it.
+                    // The force at a point is the sum of the rises from the fixed point of the curve to this point.
                     let path: Vec<usize> = unknowns
                         .iter()
                         .enumerate()
@@ -165,7 +167,7 @@ impl Known {
                         .map(|(k, _)| k)
                         .collect();
                     let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                    // No point is more certain than the deviation of the curve from the records near that point.
+                    // The uncertainty of a point includes the deviation of the curve from the records near that point.
                     let miss = if *curve == CurveName::Fv { misses.get(*point).copied().unwrap_or(0.0) } else { 0.0 };
                     let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
                     let value = params.list(curve.forces())[*point];
@@ -200,7 +202,8 @@ impl Known {
     }
 }
 
-/// Returns the largest force of one unit of a number, or infinity if it is unknown.
+/// Returns the force, N, that one unit of a number causes at the largest stroke, m, and speed, m/s. Returns infinity if that force is
+/// unknown.
 fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     const POWERS: [Number; 4] =
         [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];
@@ -217,7 +220,7 @@ fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     }
 }
 
-/// Determines for every number the kinds of tests that give its information.
+/// Determines for every number the kinds of tests that give its information. Kinds with less than 10 % of the information are omitted.
 pub fn sources(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Sentence> {
     let mut information = vec![[0.0; 3]; hypothesis.numbers.len()];
     let mut first = 0;

@@ -1,4 +1,4 @@
-//! Sentences about the items of an inventory.
+//! Sentences about the items of an inventory. An inventory lists the effects of a model with their forces and probabilities.
 
 use super::phrases;
 use dashpot_estimation::structure::inventory::InventoryItem;

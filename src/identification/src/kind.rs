@@ -2,12 +2,13 @@
 
 use crate::fit::Family;
 
-/// Kind of output of a model.
+/// Kind of model that `dashpot fit` and Python can fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A model file, which every command and host can run.
     Model(Family),
-    /// A file of a model of the literature, with the name of the model. The kernel cannot run the model, so it serves for comparison only.
+    /// A file of a model of the literature, with the name of the model. The file serves for comparison only, because the kernel cannot run
+    /// the model.
     Comparison(&'static str),
 }
 
@@ -26,12 +27,12 @@ pub const KINDS: [(&str, Kind); 10] = [
 ];
 
 impl Kind {
-    /// Returns the kind with this name.
+    /// Returns the kind with this name, or `None` if the name is unknown.
     pub fn named(name: &str) -> Option<Kind> {
         KINDS.iter().find(|known| known.0 == name).map(|known| known.1)
     }
 
-    /// Returns the names of the kinds that produce a model file if `of_models` is set. Otherwise returns all other names.
+    /// Returns the names of the kinds that produce a model file if `of_models` is true. Otherwise returns the names of all other kinds.
     pub fn names(of_models: bool) -> Vec<&'static str> {
         let is_asked = |kind: Kind| matches!(kind, Kind::Model(_)) == of_models;
         KINDS.iter().filter(|known| is_asked(known.1)).map(|known| known.0).collect()

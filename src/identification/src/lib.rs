@@ -1,8 +1,8 @@
-//! Identification of a damper, from rig records to a parameter set with intervals.
+//! Identification of a damper: makes a parameter set with intervals from rig records.
 //!
-//! The fit follows chapter 4 of the thesis. It obtains the FV curve from the peak-velocity points, and friction and gas force from the slow
-//! tests. Then it refines all numbers together on the stitched records. Tests that the fit did not use decide between variants of friction
-//! and spring.
+//! The default model is after the thesis of Jonnalagadda & Vyas (*Modelling of Automotive Suspension Damper*, KTH 2020). The fit obtains a
+//! first FV curve from the peak-velocity points, and first values of friction and gas force from the slow tests. Then a search fits all
+//! numbers together, and decides on effects such as friction and springs by their posterior probability.
 
 mod as_the_fit_saw;
 mod edited;

@@ -1,7 +1,8 @@
-//! Model files for people and tools: first the lines that the kernel reads, then tables with the results of the fit.
+//! Reading and writing of model files. A model file contains first the lines that the kernel reads, then tables with the results of the
+//! fit.
 //!
-//! Every host reads the part before the first table with the kernel's own reader ([`dashpot_core::model_file`]). The tables serve
-//! validation, diagnosis and people.
+//! Every host reads the part before the first table with the kernel's own reader ([`dashpot_core::model_file`]). Validation, diagnosis and
+//! people use the tables.
 
 use super::short::short;
 pub use crate::fit_tables::{FvOnly, FvOnlyAt, Identification, Interval, IntervalOverSetting};
@@ -24,15 +25,15 @@ use std::path::{Path, PathBuf};
 /// Contents of a model file.
 #[derive(Debug, Clone)]
 pub struct ModelFile {
-    /// The damper.
+    /// Parameters of the damper.
     pub params: Params,
     /// Setting on which the damper depends. Its grid is empty for a file that [`read`] accepts.
     pub axis: Axis,
     /// Results of the fit, or empty for a file without a fit.
     pub identification: Identification,
-    /// Indices of the parameters in the text, whether their element is on or off.
+    /// Indices, in the parameter table, of the parameters that the text gives, whether their element is on or off.
     pub specified: Vec<usize>,
-    /// Numbers outside the interval of their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] removes that interval.
+    /// Names of the numbers outside the interval from their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] has removed these intervals.
     pub edited: Vec<String>,
 }
 
@@ -42,7 +43,7 @@ pub enum ModelFileError {
     /// The file cannot be read.
     #[error("cannot read the model file {file}: {why}")]
     Unreadable {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Reason from the operating system.
         why: std::io::Error,
@@ -50,15 +51,15 @@ pub enum ModelFileError {
     /// The file is empty.
     #[error("{file} is empty; dashpot fit writes a model file, docs/parameters.md of dashpot lists what one may hold")]
     Empty {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
     },
-    /// A line before the first table is invalid: the part of the file that the kernel reads.
+    /// A line before the first table is invalid. The kernel reads this part of the file.
     #[error("{file}, line {line}: {subject}{text}")]
     Line {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
-        /// Line.
+        /// Line number, from 1.
         line: u32,
         /// Name of the invalid parameter with a colon, or empty.
         subject: String,
@@ -68,7 +69,7 @@ pub enum ModelFileError {
     /// A table is invalid.
     #[error("{file}: {why}")]
     Tables {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Message of the TOML reader, with line and column.
         why: String,
@@ -78,13 +79,13 @@ pub enum ModelFileError {
         "{file} holds a model of the literature for comparison; the kernel cannot run it. Give it to dashpot validate --against"
     )]
     ForComparison {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
     },
     /// The parameters do not form a valid model.
     #[error("{file}: {fault}")]
     Model {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Invalid parameter, and the reason.
         fault: NoModel,
@@ -132,8 +133,8 @@ impl ModelFile {
         Definition { params: self.params, axis: self.axis }
     }
 
-    /// Makes the file of a damper. If an interval of `identification` does not contain its number, the number changed since the fit, and
-    /// the interval is removed.
+    /// Makes the contents of the file of a damper. If an interval of `identification` does not contain its number, the number was changed
+    /// since the fit. Then the interval is removed.
     pub fn new(params: Params, axis: Axis, mut identification: Identification, specified: Vec<usize>) -> ModelFile {
         let edited = edited::take_out(&params, &axis, &mut identification);
         ModelFile { params, axis, identification, specified, edited }
@@ -155,8 +156,8 @@ impl ModelFile {
 
     /// Returns whether the damper differs from the damper that the fit wrote.
     ///
-    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. If a user edits the
-    /// file, it keeps the tables of its fit. A change within an interval does not count.
+    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. A file that a user
+    /// edits keeps the tables of its fit, so these tables show the change. A change within an interval does not count.
     pub fn was_changed(&self) -> bool {
         let known = &self.identification;
         let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
@@ -167,7 +168,8 @@ impl ModelFile {
         !self.edited.is_empty() || parameter::table().any(|row| is_identified(&row) && is_off(&row))
     }
 
-    /// Returns the plain FV curve that the fit stored. If there is none, returns the model's own curve and gas force.
+    /// Returns the parameters of the plain FV curve that the fit stored. If there is none, returns those of the model's own curve and gas
+    /// force.
     pub fn plain(&self) -> Params {
         if let Some(Ok(params)) = self.identification.fv_only.as_ref().map(FvOnly::params) {
             return params;
@@ -182,8 +184,8 @@ impl ModelFile {
 
 /// Returns the parameters that affect a damper.
 ///
-/// Parameters of disabled elements and of unselected forms have no effect. An example is the knees while an FV table is used. Settings are
-/// included if they differ from their default.
+/// Parameters of disabled elements and of unselected forms have no effect. For example, the knees of the FV curve have no effect while an
+/// FV table is used. Parameters that belong to no element are included if they differ from their default.
 pub fn in_use(params: &Params) -> Vec<Row> {
     let says = |row: &Row| match row.element() {
         None => params.get(row) != row.parameter.default,
@@ -212,7 +214,7 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     family_of_text(&text, path)
 }
 
-/// Reads a model from text and checks that its parameters form a valid model. `path` is its name in messages.
+/// Parses the text of a model file and checks that its parameters form a valid model. `path` is the name of the file in messages.
 ///
 /// # Errors
 /// The errors of [`read`].
@@ -296,7 +298,8 @@ fn parsed(
     Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
-/// Checks that the start and the hysteresis of the setting fit the grid. Returns the line and a message if they do not fit.
+/// Checks that the start value of the setting lies within the grid, and that the hysteresis is at most a quarter of its range. Returns line
+/// number and message of the first violation.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let line =
         |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
@@ -314,8 +317,8 @@ fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     })
 }
 
-/// Rejects a file that gives parameters only inside tables, such as `[parameters]`, because all of them would keep their defaults. Tables
-/// of fits do not count, because they contain intervals under the names of parameters.
+/// Rejects a file that gives parameters inside tables, such as `[parameters]`, because all of them would keep their defaults. The tables of
+/// a fit may contain names of parameters, because they give intervals under these names.
 fn parameters_in_tables(text: &str, path: &Path) -> Result<(), ModelFileError> {
     let mut table = None;
     for (at, line) in text.lines().enumerate() {
@@ -352,7 +355,8 @@ fn bounds(parameter: u16) -> String {
     })
 }
 
-/// Returns the known name that is most similar to a misspelled name, as the end of a sentence. Returns an empty text if no name is similar.
+/// Returns the question "did you mean ...?" with the known name that is most similar to a misspelled name. Returns an empty text if no name
+/// is similar.
 pub fn nearest(name: &str, known: impl Iterator<Item = &'static str>) -> String {
     let shared = |other: &str| {
         let pairs = |s: &str| s.as_bytes().windows(2).map(<[u8]>::to_vec).collect::<Vec<_>>();
@@ -402,13 +406,13 @@ fn value(row: &Row, params: &Params, axis: &Axis) -> String {
     }
 }
 
-/// Formats the part of a model file that the kernel reads.
+/// Formats the part of a model file that the kernel reads. `comment` returns the comment behind each parameter.
 pub fn flat(params: &Params, comment: impl Fn(&Row) -> String) -> String {
     flat_keeping(params, &[], comment)
 }
 
-/// Formats the part that the kernel reads, including parameters of disabled elements at the indices `kept`. If a user changes another
-/// number, these parameters stay in the file, and a reader may enable their elements.
+/// Formats the part that the kernel reads, including parameters of disabled elements at the indices `kept`. Thus these parameters stay in
+/// the file when a user changes another number, and their elements can be enabled later.
 pub fn flat_keeping(params: &Params, kept: &[usize], comment: impl Fn(&Row) -> String) -> String {
     flat_over(params, &Axis::NONE, kept, comment)
 }
@@ -418,7 +422,7 @@ pub fn flat_family(damper: &Definition, comment: impl Fn(&Row) -> String) -> Str
     flat_over(&damper.params, &damper.axis, &[], comment)
 }
 
-/// Formats the lines of the setting.
+/// Formats the lines of the setting on which a damper depends. Returns an empty text for an ordinary damper.
 fn setting(axis: &Axis) -> String {
     if !axis.is_some() {
         return String::new();
@@ -432,7 +436,7 @@ fn setting(axis: &Axis) -> String {
     }
     for (index, entry) in ENTRIES.iter().enumerate() {
         let value = axis.number(index);
-        // Times, rates and hysteresis of 0 are omitted.
+        // The start value (index 0) is always written. Times, rates and hysteresis of 0 are omitted.
         if index == 0 || value != 0.0 {
             let _ = writeln!(out, "{} = {}  # {}", entry.name, number(value), entry.meaning);
         }
@@ -449,7 +453,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
         let rows: Vec<Row> = parameter::table()
             .filter(|row| row.group == g)
             .filter(|row| !is_off || kept.contains(&row.index))
-            // Skip settings at their default and empty lists.
+            // Skip empty lists, and parameters without an element at their default.
             .filter(|row| element.is_some() || params.get(row) != row.parameter.default)
             .filter(|row| !params.get(row).is_empty())
             .collect();
@@ -465,7 +469,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
     out
 }
 
-/// Formats a model file without results of a fit. Remarks stand at its beginning.
+/// Formats a model file without results of a fit. The remarks stand as comments at the beginning of the file.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
     let mut out = String::from(
         "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\
@@ -486,10 +490,11 @@ fn fv_only_table(curve: &FvOnly) -> String {
     format!("\n[identification.fv_only]  # the plain FV curve fitted to the same tests\n{}", curve.lines())
 }
 
-/// Formats the model file of an ordinary damper after a fit: its numbers, then the tables of the fit.
+/// Formats the model file of an ordinary damper: its numbers, then the tables of its fit. Without results of a fit, formats a [`plain`]
+/// file.
 ///
 /// # Errors
-/// TOML cannot represent the tables.
+/// Returns an error if TOML cannot represent the tables.
 pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml::ser::Error> {
     #[derive(Serialize)]
     struct Tables<'a> {
@@ -502,7 +507,7 @@ pub fn with_tables(file: &ModelFile, remarks: &[String]) -> Result<String, toml:
     Ok(plain(&file.params, remarks) + "\n" + &toml::to_string(&Tables { identification: known })?)
 }
 
-/// Formats unit and meaning of a parameter, and the estimate of the fit if there is exactly one.
+/// Formats unit and meaning of a parameter. Also formats interval and source from the fit if there is exactly one estimate.
 pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     let p = row.parameter;
     let mut words = if p.unit == "-" { String::new() } else { format!("{}; ", p.unit) };
@@ -519,7 +524,7 @@ pub(crate) fn describe_parameter(row: &Row, estimates: &[&Estimate]) -> String {
     words
 }
 
-/// Formats the ends of an interval. Without an interval, both ends are the value.
+/// Formats the lower and upper end of an interval. Without an interval, both ends are the value.
 pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     match estimate {
         Some(Estimate { low: Some(low), high: Some(high), .. }) => format!("[{}, {}]", number(*low), number(*high)),
@@ -527,7 +532,8 @@ pub(crate) fn format_pair(estimate: Option<&Estimate>, value: f64) -> String {
     }
 }
 
-/// Formats the intervals of the points of a curve. Its fixed point is exact by definition.
+/// Formats the intervals of the points of a curve. The fixed point of the curve is exact by definition, so both ends of its interval are
+/// its value.
 pub(crate) fn format_points(estimates: &[&Estimate], values: &[f64]) -> String {
     let of = |k: usize| estimates.iter().find(|e| e.index == Some(k)).copied();
     let pairs: Vec<String> = values.iter().enumerate().map(|(k, value)| format_pair(of(k), *value)).collect();
@@ -546,7 +552,7 @@ pub(crate) struct Account<'f> {
     pub(crate) clock_from: Option<f64>,
 }
 
-/// The sources that a file has: those of single numbers.
+/// Returns the sources of single numbers. A model file does not state the sources of the points of curves.
 pub(crate) fn sources<'e>(estimates: impl Iterator<Item = &'e Estimate>) -> Vec<&'e Sentence> {
     estimates.filter(|estimate| estimate.index.is_none()).map(|estimate| &estimate.from).collect()
 }
@@ -578,7 +584,7 @@ pub(crate) fn write_account(out: &mut String, account: &Account) {
     }
 }
 
-/// Writes the interval of a parameter. Writes nothing for a number without an interval.
+/// Writes the interval of a number, or the intervals of all points of a curve. Writes nothing for a number without an interval.
 pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimate], params: &Params) {
     if let [estimate @ Estimate { index: None, .. }] = estimates {
         if estimate.low.is_some() {
@@ -590,7 +596,7 @@ pub(crate) fn write_interval(out: &mut String, name: &str, estimates: &[&Estimat
     }
 }
 
-/// Writes the measurement errors of the records, and the kinds of tests from which each number of a list was identified.
+/// Writes the measurement errors of the records, and the kinds of tests from which each number of `numbers` was identified.
 pub(crate) fn write_origins<'e>(
     out: &mut String,
     measured: &[Measured],
@@ -735,7 +741,7 @@ mod tests {
         assert_eq!(file.notes().len(), 1);
         let on = "elements = [\"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";
         assert_eq!(of(on).notes(), ["kept"]);
-        // A file that this program writes contains no number without effect.
+        // A file that dashpot writes contains no number without effect.
         assert_eq!(
             of(flat(&Params::new(), |_| String::new()).trim_start_matches("format = 1\n")).notes(),
             Vec::<String>::new()

@@ -1,5 +1,5 @@
-//! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP).
-//! The forces of such a table include gas force and friction. They are subtracted if the user states them.
+//! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP). The forces of such a table include gas force and
+//! friction. If the user states gas force and friction, they are subtracted.
 
 use crate::family::setting_labels::exchanged_settings;
 use crate::model_file::{self, NoModel, prepared};
@@ -11,7 +11,7 @@ use dashpot_records::{
 };
 use std::path::Path;
 
-/// Reason why a table does not give a model.
+/// Reason why no model can be made from a table.
 #[derive(Debug, thiserror::Error)]
 pub enum OfPeaksError {
     /// The table cannot be read.
@@ -25,7 +25,7 @@ pub enum OfPeaksError {
         /// Given value.
         value: f64,
     },
-    /// The force decreases while the speed increases.
+    /// The force without gas force and friction decreases while the speed increases.
     #[error(
         "{file}, line {line}: at {} mm/s the damper's own force is {force:.1} N and thus weaker than at a lower speed ({end:.1} N); \
          check the row, or give --gas-force and --friction as they are in the table",
@@ -63,7 +63,7 @@ pub enum OfPeaksError {
         /// Number of clicks in the table.
         count: usize,
     },
-    /// A click whose speeds end far below those of another.
+    /// The speeds of one click end far below the speeds of another click.
     #[error(
         "{file}: click {click} has forces up to {:.0} mm/s, another one up to {:.0} mm/s: a model over all {clicks} clicks would end there. Complete the table, or make a model of each click with --clicks all",
         1e3 * top,
@@ -72,9 +72,9 @@ pub enum OfPeaksError {
     SlowClick {
         /// Name of the table.
         file: String,
-        /// The click.
+        /// The click with the smaller speeds.
         click: f64,
-        /// Its largest speed, m/s.
+        /// Largest speed of this click, m/s.
         top: f64,
         /// Largest speed of all clicks, m/s.
         fastest: f64,
@@ -91,24 +91,24 @@ pub enum OfPeaksError {
     },
 }
 
-/// A model file made from a table.
+/// Model file made from a table of peak forces, with what the user should know about it.
 #[derive(Debug, Clone)]
 pub struct Begun {
     /// Text of the model file.
     pub text: String,
-    /// Number of points of its curve.
+    /// Number of points of the FV curve, including zero velocity.
     pub points: usize,
     /// Columns that were used, with their quantity and unit.
     pub columns: String,
-    /// Side that was interpreted as rebound, and whether the forces support that interpretation.
+    /// Description of the side that was interpreted as rebound, with the ratio of the forces in rebound and compression if it is known.
     pub direction: String,
-    /// Whether the forces contradict that interpretation.
+    /// Whether the forces contradict the interpretation in `direction`.
     pub is_doubtful: bool,
-    /// Velocities that were left out because a click does not reach them, m/s.
+    /// Velocities that were left out because one of the clicks does not reach them, m/s.
     pub left_out: Vec<f64>,
-    /// Largest distance over which a force was interpolated, relative to the velocity.
+    /// Largest distance from a velocity of the model to the nearest velocity in the rows of a click, relative to the velocity.
     pub interpolated: f64,
-    /// Two clicks whose exchange would make the damping force monotonic over the clicks.
+    /// Two clicks whose exchange would make the damping force monotonic over the clicks, or `None` if there are no such clicks.
     pub exchanged: Option<(f64, f64)>,
 }
 
@@ -138,14 +138,15 @@ impl Begun {
 /// Relative distance of two speeds that is rounding.
 const NO_DISTANCE: f64 = 1e-6;
 
-/// Smallest ratio of the largest speed of a click to that of all clicks. Below it, the model would end far within the table.
-/// Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where a click ends at 0.6.
+/// Smallest accepted ratio of the largest speed of a click to the largest speed of all clicks. A smaller ratio is an error, because the
+/// model would end far below the largest speed of the table. Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where a click ends at
+/// 0.6.
 const REACHED: f64 = 0.8;
-/// Ratio of two speeds above which they count as one: a dyno repeats its commanded speeds to about a percent.
-/// Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where the speeds scatter by 0.7 %.
+/// Ratio of the lower to the higher of two speeds above which they count as the same speed. A dyno repeats its commanded speeds to about a
+/// percent. Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where the speeds scatter by 0.7 %.
 const SAME_SPEED: f64 = 0.98;
 
-/// Returns the force of a curve at a velocity, linear between its points, constant beyond.
+/// Returns the force of a curve at a velocity. The force is linear between the points of the curve, and constant beyond its ends.
 fn force_at(curve: &[(f64, f64)], velocity: f64) -> f64 {
     let after = curve.partition_point(|(own, _)| *own < velocity);
     match (after.checked_sub(1).and_then(|before| curve.get(before)), curve.get(after)) {
@@ -155,13 +156,13 @@ fn force_at(curve: &[(f64, f64)], velocity: f64) -> f64 {
     }
 }
 
-/// Returns the distance from a velocity to the nearest point of a curve, relative to the velocity.
+/// Returns the distance from a velocity to the nearest point of a curve, relative to the velocity; 0 at zero velocity.
 fn distance_to_point(curve: &[(f64, f64)], velocity: f64) -> f64 {
     let nearest = curve.iter().map(|(own, _)| (own - velocity).abs()).fold(f64::INFINITY, f64::min);
     if velocity == 0.0 { 0.0 } else { nearest / velocity.abs() }
 }
 
-/// The damper's own force over velocity, and the table from which it was read.
+/// Force of a damper over velocity without gas force and friction, and the table from which it was read.
 struct Read {
     peaks: Peaks,
     /// Velocity, m/s, and force, N, sorted by velocity, including zero velocity.
@@ -197,7 +198,7 @@ pub fn family_of_peaks(
     let at =
         |click: &f64| read_curve(path, &PeakOptions { clicks: Some(*click), ..options.clone() }, gas_force, friction);
     let mut all: Vec<Read> = clicks.iter().map(at).collect::<Result<_, _>>()?;
-    // A damper over a setting has its FV points at the same velocities at every setting.
+    // The FV points of a model over a setting have the same velocities at every setting, so all clicks need common velocities.
     let (mut common, mut left_out) = (vec![0.0], Vec::new());
     for sign in [-1.0, 1.0] {
         let speeds = |read: &Read| -> Vec<f64> {
@@ -215,7 +216,7 @@ pub fn family_of_peaks(
                 clicks: clicks.len(),
             });
         }
-        // The click with the most points has the densest grid.
+        // The click with the most points supplies the velocities.
         let densest = all.iter().map(speeds).max_by_key(Vec::len).unwrap_or_default();
         common.extend(
             densest.into_iter().filter(|speed| *speed < SAME_SPEED * top).chain([top]).map(|speed| sign * speed),
@@ -239,7 +240,7 @@ pub fn family_of_peaks(
     Ok(Begun { exchanged, ..begun(path, &all[0], &Definition { params, axis }, (left_out, off)) })
 }
 
-/// Reads the damper's own forces from a table.
+/// Reads the forces of a damper from a table, and subtracts gas force and friction.
 fn read_curve(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Read, OfPeaksError> {
     for (name, value) in [("--gas-force", gas_force), ("--friction", friction)] {
         if !(value.is_finite() && value >= 0.0) {
@@ -319,9 +320,10 @@ fn columns(peaks: &Peaks) -> String {
     pairs.collect::<Vec<_>>().join(", ")
 }
 
-/// Describes the side that was interpreted as rebound. Returns whether the forces contradict it.
+/// Describes the side that was interpreted as rebound. Also returns whether the forces contradict this interpretation.
 fn direction(peaks: &Peaks) -> (String, bool) {
-    /// Smallest ratio of compression to rebound force with a remark. Measured ratios of symmetric dampers differ from 1 by less.
+    /// Smallest ratio of the compression force to the rebound force at which the interpretation is doubtful. Measured ratios of symmetric
+    /// dampers differ from 1 by less.
     const CLEARLY: f64 = 1.2;
     let taken = match peaks.source {
         StrokeSource::Headings => "rebound and compression taken as the headings name them",

@@ -1,10 +1,10 @@
 //! Measurement errors that a fit estimates: delay of the force channel, mass on the load cell, drift of gain and zero through a campaign.
 //!
-//! A constant zero error is not among them. In the force it is equivalent to another gas force. In the displacement it is equivalent to
-//! another table of the spring. So only the user can state it ([`dashpot_records::Options`]).
+//! A fit does not estimate a constant zero error. In the force, it is equivalent to another gas force. In the displacement, it is
+//! equivalent to another table of the spring. So only the user can state it ([`dashpot_records::Options`]).
 //!
-//! The other errors are estimated together with the numbers of the model if they improve the prediction of left-out tests. They never
-//! become part of the model.
+//! The search for the effects of the damper also decides about these errors, and estimates them together with the numbers of the model.
+//! They never become part of the model.
 
 use super::phrases;
 use dashpot_estimation::deviations::sandwich;
@@ -16,16 +16,17 @@ use dashpot_messages::Sentence;
 use dashpot_records::measurement_correction::MeasurementError;
 use serde::Serialize;
 
-/// Errors that a fit tries, in the order in which the load cell produces them.
+/// Measurement errors that a fit tries.
 const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::GainDrift, Artefact::Drift];
 
-/// Smallest ratio of the highest to the lowest frequency that distinguishes a delay from compliance.
+/// Ratio of the highest to the lowest frequency of the tests above which they distinguish a delay from a compliance.
 ///
 /// The phases of both grow with frequency, but along different curves. If all tests have the same frequency, a delay and a compliance can
-/// give the same phase. The value 1.5 is a choice. The ratio also applies to a mass and a spring.
+/// give the same phase. The value 1.5 is a choice. The ratio also decides whether the tests distinguish a mass on the load cell from a
+/// spring.
 const APART: f64 = 1.5;
 
-/// Returns whether the frequencies of the tests distinguish a delay from a soft series path.
+/// Returns whether the frequencies of the tests distinguish a delay of the force channel from a soft series path.
 pub fn can_distinguish_delay(tests: &[Test]) -> bool {
     let turns = |t: &Test| t.segment.peak_velocity / t.segment.amplitude;
     let (low, high) = tests
@@ -36,20 +37,20 @@ pub fn can_distinguish_delay(tests: &[Test]) -> bool {
     high > APART * low
 }
 
-/// One measurement error of the records.
+/// Measurement error of the records, with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
     /// Name: `delay`, `rig_mass`, `gain_drift` or `drift` (drift of the zero of the force).
     pub name: &'static str,
-    /// Value.
+    /// Value, in `unit`.
     pub value: f64,
     /// Lower end of the 95 % interval.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the 95 % interval.
     pub high: f64,
     /// Unit.
     pub unit: &'static str,
-    /// Option that states this error to the reader of records, if the reader has one.
+    /// Command-line option that states this error to the reader of records, or `None` if there is no such option.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub option: Option<&'static str>,
 }
@@ -65,19 +66,21 @@ impl Measured {
         Measured { name: artefact.parameter(), value, low, high, unit: artefact.unit(), option }
     }
 
-    /// Makes a measurement error from a model file. Returns `None` for a name that no fit tries, and for values that are not finite.
+    /// Makes a measurement error from its name and numbers in a model file. Returns `None` for a name that no fit tries, and for numbers
+    /// that are not finite.
     pub fn named(name: &str, numbers: [f64; 3]) -> Option<Measured> {
         let artefact = LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == name)?;
         numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
     }
 
-    /// Makes a measurement error from a diagnosis. Returns `None` if the reader of records cannot correct the error.
+    /// Makes a measurement error from the result of a fit or a diagnosis. Returns `None` if no fit tries the error, or if a number is not
+    /// finite.
     pub fn from_artefact(artefact: Artefact, numbers: [f64; 3]) -> Option<Measured> {
         let may = LOOKED_FOR.contains(&artefact) && numbers.iter().all(|n| n.is_finite());
         may.then(|| Measured::new(artefact, numbers))
     }
 
-    /// Adds the error that the user stated to the error that was found in the corrected records.
+    /// Adds the delay or mass that the user stated to the error that was found in the corrected records.
     pub fn with_stated(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,
@@ -87,8 +90,8 @@ impl Measured {
         Measured { value: self.value + before, low: self.low + before, high: self.high + before, ..self }
     }
 
-    /// Adds the error found in the corrected records to the previously corrected error. The two intervals come from separate records, so
-    /// their squares add.
+    /// Adds the error `rest`, found in the corrected records, to this error, for which they were corrected. The two errors count as
+    /// independent, so the squares of their half-widths add.
     pub fn and(self, rest: Measured) -> Measured {
         let value = self.value + rest.value;
         let half = |m: &Measured| 0.5 * (m.high - m.low);
@@ -96,7 +99,7 @@ impl Measured {
         Measured { value, low: value - half, high: value + half, ..self }
     }
 
-    /// Returns the name of this error in the vocabulary of the diagnosis.
+    /// Returns the name of the effect for this error in the vocabulary of the diagnosis.
     pub fn effect(&self) -> Option<&'static str> {
         LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == self.name).map(Artefact::name)
     }
@@ -111,11 +114,11 @@ impl Measured {
         self.option.map(|option| format!("{option}={:.6}", self.value))
     }
 
-    /// Formats the finding as a sentence.
+    /// Formats the error and its interval as a sentence.
     pub fn finding(&self) -> Sentence {
         let (factor, what) = match self.name {
             "delay" if self.value < 0.0 => {
-                // Report a negative delay as a lead, because readers would consider a negative delay a mistake.
+                // Report a negative delay as a leading channel, because an engineer would consider a negative delay a mistake.
                 let of = |value: f64| format!("{:.3}", -1e3 * value);
                 return Sentence::from(phrases::FOUND_EARLY)
                     .with("value", of(self.value))
@@ -131,14 +134,14 @@ impl Measured {
         Sentence::from(what).with("value", of(self.value)).with("low", of(self.low)).with("high", of(self.high))
     }
 
-    /// Formats the finding as a sentence that states how the comparison corrects it.
+    /// Formats the error as a sentence that also states that the records are corrected for it, and not the model.
     pub fn in_words(&self) -> Sentence {
         let option = self.as_option().map(|option| Sentence::from(phrases::GIVE_OPTION).with("option", option));
         Sentence::from(phrases::TAKEN_OUT_HERE).with_sentence("finding", self.finding()).with_any("option", option)
     }
 }
 
-/// Converts the findings of a fit to a measurement error, which can be corrected in records.
+/// Combines the errors that a fit found in the form with which records are corrected. An error that was not found is 0.
 pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     let of = |name: &str| measured.iter().find(|m| m.name == name).map_or(0.0, |m| m.value);
     MeasurementError {
@@ -149,7 +152,7 @@ pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     }
 }
 
-/// Returns the measurement errors that a fit found, with intervals.
+/// Returns the measurement errors that a fit found, with intervals. Returns none if the covariance cannot be computed.
 pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Measured> {
     let is_rig = |free: &Free| matches!(free, Free::Rig(_));
     if !hypothesis.numbers.iter().any(|n| is_rig(&n.free)) {

@@ -5,14 +5,14 @@ use serde::{Deserialize, Serialize};
 
 /// Fraction of a stroke's highest velocity above which a sample counts as being at peak velocity.
 ///
-/// On a sine, these samples lie within 11° of the peak. That is a few samples even at forty per cycle. There, a smooth curve changes its
-/// force by less than 2 %.
+/// On a sine, these samples lie within 11.5° of the peak, which is two or three samples even at forty samples per cycle. Within these
+/// samples, a smooth curve changes its force by less than 2 %.
 const AT_PEAK: f64 = 0.98;
 
 /// Force at the peak velocity of one stroke of a test, mean over its whole cycles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
-    /// Velocity, m/s, rebound positive. It is the mean of the samples at peak velocity, slightly below the highest velocity.
+    /// Velocity, m/s, rebound positive. It is the mean of the samples at peak velocity, so it lies slightly below the highest velocity.
     pub velocity_m_s: f64,
     /// Force, N, tension positive.
     pub force_n: f64,
@@ -28,13 +28,13 @@ pub struct AtPeak {
 }
 
 impl AtPeak {
-    /// Finds the samples. Returns `None` if the motion has no whole cycles and therefore no peak velocity.
+    /// Finds the samples at peak velocity. Returns `None` if the record has no whole cycles, or if it does not move in both directions.
     pub fn find(record: &Record) -> Option<Self> {
         if record.cycles.is_empty() {
             return None;
         }
         let velocity = smoothing::smooth(record).velocity;
-        // The first of more than two cycles may still be transient.
+        // The first cycle may still be transient, so it is skipped if there are more than two.
         let settled = &record.cycles[usize::from(record.cycles.len() > 2)..];
         let stroke = |sign: f64| -> Vec<usize> {
             let samples = settled.iter().flat_map(|cycle| {
@@ -48,7 +48,7 @@ impl AtPeak {
         (!rebound.is_empty() && !compression.is_empty()).then_some(Self { velocity, rebound, compression })
     }
 
-    /// Returns the peaks of a force in rebound and compression. `force` contains the force at the record's samples.
+    /// Returns the peaks of a force in rebound and in compression, in this order. `force` contains the force at the record's samples, N.
     pub fn pick(&self, force: &[f64]) -> [Peak; 2] {
         let mean = |samples: &[usize], of: &[f64]| samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64;
         [&self.rebound, &self.compression]

@@ -1,6 +1,7 @@
-//! English templates of every sentence that a fit reports. A test finds templates without a translation.
+//! English templates of every sentence that a fit, a validation or a model file reports. A test finds templates without a translation.
 //!
-//! A model file keeps these texts in English, with the ids of their messages for reports in other languages ([`dashpot_messages::Kept`]).
+//! A model file contains the sentences in English. It also contains the ids of their messages for reports in other languages
+//! ([`dashpot_messages::Kept`]).
 
 dashpot_messages::phrases! {
     "identification-";
@@ -23,7 +24,7 @@ dashpot_messages::phrases! {
     // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
-    // Limits of the campaign.
+    // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
     ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
@@ -43,9 +44,9 @@ dashpot_messages::phrases! {
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";
     IF_THE_SAME_RIG: ": if the same rig measured these, give {options}";
-    // Numbers of the model file that have no effect.
+    // Numbers of the model file that have no effect, because their element is off.
     IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
-    // Numbers that the model file lacks, and numbers that changed since the fit.
+    // Errors of a family relative to separate fits, numbers that the model file lacks, and numbers that changed since the fit.
     FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does";
     ALONE_WORSE: "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing";
     ON_DEFAULTS: "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md";
@@ -59,7 +60,7 @@ dashpot_messages::phrases! {
     PIECEWISE: "piecewise-linear curve";
     WITH_LAG: "polynomial with lag";
     DONE: "done";
-    // Damper whose parameters depend on a setting.
+    // Fit of a damper whose parameters depend on a setting: stages, remarks and errors.
     FAMILY_EACH: "each setting by itself";
     FAMILY_JOINT: "all settings together: what they share and what depends on them";
     FAMILY_LEFT_OUT: "each setting predicted by the others";

@@ -6,7 +6,7 @@ use dashpot_core::Params;
 use dashpot_core::parameter::{self, Element, Row};
 use dashpot_messages::Sentence;
 
-/// Reports the specified parameters of disabled elements, with a sentence for each element.
+/// Reports the parameters that a file specifies although their element is off, with a sentence for each element.
 ///
 /// `specified` contains the indices of the parameters in the file. `params` is the damper from the same file.
 pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
@@ -27,7 +27,7 @@ pub fn idle(specified: &[usize], params: &Params) -> Vec<Sentence> {
 
 /// Reports the missing numbers of enabled elements, with a sentence for each element. Missing numbers have their defaults.
 ///
-/// An element may omit numbers. It is reported if it omits all numbers, or a number that the fit identified.
+/// A file may omit numbers of an element. The element is reported if the file omits all of them, or a number that the fit estimated.
 pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification) -> Vec<Sentence> {
     let is_known = |name: &str| {
         let is_open = |open: &String| open.split(['[', '@']).next() == Some(name);
@@ -57,7 +57,8 @@ pub fn on_defaults(specified: &[usize], params: &Params, known: &Identification)
     Element::all().filter(|element| params.is_on(*element)).filter_map(of_element).collect()
 }
 
-/// Reports the numbers outside the interval of their fit. They changed since the fit.
+/// Reports the numbers that lie outside the interval from their fit, because they were changed since the fit. Returns `None` without such
+/// numbers.
 pub fn edited(names: &[String]) -> Option<Sentence> {
     let named = Sentence::from(phrases::EDITED).with_names("names", names.iter().map(String::as_str), phrases::COMMA);
     (!names.is_empty()).then_some(named)

@@ -1,9 +1,9 @@
-//! Conversion of the settings of records to the unit of the damper with which they are compared.
+//! Conversion of the settings of records to the unit of the damper's setting, for a comparison of the records with the damper.
 
 use dashpot_core::family::Axis;
 use dashpot_records::{Record, restate_in_unit};
 
-/// Reason why settings cannot be compared.
+/// Error of a setting whose unit measures another quantity than the unit of the damper's setting.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
     "test '{test}' has its {name} in {unit}, the model in {own}: state the one that is right as setting_unit in campaign.toml beside the records, or in the model file"
@@ -13,9 +13,9 @@ pub struct SettingUnitError {
     pub test: String,
     /// Name of the setting.
     pub name: String,
-    /// Unit of the record.
+    /// Unit of the record's setting.
     pub unit: String,
-    /// Unit of the model.
+    /// Unit of the model's setting.
     pub own: String,
 }
 
@@ -26,7 +26,7 @@ pub fn is_of_axis(axis: &Axis, name: &str) -> bool {
 
 /// Converts values of the setting `name` to the unit of the axis, if it is the setting of that axis.
 ///
-/// Returns whether both units measure the same quantity.
+/// Returns `false` only if `name` is the setting of the axis and the two units measure different quantities.
 pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
     if !axis.is_some() || !is_of_axis(axis, name) {
         return true;
@@ -34,7 +34,7 @@ pub fn restate<'v>(axis: &Axis, name: &str, unit: &mut String, values: impl Into
     restate_in_unit(unit, axis.unit(), values)
 }
 
-/// Converts the settings of records to the unit of the damper's setting, if both have the same quantity.
+/// Converts the settings of records to the unit of the damper's setting. Settings with another name stay unchanged.
 ///
 /// # Errors
 /// The unit of a setting and the unit of the damper belong to different quantities.

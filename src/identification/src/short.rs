@@ -1,11 +1,11 @@
 //! Formatting of numbers in comments and sentences.
 
-/// Returns the decimals of four significant digits. The result is negative if the digits end before the decimal point.
+/// Returns the number of decimals that show four significant digits. The number is negative if the digits end before the decimal point.
 fn decimals(value: f64) -> i32 {
     3 - libm::log10(value.abs()).floor() as i32
 }
 
-/// Formats a number with four significant digits in code notation. This suffices for a comment.
+/// Formats a number with four significant digits for a comment of a model file. From 1e5 on, the number has an exponent.
 pub(super) fn short(value: f64) -> String {
     if value.abs() >= 1e5 { format!("{value:.3e}") } else { in_words(value) }
 }

@@ -3,12 +3,12 @@
 use super::phrases::{KINDS_OF_TESTS, TEMPLATES};
 use dashpot_messages::Template;
 
-/// Every message.
+/// Returns the templates of all messages.
 pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Every word that stands in a message.
+/// Returns the words that messages insert into their templates and that also need a translation.
 pub fn words() -> impl Iterator<Item = &'static str> {
     KINDS_OF_TESTS.into_iter().chain(["rebound", "compression"])
 }

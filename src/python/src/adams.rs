@@ -1,4 +1,4 @@
-//! Files of Adams, and models from such files and from tables of peak forces.
+//! Export of models to files of Adams, and import of models from such files and from tables of peak forces.
 
 use crate::errors::{ExportError, ModelError, OutputError, raise, say};
 use crate::model::Model;
@@ -18,15 +18,15 @@ use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Parses a length in mm from a text with a unit, or from a number in m.
+/// Parses a length from a text with a unit, or from a number in m. Returns the length in mm.
 fn millimetres(length: &str) -> Result<f64, String> {
-    // The error message of this function states that a number alone is in m.
+    // Parse the length in m first, because the error message of `in_metres` states that a number alone is in m.
     in_metres(length)?;
     let has_unit = length.trim_end().ends_with('m');
     in_millimetres(&if has_unit { length.to_owned() } else { format!("{length}m") })
 }
 
-/// Writes a run folder of Adams. Returns notes on the folder.
+/// Writes a folder with all files that Adams needs to run a damper. Returns notes on the folder.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn export_adams(
@@ -74,7 +74,8 @@ pub fn export_adams(
     Ok(notes)
 }
 
-/// Writes the FV curve as a property file of Adams Car. `name` is the name of the model. Returns the number of points, and notes.
+/// Writes the FV curve of a model as a property file of Adams Car. `name` is the name of the model. Returns the number of points, and
+/// notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_dpr(
@@ -96,8 +97,8 @@ pub fn export_dpr(
     Ok((made.points, made.remarks))
 }
 
-/// Writes a compiled Adams Car model in which dampers are replaced. Each damper has the name of its SFORCE, its length and its model file.
-/// Returns notes.
+/// Writes a compiled Adams Car model in which dampers are replaced. Each entry of `dampers` gives the name of a damper's SFORCE, its length
+/// and its model file. Returns notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_adm(

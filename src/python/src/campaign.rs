@@ -1,4 +1,4 @@
-//! Rig records in Python.
+//! Rig records as Python objects.
 
 use crate::errors::{RecordError, raise, say};
 use crate::work;
@@ -13,10 +13,10 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Cleaned records of a campaign in SI units. Extension and tension are positive.
+/// Cleaned records of a campaign in SI units, as a Python object. Extension and tension are positive.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Campaign {
-    /// The records.
+    /// Records with the findings of the reader.
     pub read: dashpot_records::Campaign,
 }
 
@@ -40,14 +40,16 @@ impl Campaign {
     }
 }
 
-/// Data from which a campaign is restored.
+/// Data from which a campaign is restored: JSON, channels of each test, fingerprint of each test, and paths of the files.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Makes the sentences of a campaign again: those of reading, and of the fit whose findings were taken out of records.
+/// Restores the sentences of a campaign from their messages. Their templates are those of the reader of records, and those of the fit,
+/// which corrects records.
 static KEPT: LazyLock<Restorer> =
     LazyLock::new(|| Restorer::new([dashpot_records::templates(), dashpot_identification::templates()].concat()));
 
-/// What a campaign is made of again, with its sentences by their messages: the JSON of the campaign has them in English alone.
+/// JSON from which a campaign is restored. It includes the messages of the sentences, because the JSON of the campaign has the sentences in
+/// English only.
 #[derive(Serialize)]
 struct Whole<'a> {
     #[serde(flatten)]
@@ -55,20 +57,20 @@ struct Whole<'a> {
     messages: Vec<Kept>,
 }
 
-/// The messages in it; none in what an earlier version wrote.
+/// Messages in the JSON of a stored campaign. Campaigns that an earlier version stored have none.
 #[derive(Deserialize)]
 struct Messages {
     #[serde(default)]
     messages: Vec<Kept>,
 }
 
-/// Sentences of a campaign, in any order.
+/// Returns the sentences of a campaign, in any order.
 fn sentences(read: &dashpot_records::Campaign) -> impl Iterator<Item = &Sentence> {
     let notes = read.records.iter().flat_map(|record| &record.notes).chain(&read.notes);
     notes.map(|note| &note.text).chain(read.unusable.iter().map(|one| &one.why)).chain(&read.sign.reasons)
 }
 
-/// Sentences of a campaign, to be replaced.
+/// Returns mutable references to the sentences of a campaign.
 fn sentences_mut(read: &mut dashpot_records::Campaign) -> impl Iterator<Item = &mut Sentence> {
     let notes = read.records.iter_mut().flat_map(|record| &mut record.notes).chain(&mut read.notes);
     let unusable = read.unusable.iter_mut().map(|one| &mut one.why);
@@ -131,7 +133,7 @@ impl Campaign {
 
     /// Returns all data that [restore](Campaign::again) this campaign, or one of its tests if `only` is given.
     ///
-    /// These data are the findings as JSON, the channels of every test, and the fingerprints that the tests had at reading.
+    /// These data are the findings as JSON, the channels of every test, the original fingerprints of the tests, and the paths of the files.
     #[pyo3(signature = (only=None))]
     fn state<'py>(&self, py: Python<'py>, only: Option<usize>) -> PyResult<State<'py>> {
         let one = only.map(|index| {

@@ -7,9 +7,10 @@ use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Figures, Ready};
 use pyo3::prelude::*;
 
-/// Checks whether a damper chatters in a host.
+/// Checks whether a damper chatters in a host with this step, s, and mass, kg. With `for_step`, replaces friction that would chatter at
+/// that step.
 ///
-/// Returns the output of `dashpot check --json` and the messages of the command. Also returns the text of the model file of the damper for
+/// Returns the output of `dashpot check --json` and the messages of the command. Also returns the text of a model file with the damper for
 /// this host.
 #[pyfunction]
 #[pyo3(signature = (model, host_step, wheel_mass, for_step=None))]

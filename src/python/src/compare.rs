@@ -1,4 +1,4 @@
-//! Comparison of a model with records.
+//! Validation of a model: comparison with records, limits and models of the literature.
 
 use crate::campaign::Campaign;
 use crate::errors::{ValidationError, raise};
@@ -22,11 +22,11 @@ type OfRival<'py> = (&'static str, Vec<Bound<'py, PyArray1<f64>>>);
 
 /// Result of a comparison.
 ///
-/// It contains the figures as JSON, the forces of every test, and the compared records. It also contains the note on the models of the
-/// literature, and their forces.
+/// It contains the figures as JSON, the simulated forces of every test, and the compared records. It also contains the note on the models
+/// of the literature, and the forces of these models.
 type Validated<'py> = (String, Vec<Forces<'py>>, Campaign, Option<&'static str>, Vec<OfRival<'py>>);
 
-/// Combines tests with forces that were computed before.
+/// Combines the tests of a campaign with forces that were computed before: of the model, and of the FV curve alone.
 pub fn compared<'a>(
     file: &ModelFile,
     read: &'a dashpot_records::Campaign,
@@ -41,8 +41,8 @@ pub fn compared<'a>(
 
 /// Computes the figures of a comparison.
 ///
-/// The campaign supplies the tests of the fit and the unusable tests. Limits are checked if they are given. Models of the literature are
-/// added with their names and forces.
+/// The campaign supplies the note on the correction of its records, and the unusable tests. The limits `windows` are checked if they are
+/// given. `rivals` contains names and forces of the models of the literature, whose errors are added.
 pub fn figures(
     read: &dashpot_records::Campaign,
     compared: &[Compared<'_>],
@@ -67,9 +67,9 @@ pub fn figures(
 /// Compares a model with records, and with the plain FV curve.
 ///
 /// Returns the output of `dashpot validate --json`, the simulated forces of every test, and the compared records. These records are
-/// corrected for the measurement errors of the model's own fit. Given limits are checked like `dashpot validate --limits`. Named models of
-/// the literature are compared like `dashpot validate --against`. The result then includes the note on these models, and the forces of each
-/// model.
+/// corrected for the measurement errors that the fit of the model found. If limits are given, they are checked like with
+/// `dashpot validate --limits`. Models of the literature in `against` are compared like with `dashpot validate --against`. The result then
+/// includes the note on these models, and the forces of each of them.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, progress=None, limits=None, against=Vec::new()))]
 pub fn validate<'py>(

@@ -1,4 +1,4 @@
-//! Many dampers in one step, without an allocation for each damper.
+//! Simulation of many dampers in one step, without a memory allocation for each damper.
 
 use crate::errors::{StepError, say};
 use crate::model::Model;
@@ -13,16 +13,18 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-/// Number of values of a state.
+/// Number of values of a damper's state.
 const NUMBERS: usize = 14;
 /// Shortest and longest step, s, equal to the limits of the C interface.
 const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
-/// Largest inputs, equal to the limits of the C interface.
+/// Largest sum of |displacement|, m, and |velocity|, m/s, equal to the limit of the C interface.
 const LARGEST: f64 = 1e3;
+/// Largest |side force|, N, equal to the limit of the C interface.
 const LARGEST_SIDE_FORCE: f64 = 1e9;
+/// Largest |temperature|, °C, equal to the limit of the C interface.
 const LARGEST_TEMPERATURE: f64 = 1e5;
-/// Smallest number of dampers for a distribution of the step to threads. The distribution costs some microseconds, and a step about half a
-/// microsecond.
+/// Smallest number of dampers at which a step is distributed over threads. The distribution costs some microseconds, and the step of one
+/// damper about half a microsecond.
 const SHARED: usize = 256;
 /// Number of dampers in each unit of work of a thread.
 const CHUNK: usize = 64;
@@ -55,7 +57,7 @@ impl<'py> Channel<'py> {
         if let Ok(one) = given.extract() {
             return Ok(Channel::One(one));
         }
-        // Convert other objects that represent numbers, or raise an error with a message.
+        // Python code converts other objects that represent numbers, or raises an error with a message.
         let column = given.py().import("dashpot._numbers")?.getattr("column")?.call1((name, given))?;
         Ok(Channel::Each(column.extract()?))
     }
@@ -86,7 +88,7 @@ impl Values<'_> {
     }
 }
 
-/// Returns the array for the forces.
+/// Returns write access to the array for the forces. Raises a `TypeError` for any other object.
 fn writable<'py>(out: &Bound<'py, PyAny>) -> PyResult<PyReadwriteArray1<'py, f64>> {
     let writable = out.cast::<PyArray1<f64>>().ok().and_then(|array| array.try_readwrite().ok());
     writable.ok_or_else(|| {
@@ -123,18 +125,18 @@ fn sane(input: &Input) -> bool {
         && input.temperature.abs() <= LARGEST_TEMPERATURE
 }
 
-/// Returns whether a motion is too large for a damper, for example because it is in millimeters. The reader of records rejects such
+/// Returns whether a motion is larger than any damper's, for example because it is in millimeters. The reader of records rejects such
 /// motions.
 fn is_of_no_damper(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() > 0.5 || input.velocity.abs() > 20.0
 }
 
-/// Dampers with their states. They have one model for all, or one model each.
+/// Dampers with their states. All have one common model, or each has its own model.
 #[pyclass(module = "dashpot._native")]
 pub struct Dampers {
     models: Vec<Py<Model>>,
     states: Vec<State>,
-    /// States after the step. A rejected step leaves the current states unchanged.
+    /// Buffer for the states after the step. It is separate, so that a rejected step leaves the current states unchanged.
     next: Vec<State>,
 }
 
@@ -200,7 +202,7 @@ impl Dampers {
     }
 
     /// Steps all dampers by `dt` (s) to the given inputs, and writes their forces (N) to `out`. Returns whether a motion is too large for a
-    /// damper.
+    /// damper, so that the caller can warn.
     #[pyo3(signature = (velocity, dt, displacement, side_force, temperature, out))]
     #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
     fn step<'py>(
@@ -255,7 +257,7 @@ impl Dampers {
             // Releasing and reacquiring the interpreter lock costs as much as the step, so keep the lock.
             run(models, states, next, forces, &inputs, dt)
         } else {
-            // With fewer dampers, this thread does all work, regardless of the number of other threads.
+            // With fewer dampers than `SHARED`, the calling thread does all the work.
             let pool = if count >= SHARED { work::pool(py) } else { None };
             let step = move || run(models, states, next, forces, &inputs, dt);
             py.detach(move || match pool {

@@ -1,4 +1,4 @@
-//! Priors from the dimensions of a damper.
+//! Priors of a fit or a diagnosis from the dimensions of a damper.
 
 use crate::errors::{DimensionsError, raise};
 use dashpot_estimation::prior_set::PriorSet;

@@ -1,4 +1,4 @@
-//! Exceptions with the messages of the command.
+//! Exceptions of the Python package. Their texts are the messages of the command.
 
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;
@@ -38,7 +38,7 @@ fn as_arguments(said: String) -> String {
     translated.unwrap_or(said)
 }
 
-/// Converts a sentence to an exception.
+/// Makes an exception with a sentence as its text.
 pub fn say<E: pyo3::PyTypeInfo>(sentence: impl Into<String>) -> PyErr {
     PyErr::new::<E, _>(sentence.into())
 }

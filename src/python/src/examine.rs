@@ -1,4 +1,4 @@
-//! Diagnosis of the physical effect that a model lacks.
+//! Diagnosis of the physical effects that a model lacks.
 
 use crate::campaign::Campaign;
 use crate::dimensions::priors;
@@ -33,7 +33,7 @@ struct DiagnosisJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Returns the mean cycle of one test: motion, measured force, and the forces before and after.
+/// Returns the mean cycle of one test: motion, measured force, and the forces of the model before and after the diagnosis.
 pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
     let Curves { displacement, velocity, measured, before, after, .. } = curves;
     let arrays = PyDict::new(py);
@@ -49,20 +49,20 @@ pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDi
     Ok(arrays)
 }
 
-/// Diagnosis as the input of its reports. It exists until the process ends.
+/// Diagnosis with all data that its reports need. It cannot be stored, so only the process that made it can write reports.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Diagnosed {
-    /// Diagnosis.
+    /// Results of the diagnosis.
     pub found: Diagnosis,
-    /// Errors of the diagnosed models over every sample.
+    /// Errors of the given, the refitted and the improved model over every sample of the records.
     pub over_whole_records: OfDiagnosis,
     /// Diagnosed model.
     pub model: Py<Model>,
-    /// Records as read.
+    /// Records before the corrections of the diagnosis.
     pub campaign: Py<Campaign>,
-    /// Records of the reference as read.
+    /// Records of the reference before the corrections of the diagnosis, or `None` without a reference.
     pub reference: Option<Py<Campaign>>,
-    /// Notes on the campaign, without its records.
+    /// Findings about the campaign, without its records.
     pub about: dashpot_records::Campaign,
 }
 
@@ -156,7 +156,7 @@ pub fn diagnose_family<'py>(
 /// Diagnoses a model against records, and against a reference if one is given.
 ///
 /// Returns the output of `dashpot diagnose --json`, and the text of the model file with the named effects added. Also returns the mean
-/// cycle of every test, and the input of reports.
+/// cycle of every test, and the data for reports.
 #[pyfunction]
 #[pyo3(signature = (model, campaign, reference=None, hold_out=Vec::new(), max_effects=3, candidates=None, seed=0, progress=None, dimensions=None))]
 #[allow(clippy::too_many_arguments)]

@@ -8,7 +8,7 @@ use dashpot_identification::model_file::ModelFile;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Explains a family at a setting with a file of dimensions. The results are those of [`explain`].
+/// Explains a damper family at a setting with a file of dimensions. Returns the results of [`explain`].
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn explain_family(family: &Family, dimensions: PathBuf, setting: f64) -> PyResult<(String, Vec<String>)> {

@@ -28,14 +28,14 @@ pub struct Wanted {
     position_offset: f64,
     /// Instant for which the importer sets the inputs of a step: "begin" or "end".
     inputs: Option<String>,
-    /// Length of the damper for `CarMaker`: a number in m, or with a unit.
+    /// Length of the damper for `CarMaker`: a number in m, or a number with its unit. `None` if the FMU is not for `CarMaker`.
     carmaker: Option<String>,
-    /// Whether CarMaker's equilibrium uses the model's own curve.
+    /// Whether the equilibrium in `CarMaker` uses the FV curve of the model itself.
     model_curve: bool,
     sources: bool,
     hide_parameters: bool,
     library: Option<PathBuf>,
-    /// Binaries for further platforms.
+    /// Binaries for further platforms: name of the platform, and path of the file.
     binaries: Vec<(String, PathBuf)>,
     host_step: f64,
     wheel_mass: f64,
@@ -50,7 +50,7 @@ struct Files {
 }
 
 impl Wanted {
-    /// Makes the files. This precedes all writing, because invalid options cause an error.
+    /// Makes the contents of all files before any file is written, so that invalid options cause an error before writing.
     fn files(&self, models: &[&Model], stem: &str) -> anyhow::Result<Files> {
         let version = match self.fmi {
             2 => Version::Two,
@@ -98,7 +98,7 @@ impl Wanted {
         if self.carmaker.is_none() {
             return Ok(Files { made, plug_info: None });
         }
-        // With concealed parameters, no curve may reveal them.
+        // If the parameters are concealed, the file next to the FMU gets no curve, because the curve would reveal them.
         let curve =
             if self.hide_parameters { None } else { PlainCurve::from_model_file(&models[0].file, self.model_curve)? };
         let written = format!(

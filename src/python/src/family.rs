@@ -1,4 +1,4 @@
-//! Model files of dampers that depend on a setting, in Python.
+//! Model files of dampers that depend on a setting, as Python objects.
 
 use crate::campaign::Campaign;
 use crate::compare::figures;
@@ -26,10 +26,10 @@ use std::path::PathBuf;
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// Damper over a setting.
+/// Damper over a setting, with the text and the contents of its model file.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Family {
-    /// The model file.
+    /// Contents of the model file.
     pub file: ModelFile,
     prepared: Box<family::Family>,
     text: String,
@@ -55,19 +55,20 @@ impl Family {
         &self.text
     }
 
-    /// Returns the settings of the file, the start setting, name and unit.
+    /// Returns the values of the setting in the file, its start value, its name and its unit.
     fn setting(&self) -> (Vec<f64>, f64, &str, &str) {
         let axis = &self.file.axis;
         (axis.grid().to_vec(), axis.start(), axis.name(), axis.unit())
     }
 
-    /// Returns the ordinary damper at a setting.
+    /// Returns the ordinary damper at a setting. `name` is its name in error messages.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
     }
 
-    /// Returns the force of the damper in steady motion at each velocity and its setting. Both arrays must have the same length.
+    /// Returns the force, N, of the damper in steady motion at each pair of a velocity, m/s, and a setting. Both arrays must have the same
+    /// length. A force that is not finite is NaN.
     fn steady_force<'py>(
         &self,
         py: Python<'py>,
@@ -88,7 +89,7 @@ impl Family {
             let mut order: Vec<usize> = (0..setting.len()).collect();
             order.sort_by(|a, b| setting[*a].total_cmp(&setting[*b]));
             let mut forces = vec![f64::NAN; velocity.len()];
-            // Prepare each damper once for each setting.
+            // Prepare the damper only once for each distinct setting.
             for run in order.chunk_by(|a, b| setting[*a] == setting[*b]) {
                 let model = model_file::prepared(&definition.params_at(setting[run[0]]))?;
                 for place in run {
@@ -101,7 +102,8 @@ impl Family {
         Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
     }
 
-    /// Compares the family with records like `dashpot validate`. Each test has its own setting, or the `given` setting.
+    /// Compares the family with records like `dashpot validate`. If a test states no setting, the `given` setting applies. Returns the
+    /// figures as JSON, the simulated forces of every test, and the compared records.
     #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
     fn validate<'py>(
         &self,
@@ -119,7 +121,7 @@ impl Family {
             restate_settings(&file.axis, &mut read.records)?;
             let note = file.identification.right(&mut read.records);
             read.notes.extend(note);
-            // The tests may have several settings here, so no warning is necessary.
+            // Tests with several settings are expected here, so remove the warning about them.
             read.accept_settings();
             let compared = compare_family(file, &read, given, &say)?;
             let mut validation = figures(&read, &compared, None, &[])?;
@@ -140,7 +142,8 @@ impl Family {
         Ok((json, forces, Campaign { read }))
     }
 
-    /// Returns times, displacements, velocities and forces for a motion with a setting at each time.
+    /// Simulates a motion with a setting at each time. Returns times, displacements, velocities and forces. The setting at a sample is the
+    /// command during the step that ends at this sample.
     #[allow(clippy::needless_pass_by_value, clippy::type_complexity)]
     fn simulate<'py>(
         &self,

@@ -1,4 +1,4 @@
-//! Diagnosis of many dampers, or of one damper at many settings. Each is compared with its reference.
+//! Diagnosis of groups of records: of many dampers, or of one damper at many settings. Each group is compared with a reference.
 
 use crate::campaign::{Campaign, options};
 use crate::errors::{DiagnosisError, RecordError, raise};
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
-/// Records as paths, or already read. If they are already read, the paths are those of their files.
+/// Records as paths, and as a campaign if they were already read. In this case, the paths are those of its files.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Data {
@@ -35,7 +35,7 @@ impl Data {
     }
 }
 
-/// Split of the data, and the reference of the groups. Without a reference, the first group is the reference.
+/// Data with the rule that splits them into groups, and the reference of the groups. Without a reference, the first group is the reference.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Grouping {
@@ -44,21 +44,21 @@ pub struct Grouping {
     reference: Option<Data>,
     /// Name of the reference.
     reference_name: String,
-    /// Whether each group is compared with the preceding group.
+    /// Whether each group is compared with the preceding group instead of the reference.
     chain: bool,
     /// Entries of a `campaign.toml` as JSON. They are the options for reading the files.
     mapping: String,
     strict: bool,
 }
 
-/// Diagnoses of groups as the input of reports. They exist until the process ends.
+/// Diagnoses of groups with all data that reports need. They cannot be stored, so only the process that made them can write reports.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Grouped {
-    /// Diagnoses.
+    /// Results of the diagnoses.
     pub results: GroupResults,
     /// Diagnosed model.
     pub model: Py<Model>,
-    /// Every file that was read in addition to the model.
+    /// Paths of all files that were read in addition to the model.
     pub files: Vec<PathBuf>,
 }
 
@@ -80,10 +80,10 @@ impl From<GroupError> for Refusal {
 /// Mean cycles of every test of a group.
 type Cycles<'py> = Vec<Bound<'py, PyDict>>;
 
-/// Diagnoses groups of records. Each group is compared with the reference.
+/// Diagnoses groups of records. Each group is compared with the reference, or with the preceding group if `chain` is set in `grouping`.
 ///
 /// Returns the output of `dashpot diagnose --group --json`, and the notes on whole campaigns as JSON. Also returns the mean cycles of every
-/// group, and the input of reports.
+/// group, and the data for reports.
 #[pyfunction]
 #[pyo3(signature = (model, grouping, max_effects=3, candidates=None, seed=0, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -99,7 +99,7 @@ pub fn diagnose_groups<'py>(
     let file = &model.get().file;
     let reading = options(&grouping.mapping, grouping.strict)?;
     let done = work::run(py, progress, |progress| -> Result<_, Refusal> {
-        // The number of folders is unknown until the last one is found, so the progress of reading is unknown.
+        // The number of folders is unknown until the last one is found, so reading reports no progress.
         let read = |paths: &[PathBuf]| load(paths, &reading, &|_| progress.say(0.0, "reading"));
         let Grouping { data, by, reference, reference_name, .. } = &grouping;
         let mut good = match reference {

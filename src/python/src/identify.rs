@@ -28,18 +28,18 @@ struct FitJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Fit as the input of its tables. It exists until the process ends.
+/// Fit with all data that a workbook of its tables needs. It cannot be stored, so only the process that made it can write the workbook.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Fitted {
-    /// Fit.
+    /// Results of the fit.
     pub fit: Fit,
-    /// Errors of the model over every sample.
+    /// Errors of the model over every sample of the records.
     pub over_whole_records: Deviation,
-    /// The campaign without its records.
+    /// Findings about the campaign, without its records.
     pub about: dashpot_records::Campaign,
 }
 
-/// Fits a model. Returns the text of its model file, the figures as JSON, and the input of its tables.
+/// Fits a model to records. Returns the text of its model file, the figures as JSON, and the data for a workbook.
 #[pyfunction]
 #[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
 #[allow(clippy::needless_pass_by_value)]

@@ -8,10 +8,11 @@ use dashpot_records::Record;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// One limit from Python: name, quantity, velocity (m/s), low and high (N), amplitude (m), setting. A missing bound is infinite or `None`.
+/// Limit as a Python tuple: name, quantity, velocity (m/s), low and high (N, or s for response times), amplitude (m), setting. A missing
+/// bound is infinite or `None`.
 pub type Row = (String, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// Makes limits from rows. An error message states the index of the first invalid row.
+/// Makes limits from rows. An error message states the number of the first invalid row, from 1.
 pub fn of_rows(rows: Vec<Row>) -> PyResult<Vec<Limit>> {
     let limit = |(k, row): (usize, Row)| {
         let (name, quantity, velocity_m_s, low, high, amplitude_m, setting) = row;
@@ -52,7 +53,7 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
             )));
         }
         let quantity = quantity_name(quantity);
-        // As in a file, a limit without a name has the name of its quantity.
+        // A limit without a name in the file has the name of its quantity. Return such a name as an empty text.
         let name =
             if Quantity::named(&name).is_ok_and(|q| quantity_name(q) == quantity) { String::new() } else { name };
         Ok((name, quantity.to_owned(), velocity_m_s, low, high, amplitude_m, setting))
@@ -60,13 +61,13 @@ pub fn read_limits(path: PathBuf) -> PyResult<Vec<Row>> {
     found.into_iter().map(row).collect()
 }
 
-/// Checks whether these are valid limits.
+/// Raises an exception if one of the limits is invalid.
 #[pyfunction]
 pub fn check_limits(limits: Vec<Row>) -> PyResult<()> {
     of_rows(limits).map(|_| ())
 }
 
-/// Figures of a campaign for the check of every limit.
+/// Figures of a campaign that decide about every limit on a force.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Figures {
     of: limits::Figures,
@@ -74,7 +75,7 @@ pub struct Figures {
 
 #[pymethods]
 impl Figures {
-    /// Measures the figures of records.
+    /// Measures the figures of a campaign's records.
     #[staticmethod]
     #[pyo3(signature = (campaign, progress=None))]
     fn measure(py: Python<'_>, campaign: &Campaign, progress: Option<Py<PyAny>>) -> PyResult<Figures> {

@@ -1,4 +1,4 @@
-//! Models of the literature for comparison.
+//! Fit of the models of the literature that serve for comparison only.
 
 use crate::campaign::Campaign;
 use crate::errors::{FitError, raise, say};
@@ -19,7 +19,7 @@ struct LiteratureJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Identifies the model with this name. Returns the text of its file, and its figures as JSON.
+/// Identifies the model of the literature with this name from records. Returns the text of its file, and its figures as JSON.
 #[pyfunction]
 #[pyo3(signature = (campaign, name, hold_out=Vec::new(), progress=None))]
 pub fn fit_literature(

@@ -1,4 +1,4 @@
-//! Model files in Python.
+//! Model files as Python objects, and the forces of their dampers.
 
 use crate::errors::{ModelError, MotionError, OutputError, raise, say};
 use crate::work;
@@ -21,14 +21,15 @@ use std::sync::OnceLock;
 pub struct Model {
     /// Contents of the file.
     pub file: ModelFile,
-    /// Prepared model.
+    /// Model that the kernel runs, prepared from the parameters.
     pub prepared: Box<dashpot_core::Model>,
     text: String,
-    /// Parameters in use. They are determined at the first request, because that takes some thousand times as long as a step.
+    /// Parameters that have an effect. They are determined at the first request, because determining them takes some thousand times as long
+    /// as a step.
     in_use: OnceLock<Vec<parameter::Row>>,
 }
 
-/// One parameter in use.
+/// Parameter that has an effect, with the results of the fit for it.
 #[derive(Serialize)]
 struct ParameterJson<'a> {
     name: &'a str,
@@ -180,7 +181,7 @@ impl Model {
         Ok(PyArray1::from_vec(py, forces))
     }
 
-    /// Returns times, displacements, velocities and forces for a motion.
+    /// Simulates a motion, resampled at `step`, s, if it is given. Returns times, displacements, velocities and forces.
     #[pyo3(signature = (time, displacement, velocity, side_force, temperature, initial_position, step, progress=None))]
     #[allow(clippy::too_many_arguments, clippy::type_complexity)]
     fn simulate<'py>(
@@ -231,7 +232,7 @@ impl Model {
         if record.displacement.is_none() && record.velocity.is_none() {
             return Err(PyValueError::new_err("a motion needs displacement_m or velocity_m_s"));
         }
-        // Number of steps of the simulation. The simulation rejects an invalid step.
+        // Number of steps of the simulation. An invalid `step` is rejected later, by the resampling.
         let instants = match step {
             Some(step) if step > 0.0 => ((time[time.len() - 1] - time[0]) / step) as usize,
             _ => time.len(),
@@ -253,8 +254,8 @@ impl Model {
 
 /// Runs work without the interpreter lock.
 ///
-/// Work with fewer steps than the interval between checks for Ctrl-C runs in this thread. This saves a tenth of a millisecond compared with
-/// separate threads.
+/// Work with at most [`PROGRESS_INTERVAL`] steps runs in this thread, because it ends before a check for Ctrl-C. This saves a tenth of a
+/// millisecond compared with separate threads.
 fn long<T: Send>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,

@@ -1,4 +1,5 @@
-//! Reports, workbooks, certificates and figures as files. The functions of the command make them, so equal input gives equal bytes.
+//! Writing of reports, workbooks, certificates and figures. The functions of the command make their contents, so Python and the command
+//! write equal bytes for equal input.
 
 use crate::campaign::Campaign;
 use crate::compare::{compared, figures};
@@ -21,14 +22,14 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Format and stated inputs of a written report, workbook or figure.
+/// Language, format and stated inputs of a report, workbook or figure that is written.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Page {
     /// `en`, `de`, `fr` or `zh`.
     language: String,
     date: Option<String>,
-    /// Whether the printed report is complete.
+    /// Whether the printed report is complete instead of brief.
     full: bool,
     /// Whether the output may replace other files.
     force: bool,
@@ -60,7 +61,7 @@ impl Page {
 
     /// Returns the inputs of a report.
     ///
-    /// The first is the content of the model's file when it was read or written. The other files are read again.
+    /// The first input is the content that the model's file had when it was read or written. The other files are read again.
     fn made<'a>(&'a self, model: Option<&Model>, files: impl IntoIterator<Item = &'a PathBuf>) -> PyResult<Made> {
         let date = made::date(self.date.as_deref()).map_err(raise::<PyValueError>)?;
         let model = model
@@ -71,7 +72,7 @@ impl Page {
         Ok(Made { date, command: made::command_line(self.command.iter().cloned()), ..Made::of_known(known) })
     }
 
-    /// Runs the work that writes a file of this kind. Without a kind, the work writes into a folder.
+    /// Runs `work`, which writes a file of this kind to `path`. Without a kind, `path` is a folder.
     ///
     /// The output may not replace an input of the report.
     fn write<T: Send>(
@@ -102,7 +103,8 @@ type Forces<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
 /// Writes a validation as `report`, `certificate`, `workbook` or `figures`. Figures are written into a folder. Returns the written files.
 ///
-/// The error figures are computed again from the given forces. `campaign` contains the records with the corrections of the comparison.
+/// The error figures are computed again from the given forces. `campaign` contains the compared records, which were corrected for
+/// measurement errors.
 #[pyfunction]
 #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
 pub fn write_validation(
@@ -224,7 +226,7 @@ pub fn write_groups(py: Python<'_>, what: &str, path: PathBuf, page: Page, found
     })
 }
 
-/// Writes the proposed tests as a test matrix.
+/// Writes the tests that a diagnosis proposes as a test matrix.
 ///
 /// Returns the number of rows. If no proposed test is for a rig, returns 0 and writes nothing.
 #[pyfunction]

@@ -4,11 +4,11 @@ use dashpot_estimation::cancel::Cancel;
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// Payload of the unwinding that a progress call starts to end canceled work. Nobody reads it.
+/// Payload of the unwinding with which a progress call ends canceled work. [`crate::work::run`] recognizes it by its type.
 pub struct Ended;
 
-/// Calls a Python function with the completed fraction and the current step. After an exception of the function, stores the first exception
-/// and stops the work.
+/// Progress reports to a Python function, which receives the completed fraction and a text. If the function raises an exception, the first
+/// exception is stored and the work stops.
 pub struct Progress {
     tell: Option<Py<PyAny>>,
     raised: Mutex<Option<PyErr>>,
@@ -17,22 +17,22 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Makes a progress report. Without a function, it reports nothing.
+    /// Makes the progress reports for one unit of work. Without a function, they report nothing.
     pub fn new(tell: Option<Py<PyAny>>) -> Progress {
         Progress { tell, raised: Mutex::new(None), cancel: Cancel::default() }
     }
 
-    /// Reports the progress. Any thread that does not hold the interpreter lock may call it.
+    /// Reports the progress. Any thread that does not hold the interpreter lock may call this function.
     ///
-    /// If the work was canceled, this call ends it. Work that checks [`dashpot_estimation::cancel::asked`] ends earlier.
+    /// If the work was canceled, this call ends the work by unwinding. Work that checks [`dashpot_estimation::cancel::asked`] ends earlier.
     pub fn say(&self, done: f64, text: &str) {
         if let Some(tell) = self.tell.as_ref().filter(|_| !self.cancel.asked()) {
             if let Err(error) = Python::attach(|py| tell.call1(py, (done, text))) {
                 self.stop(error);
             }
         }
-        // Reading, measuring and comparing do not check for cancellation. Unwinding ends them and frees their memory. The package is always
-        // built with unwinding (`UNWINDS`), and nothing is written to disk before the last call.
+        // Reading, measuring and comparing records do not check for cancellation. Unwinding ends them and frees their memory. The package
+        // is always built with unwinding (`UNWINDS`), and nothing is written to disk before the last call.
         if self.cancel.asked() && cfg!(panic = "unwind") {
             std::panic::resume_unwind(Box::new(Ended));
         }

@@ -1,4 +1,4 @@
-//! Virtual rig: records for experiments, and test matrices.
+//! Virtual rig: makes records of simulated dampers for experiments, and test matrices.
 
 use crate::errors::{OutputError, RigError, raise, say};
 use crate::work;
@@ -9,7 +9,7 @@ use dashpot_severity::request::{Numbers, RequestedEffects, strengths};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Tests from a file, from a plan, or from the thesis with changes.
+/// Choice of tests: from a file, from a plan, or from the thesis (Jonnalagadda & Vyas 2020) with changes.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Tests {
@@ -22,7 +22,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// Returns the thesis's tests with the given changes.
+    /// Returns the tests of the thesis with the given changes.
     fn of_thesis(&self) -> Result<Matrix, Refusal> {
         let usual = MatrixOptions::default();
         Matrix::thesis(&MatrixOptions {
@@ -38,7 +38,7 @@ impl Tests {
         lists || self.frequency_limit_hz.is_some() || !self.slow_tests
     }
 
-    /// Returns the plan whose tests determine a severity, or `None` for the user's own tests.
+    /// Returns the plan whose tests determine the severity of an injected effect, or `None` if the user chose tests of their own.
     fn searched(&self) -> Result<Option<Plan>, Refusal> {
         match &self.plan {
             _ if self.matrix.is_some() || self.is_varied() => Ok(None),
@@ -47,8 +47,8 @@ impl Tests {
         }
     }
 
-    /// Returns the tests of a campaign. The default is a plan for injected effects. Without injected effects, the default is the thesis's
-    /// tests.
+    /// Returns the tests of a campaign. If effects are injected (`hides`), the default is a plan. Otherwise, the default is the tests of
+    /// the thesis. `order` is the seed for the order of a plan's tests.
     fn chosen(&self, hides: bool, order: u64) -> Result<Matrix, Refusal> {
         if let Some(file) = &self.matrix {
             return Matrix::read(file);
@@ -61,7 +61,7 @@ impl Tests {
     }
 }
 
-/// Rig and its sensors.
+/// Options of the virtual rig and its sensors.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Bench {
@@ -77,7 +77,7 @@ pub struct Bench {
     order: Option<u64>,
 }
 
-/// Options in messages of the rig, and the corresponding arguments.
+/// Names of options in messages of the rig, and the corresponding arguments of the Python package.
 const ARGUMENTS: [(&str, &str); 8] = [
     ("amplitudes", "amplitudes_m"),
     ("peak velocities", "peak_velocities_m_s"),
@@ -89,7 +89,7 @@ const ARGUMENTS: [(&str, &str); 8] = [
     ("sample rate", "sample_rate_hz"),
 ];
 
-/// Converts an error of the rig. In its message, names of arguments replace options.
+/// Converts an error of the rig to an exception. In its message, names of Python arguments replace names of options.
 fn refused(error: anyhow::Error) -> PyErr {
     match error.downcast_ref::<Refusal>() {
         Some(Refusal::Option { option, problem }) => {
@@ -100,7 +100,7 @@ fn refused(error: anyhow::Error) -> PyErr {
     }
 }
 
-/// Extracts the rig's own error.
+/// Extracts the error of the rig from an error of the severity search.
 fn of_rig(error: SeverityError) -> anyhow::Error {
     match error {
         SeverityError::Rig(refusal) => refusal.into(),
@@ -108,10 +108,10 @@ fn of_rig(error: SeverityError) -> anyhow::Error {
     }
 }
 
-/// Measures tests on the virtual rig. Returns their number.
+/// Measures tests on the virtual rig, and writes their records to a folder. Returns the number of records.
 ///
-/// `hide` contains names of effects with their strengths, or with their severities if `severity` is set. An effect without a number has the
-/// strength of a typical strong case.
+/// `hide` contains the names of injected effects with their strengths, or with their severities if `severity` is set. An effect without a
+/// number has the strength of a typical strong case.
 #[pyfunction]
 #[pyo3(signature = (folder, tests, bench, hide, severity, progress=None))]
 #[allow(clippy::needless_pass_by_value)]
@@ -159,7 +159,7 @@ pub fn measure(
     measured?.map_err(refused)
 }
 
-/// Returns the rig's test matrix as the text of a CSV file, and the number of tests.
+/// Returns the test matrix of the thesis, with changes, as the text of a CSV file. Also returns the number of tests.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn test_matrix(tests: Tests) -> PyResult<(String, usize)> {

@@ -1,9 +1,9 @@
-//! Long work without the interpreter lock, on separate threads.
+//! Execution of long work without the interpreter lock, on separate threads.
 //!
 //! Ctrl-C and exceptions of the progress function end the work.
 //!
-//! The threads belong to one unit of work. Rayon's global threads exist until the process ends, but not in a process forked after their
-//! start (multiprocessing does that on Linux). Waiting for them in a forked process never ends.
+//! Each unit of work has its own threads instead of Rayon's global threads. The global threads exist until the process ends, but not in a
+//! process forked after their start (multiprocessing does that on Linux). Waiting for them in a forked process would never end.
 
 use crate::progress::{Ended, Progress};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -34,7 +34,7 @@ pub fn set_threads(count: isize) -> PyResult<()> {
     Ok(())
 }
 
-/// Runs the work. Returns its result, or the exception that ended it.
+/// Runs long work. Returns the result of the work, or the exception that ended it.
 pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&Progress) -> T + Send) -> PyResult<T> {
     let progress = Progress::new(tell);
     let done = py.detach(|| {
@@ -42,7 +42,7 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
             let (alive, ended) = channel::<()>();
             let own = &progress;
             let worker = Builder::new().spawn_scoped(scope, move || {
-                // This value is dropped at the end of the work, even if the work fails.
+                // The channel closes when this value is dropped, at the end of the work, even if the work fails.
                 let _alive = alive;
                 own.cancel.run_on(THREADS.load(Ordering::Relaxed), || work(own))
             });
@@ -67,18 +67,19 @@ pub fn run<T: Send>(py: Python<'_>, tell: Option<Py<PyAny>>, work: impl FnOnce(&
     done.ok_or_else(|| PyRuntimeError::new_err("the system gives no threads to work on"))
 }
 
-/// Returns the threads that share steps of many dampers, or `None` if the system provides no threads. New threads replace them after a fork
-/// and after [`set_threads`].
+/// Returns the threads that share the steps of many dampers, or `None` if the system provides no threads. After a fork and after
+/// [`set_threads`], new threads replace them.
 ///
-/// This function locks the pool only while it also has the interpreter lock, which a fork acquires first. So the lock is free in a new
-/// child process.
+/// This function locks the pool only while it also has the interpreter lock. A fork acquires the interpreter lock first, so the lock of the
+/// pool is free in a new child process.
 pub fn pool(_: Python<'_>) -> Option<Arc<ThreadPool>> {
     static POOL: Mutex<Option<(u32, usize, Arc<ThreadPool>)>> = Mutex::new(None);
     let wanted = (std::process::id(), THREADS.load(Ordering::Relaxed));
     let mut kept = POOL.lock().unwrap_or_else(PoisonError::into_inner);
     match kept.as_ref() {
         Some((process, threads, pool)) if (*process, *threads) == wanted => return Some(pool.clone()),
-        // The parent's threads do not exist in this process, and waiting for their end would never return.
+        // The threads of the parent process do not exist in this process. Dropping their pool would wait for their end forever, so the pool
+        // is leaked.
         Some((process, ..)) if *process != wanted.0 => std::mem::forget(kept.take()),
         _ => {}
     }

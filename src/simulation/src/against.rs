@@ -1,6 +1,7 @@
 //! Comparison of a model with models of the literature.
 //!
-//! The requested models are identified from the tests of the model's fit, and compared on the same records.
+//! The requested models are identified from the tests that the fit of the given model used. All models are then compared on the same
+//! records.
 
 use dashpot_identification::literature::file::{self, FileError};
 use dashpot_identification::literature::{Literature, LiteratureError, MODELS, observation};
@@ -10,7 +11,7 @@ use dashpot_records::{Campaign, Record};
 use rayon::prelude::*;
 use std::path::Path;
 
-/// Note for a comparison with [`Rivals::fitted_to_all`].
+/// Note for a comparison in which [`Rivals::fitted_to_all`] is true.
 pub const FITTED_TO_ALL: &str = "the model file names no tests; the models compared with are fitted to all tests given";
 
 /// Reason why a comparison with models of the literature failed.
@@ -22,7 +23,7 @@ pub enum AgainstError {
     /// A file contains no model of the literature.
     #[error(transparent)]
     File(#[from] FileError),
-    /// None of the tests of the model's fit is in the data.
+    /// The data contains none of the tests that the fit of the model used.
     #[error(
         "--against identifies its models from the tests that the model was fitted to, and none of those {count} is in the data given, such as \
          {first:?}: give them beside the others"
@@ -35,12 +36,12 @@ pub enum AgainstError {
     },
 }
 
-/// A model of the literature, and its forces on every record, N.
+/// Model of the literature in a comparison, with its forces on every record.
 #[derive(Debug, Clone)]
 pub struct Rival {
     /// The model with its parameters.
     pub literature: Literature,
-    /// Forces of the model for each record.
+    /// Forces of the model at the samples of each record, N.
     pub forces: Vec<Vec<f64>>,
 }
 
@@ -53,8 +54,8 @@ pub struct Rivals {
     pub fitted_to_all: bool,
 }
 
-/// Returns each requested model once: names, `all`, or files that `dashpot fit --model` wrote. Reports errors before the fit, which takes
-/// minutes.
+/// Returns each requested model once. Requests are names, `all`, or files that `dashpot fit --model` wrote. This function checks the
+/// requests before the fits, which take minutes.
 ///
 /// # Errors
 /// A request is neither a name nor a file.
@@ -75,8 +76,8 @@ fn is_model(name: &str) -> bool {
 }
 
 impl Rivals {
-    /// Identifies or reads the requested models, and simulates every record with each model. `progress` receives the completed fraction and
-    /// the name of the next model.
+    /// Identifies or reads the requested models, and simulates every record with each of them. `progress` receives the completed fraction
+    /// and the name of the next model.
     ///
     /// # Errors
     /// The comparison failed: [`AgainstError`].

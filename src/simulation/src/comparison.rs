@@ -22,10 +22,10 @@ pub enum CompareError {
     /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// The FV curve of the model file does not form a valid model.
+    /// The plain FV curve in the tables of the model file does not form a valid model.
     #[error("the table fv_only of the model file: {0}")]
     FvOnly(String),
-    /// A record does not state the setting of the damper.
+    /// A record does not state the setting on which the damper depends, and the user gives none.
     #[error(
         "test '{test}' does not say its {name}, which the model depends on: give it with --setting, in the name of the test, or in campaign.toml under settings"
     )]
@@ -35,7 +35,7 @@ pub enum CompareError {
         /// Name of the setting.
         name: String,
     },
-    /// The model file has no FV curve, and none can be fitted.
+    /// The model file has no plain FV curve, and none can be fitted to the records.
     #[error(transparent)]
     Fit(#[from] FitError),
 }
@@ -45,7 +45,7 @@ pub enum CompareError {
 /// Several threads call `progress` with the number of completed records and their total.
 ///
 /// # Errors
-/// The parameters do not form a valid model, or there is no FV curve.
+/// The parameters do not form a valid model, or there is no valid plain FV curve and none can be fitted.
 pub fn compare<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -55,9 +55,10 @@ pub fn compare<'a>(
     compare_records(file, campaign, &|_| Ok(Dampers::Constant(file.params, fv_only)), progress)
 }
 
-/// Simulates every record with a damper over a setting. Each record has its own setting, or else the `given` one.
+/// Simulates every record with a damper over a setting. If a record states no setting, the `given` one applies.
 ///
-/// An FV curve is fitted to the records of each setting. For a changing setting, the FV curves of the family apply, without an actuator.
+/// For comparison, a plain FV curve is fitted to the records of each setting. For records in which the setting changes, the FV curves of
+/// the family itself are used, without an actuator.
 ///
 /// # Errors
 /// A record has no setting and none is given, or [`compare`] fails.
@@ -81,7 +82,7 @@ pub fn compare_family<'a>(
             let own: Vec<&Record> =
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
-            // Records with motion in only one direction have no separate FV curve.
+            // No FV curve can be fitted to records with motion in only one direction. Use the curve of the family for them.
             fit(&own, &options, |_| ())
                 .map_or_else(|_| plain_curve(&file.definition().params_at(*setting)), |fit| fit.params)
         })
@@ -94,18 +95,19 @@ pub fn compare_family<'a>(
     compare_records(file, campaign, &at, progress)
 }
 
-/// Damper of a record, and its FV curve alone.
+/// Dampers with which one record is simulated: the full model, and the FV curve alone.
 enum Dampers {
-    /// Damper and FV curve at a constant setting.
+    /// Parameters of the damper and of the FV curve alone, at a constant setting.
     Constant(Params, Params),
-    /// Damper over the setting, which changes within the record.
+    /// The setting changes within the record, so the damper family and its FV curves are used.
     Changing,
 }
 
-/// Returns the setting of every record: its own if it is the model's setting, else the given one. `None` if it changes within the record.
+/// Returns the setting of every record, or `None` if the setting changes within the record. If a record does not state the setting of the
+/// model, the `given` one applies.
 ///
 /// # Errors
-/// Returns the first record without a setting.
+/// Returns the first record without a setting if no setting is given.
 pub fn settings_of(
     file: &ModelFile,
     campaign: &Campaign,
@@ -156,17 +158,18 @@ fn plain_curve(params: &Params) -> Params {
     curve
 }
 
-/// Returns a damper over a setting that has only the FV curve and the gas force. It follows every command instantaneously.
+/// Returns a damper over a setting that has only the FV curve and the gas force of the given damper. It follows every command
+/// instantaneously.
 pub(crate) fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
-        // For every entry 0 is allowed and disables it.
+        // Every number of an actuator may be 0, which disables it.
         let _ = plain.axis.set_number(index, 0.0);
     }
     plain
 }
 
-/// Simulates every record with its own damper and FV curve.
+/// Simulates every record with the dampers that `of_record` returns for its index.
 fn compare_records<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -202,7 +205,8 @@ fn compare_records<'a>(
         .collect()
 }
 
-/// Returns the model's forces at constant velocities over the range of the tests.
+/// Returns velocities, m/s, and the forces of the model, N, at these constant velocities. They cover the range of the tests' peak
+/// velocities.
 pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
     let reach = |sign: f64| {
         let peaks = validation.tests.iter().flat_map(|t| &t.peaks).map(|p| sign * p.velocity_m_s);
@@ -211,7 +215,7 @@ pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64;
     between_velocities(model, reach(-1.0), reach(1.0))
 }
 
-/// Returns the plain FV curve of the fit. If the model file has none, fits one to these records.
+/// Returns the plain FV curve in the tables of the model file. If the file has none, fits one to the records of the campaign.
 fn fv_only(file: &ModelFile, campaign: &Campaign) -> Result<Params, CompareError> {
     if let Some(curve) = &file.identification.fv_only {
         return curve.params().map_err(CompareError::FvOnly);

@@ -1,16 +1,17 @@
-//! A motion that is imposed on a model: completed, resampled on request, and simulated.
+//! Motions that a user imposes on a model. They are completed, resampled on request, and simulated.
 
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
-/// Largest number of rows of a resampled motion. They give some gigabytes of output.
+/// Largest number of rows of a resampled motion. This number of rows gives some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
 /// Number of samples between two reports of progress.
 ///
-/// They take some hundredths of a second. So cancellation appears immediate, and the cost of a report is negligible.
+/// The simulation of these samples takes some hundredths of a second. So cancellation appears immediate, and the cost of a report is
+/// negligible.
 pub const PROGRESS_INTERVAL: usize = 16_384;
 
 /// A motion that can drive a model.
@@ -26,7 +27,7 @@ pub struct ImposedMotion {
     pub side_force: Option<Vec<f64>>,
     /// Damper temperature, °C, if known.
     pub temperature: Option<Vec<f64>>,
-    /// Setting of an adjustable damper, if known.
+    /// Setting of an adjustable damper, in the unit of the record, if known.
     pub setting: Option<Vec<f64>>,
     /// Displacement at the first sample, m.
     pub initial_position: f64,
@@ -48,7 +49,7 @@ pub struct SimulatedSample {
 /// Reason why a motion cannot be imposed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImposeError {
-    /// There is an initial position, although the file has a displacement.
+    /// An initial position is given, although the motion has a displacement.
     #[error(
         "the motion has a displacement, which says where it starts: an initial position is for motions that give \
          velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
@@ -68,7 +69,7 @@ pub enum ImposeError {
         /// Duration of the motion, s.
         duration: f64,
     },
-    /// The step gives too many rows.
+    /// The step gives more than [`MOST_ROWS`] rows.
     #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
     ShortStep {
         /// The step, s.
@@ -78,20 +79,21 @@ pub enum ImposeError {
         /// Number of rows.
         rows: f64,
     },
-    /// A channel or the force is not finite.
+    /// The velocity or the force is not finite: time, s, and name of the quantity.
     #[error("at {0} s the {1} is no finite number any more; check the units of the motion")]
     NotFinite(f64, &'static str),
 }
 
 impl ImposedMotion {
-    /// Completes a motion.
+    /// Makes a complete motion from a record: computes a missing velocity, and sets the initial position.
     ///
-    /// A motion with displacement and velocity stays unchanged. From displacement alone, the velocity is the derivative of the cubic spline
-    /// through it. The spline has continuous acceleration and not-a-knot ends. It is exact for cubics, and otherwise of third order in the
-    /// sample time. From velocity alone, the kernel integrates from `initial_position`, by default 0.
+    /// A motion with displacement and velocity stays unchanged. For a motion with displacement alone, the velocity is the derivative of the
+    /// cubic spline through the displacement. The spline has continuous acceleration and not-a-knot ends. It is exact for cubics, and
+    /// otherwise of third order in the sampling interval. For a motion with velocity alone, the kernel integrates from `initial_position`,
+    /// by default 0.
     ///
     /// # Errors
-    /// A motion with displacement has an initial position, or a derivative overflows.
+    /// An initial position is given for a motion with displacement, the initial position is not finite, or a velocity is not finite.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
         let MotionRecord { time, displacement, velocity, side_force, temperature, setting } = record;
         let setting = setting.map(|of| of.values);
@@ -110,10 +112,10 @@ impl ImposedMotion {
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, setting, initial_position })
     }
 
-    /// Resamples the motion at a fixed step, s, from its first time.
+    /// Resamples the motion at a fixed step, s, beginning at the first sample.
     ///
-    /// Displacement and velocity follow the cubic Hermite interpolant between neighboring samples. The kernel uses the same path within a
-    /// step. Side force, temperature and setting are linear.
+    /// Displacement and velocity follow the cubic Hermite interpolant between neighboring samples, which the kernel also uses within a
+    /// step. Side force, temperature and setting are interpolated linearly.
     ///
     /// # Errors
     /// The step is not positive, is longer than the motion, or gives too many rows.
@@ -124,7 +126,7 @@ impl ImposedMotion {
         let n = self.time.len();
         let (start, end) = (self.time[0], self.time[n - 1]);
         let duration = end - start;
-        // The factor includes the last sample in spite of rounding errors of its time.
+        // The factor 1 + 1e-9 keeps the last sample in spite of rounding errors of the duration.
         let steps = (duration / step * (1.0 + 1e-9)).floor();
         if steps < 1.0 {
             return Err(ImposeError::LongStep { step, duration });
@@ -176,7 +178,7 @@ impl ImposedMotion {
         Ok(out)
     }
 
-    /// Computes the displacement with the kernel's rule, in which the velocity is linear between samples.
+    /// Computes the displacement from the velocity with the kernel's rule: the velocity is linear between samples.
     fn integrated(&self) -> Vec<f64> {
         let mut x = self.initial_position;
         let mut displacement = vec![x];
@@ -187,7 +189,7 @@ impl ImposedMotion {
         displacement
     }
 
-    /// Returns the kernel's input at a sample.
+    /// Returns the kernel's input at a sample. Without a temperature channel, the temperature is 20 °C.
     pub fn input(&self, i: usize) -> Input {
         Input {
             displacement: self.displacement.as_ref().map(|c| c[i]),
@@ -205,9 +207,9 @@ impl ImposedMotion {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// Returns the command during the step that ends at a sample, if the motion has a setting.
+    /// Returns the command during the step that ends at a sample, or `None` if the motion has no setting.
     ///
-    /// The command is the mean of the setting at both ends of the step, because a change is equally likely in both halves.
+    /// The command is the mean of the settings at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
         let setting = self.setting.as_ref()?;
         Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))
@@ -244,7 +246,8 @@ impl ImposedMotion {
         Ok(answers)
     }
 
-    /// Simulates a damper and reports the number of finished samples every [`PROGRESS_INTERVAL`] samples.
+    /// Simulates the motion like [`ImposedMotion::drive`], and reports progress. Every [`PROGRESS_INTERVAL`] samples, `tell` receives the
+    /// number of finished samples and their total.
     ///
     /// # Errors
     /// The errors of [`ImposedMotion::drive`].
@@ -274,7 +277,8 @@ impl ImposedMotion {
     }
 }
 
-/// Evaluates the cubic for given values and slopes at both ends of an interval of length `h`. Returns value and slope at the fraction `s`.
+/// Evaluates the cubic with the values `x` and slopes `v` at both ends of an interval of length `h`. Returns value and slope at the
+/// fraction `s` of the interval.
 fn hermite(x: [f64; 2], v: [f64; 2], h: f64, s: f64) -> (f64, f64) {
     let (dx, p, q) = (x[1] - x[0], h * v[0], h * v[1]);
     let (square, cube) = (3.0 * dx - 2.0 * p - q, p + q - 2.0 * dx);
@@ -451,7 +455,7 @@ mod tests {
                 bends / (h * h)
             };
             for i in 1..x.len() - 1 {
-                // Accelerations are of the order of 1 / (0.1 s)².
+                // The second derivatives are of the order of 1 / (0.1 s)².
                 prop_assert!((bend(i - 1, true) - bend(i, false)).abs() < 1e-8);
             }
         }

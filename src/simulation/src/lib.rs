@@ -1,4 +1,4 @@
-//! Use of models: simulation of records, motions, hosts and vehicles.
+//! Simulation with damper models: of records, imposed motions, hosts and vehicles.
 //!
 //! | module | what |
 //! |---|---|
@@ -14,9 +14,9 @@
 //! | [`imposed_motion`] | motions that a user imposes on a model |
 //! | [`vehicle`] | a vehicle on four dampers, and its maneuvers |
 //! | [`chatter`] | chatter of a damper in a host with a zero-order hold of its force |
-//! | [`followed`] | resolution of a mass that oscillates on its spring |
-//! | [`stiffness`] | rates of a damper's states |
-//! | [`accuracy`] | error of the fixed step relative to a converged solution |
+//! | [`followed`] | check whether a step resolves an oscillating internal mass |
+//! | [`stiffness`] | fastest rate of a damper's states, and the longest step of explicit solvers |
+//! | [`accuracy`] | error of the kernel's fixed step relative to a converged solution |
 
 pub mod accuracy;
 pub mod against;

@@ -1,6 +1,6 @@
-//! Formatting of limits.
+//! Formatting of step limits for messages.
 
-/// Formats a limit with two digits after the first nonzero digit, rounded down.
+/// Formats a limit rounded down to three significant digits, or to an integer from 100 on.
 pub(crate) fn plain(limit: f64) -> String {
     let digits = (2.0 - libm::log10(limit.abs().max(1e-9)).floor()).clamp(0.0, 9.0) as usize;
     let scale = 10f64.powi(digits as i32);

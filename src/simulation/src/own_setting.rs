@@ -1,13 +1,13 @@
-//! Setting that a record states for a damper over a setting.
+//! Setting that a record states, for the simulation of a damper over a setting.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
 use dashpot_records::{Record, setting_factor};
 
-/// Setting of a record.
+/// Setting that a record states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnSetting {
-    /// The record does not state the setting.
+    /// The record does not state the setting of the axis, or states it in another unit.
     Unstated,
     /// The setting is constant.
     Constant(f64),
@@ -16,7 +16,7 @@ pub enum OwnSetting {
 }
 
 impl OwnSetting {
-    /// Returns the setting of a record, if its name and unit are those of the axis.
+    /// Finds the setting of a record. A setting with another name or unit than that of the axis does not count.
     pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
         let is_own = |name: &str, unit: &str| is_of_axis(axis, name) && setting_factor(unit, axis.unit()) == Some(1.0);
         if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name, &signal.unit)) {

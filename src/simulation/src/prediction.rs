@@ -8,10 +8,10 @@ use dashpot_estimation::samples::input_at;
 use dashpot_records::Record;
 use dashpot_records::smoothing::Motion;
 
-/// Predicts the forces of a model at the samples of a record. The input is the smoothed motion of the record, and the start is in steady
-/// state.
+/// Predicts the forces of a model, N, at the samples of a record. `motion` is the smoothed motion of the record, and the model starts in
+/// the steady state.
 ///
-/// See [`dashpot_records::smoothing::smooth`]. The oil is warmer than the surroundings by `rise`, K
+/// [`dashpot_records::smoothing::smooth`] computes the motion. At the start, the oil is warmer than the surroundings by `rise`, K
 /// ([`WarmStarts`](crate::warm_starts::WarmStarts)).
 pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Vec<f64> {
     let n = record.time.len();
@@ -27,7 +27,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     };
     let mut start = model.steady_state(&input(0));
     warm(model, &mut start, rise);
-    // A periodic record is a part of a longer test. So the internal state at its start equals the internal state one cycle later.
+    // A periodic record is a part of a longer test, so the internal state at its start equals the internal state one cycle later.
     if let Some(first) = record.cycles.first().filter(|c| c.start == 0 && c.end < n) {
         let later = run(start, 1..first.end + 1, &mut Vec::new());
         start.mass_displacement = later.mass_displacement - later.displacement + start.displacement;
@@ -40,9 +40,9 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     forces
 }
 
-/// Predicts the forces of a damper over a setting at the samples of a record in which the setting changes.
+/// Predicts the forces, N, of a damper over a setting at the samples of a record in which the setting changes.
 ///
-/// The command between two samples is the mean of their settings, because the change is equally likely in both halves of the interval.
+/// The command between two samples is the mean of their settings, because a change is equally likely in both halves of the interval.
 pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
     let n = record.time.len();
     let input = |i: usize| input_at(record, motion, i);
@@ -63,7 +63,8 @@ pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<
     forces
 }
 
-/// Returns the forces of the model, N, at constant velocities, m/s, and displacement zero: FV curve, friction and gas force.
+/// Returns velocities, m/s, and the forces of the model, N, at these constant velocities and displacement zero: FV curve, friction and gas
+/// force. Velocities at which the force is not finite are left out.
 pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     let at = |velocity: f64| {
         let input = Input::motion(0.0, velocity);
@@ -72,7 +73,7 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
 
-/// Returns the forces at velocities from `low` to `high`, on both sides of zero.
+/// Returns velocities and forces like [`at_velocities`], from the negative velocity `low` to the positive velocity `high`.
 ///
 /// The velocities are dense near zero, where friction and bleed determine the shape of the curve.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {

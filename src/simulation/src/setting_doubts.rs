@@ -9,16 +9,20 @@ use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 
-/// Mean error of a test relative to its largest force, below which its setting is not questioned.
+/// Mean error of a test, relative to its largest force, up to which the setting of the test is not questioned.
 ///
-/// Settings left out of the fits of the physical valve are missed by 0.7 to 2.2 % (`prove_semi_active 4 3040000`). Test: `a_validation_names_tests_whose_forces_are_those_of_another_setting`.
+/// At settings left out of the fits of the physical valve, the error is 0.7 to 2.2 % (`prove_semi_active 4 3040000`). Test:
+/// `a_validation_names_tests_whose_forces_are_those_of_another_setting`.
 const CLEAR: f64 = 0.05;
-/// Largest number of tests that are examined, those with the largest errors. Each is simulated at every candidate.
+/// Largest number of tests that are examined. They are those with the largest errors. The number is small, because each test is simulated
+/// at every candidate setting.
 const EXAMINED: usize = 8;
-/// Candidates in each interval of the grid. With 4, the nearest is off by an eighth of an interval at most.
+/// Number of candidate settings in each interval of the grid. With 4, a setting differs from the nearest candidate by at most an eighth of
+/// an interval.
 const CANDIDATES: usize = 4;
 
-/// Examines the records with the largest errors of a model over a setting. `settings` is the setting of each record, `None` where it changes.
+/// Returns doubts about the settings of records whose forces another setting predicts clearly better. Examines the records with the largest
+/// errors. `settings` contains the setting of each record, or `None` if the setting changes within it.
 pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {
     let mut worst: Vec<(usize, f64, f64)> = compared
         .iter()

@@ -3,7 +3,7 @@
 //! For the motion of the test, the model gives the force at the setting before the step and at the setting after it. The response is the
 //! completed fraction of the difference of these forces. So a step during a sine is equivalent to a step at constant speed.
 //!
-//! Both settings are those at which the valve comes to rest. With hysteresis, it comes to rest before it reaches the command.
+//! Both settings are the equilibria of the valve. With hysteresis, the valve stops before it reaches the command.
 
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
@@ -14,33 +14,36 @@ use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
 
-/// Displayed time before a step, and longest displayed time after the step, s.
+/// Time before a step that a response includes, s.
 const BEFORE: f64 = 0.01;
+/// Longest time after a step that a response includes, s.
 const BEHIND: f64 = 1.0;
-/// Largest number of points of a response.
+/// Largest number of points of a response over time.
 const POINTS: usize = 1500;
-/// Smallest duration of a level after a step, relative to the longest level of its kind. A shorter level would truncate the responses of
-/// all steps.
+/// Smallest duration of the level after a step, relative to the longest such level between the same settings. Steps with shorter levels are
+/// left out, because they would truncate the mean response.
 const LONG: f64 = 0.5;
-/// Smallest number of steps of one test in one direction for a separate response. With fewer steps, the noise would determine the slowest
-/// response.
+/// Smallest number of steps of one test in one stroke direction for a separate response. With fewer steps, the noise would determine the
+/// slowest response.
 const FEWEST: usize = 3;
-/// Shortest duration of a level that shows the end of the response, s.
+/// Shortest duration of the levels before and after a step, s, at which the step is used. Shorter levels do not show the end of the
+/// response.
 const SHORTEST: f64 = 0.03;
-/// Fraction at the end of a level that determines the end of the response.
+/// Fraction of a level, at its end, over which the final value of the response is averaged.
 const SETTLED: f64 = 0.25;
-/// Smallest difference of force, relative to the largest, at which an instant of a step is used.
+/// Smallest force change due to the step, relative to the largest, at which an instant of a step is used.
 const LEAST: f64 = 0.2;
-/// Smallest fraction of the way at which a response may end. A shorter one would be scaled up by more than five.
+/// Smallest fraction of the force change that counts as completed at the end of a level. Thus, the full change of the measured force is at
+/// most five times the observed change.
 const SHORTEST_WAY: f64 = 0.2;
-/// Largest error by rounding of the motion, relative to the difference of force, at which an instant is used.
+/// Largest error of the force due to a rounded velocity at which an instant is used, relative to the force change of the step.
 ///
-/// If the velocity is a derivative of the position, its window rounds a corner of the motion. With a limit of 1, a step shortly before the
-/// reversal of a triangle showed an overshoot of 41 %. It also showed 14.8 ms instead of 10.1 ms. With 0.1, all instants of a sine are
-/// used.
+/// If the velocity is computed from the position, the window of the derivative rounds corners of the velocity. With a limit of 1, a step
+/// shortly before the reversal of a triangle showed an overshoot of 41 %. Its response time was 14.8 ms instead of 10.1 ms. With 0.1, all
+/// instants of a sine are used.
 const ROUNDED: f64 = 0.1;
 
-/// One step with the forces before and after it.
+/// Force over time around one step, with the forces at the settings before and after the step.
 #[derive(Debug, Clone)]
 pub struct StepForces {
     /// Time since the step, s.
@@ -51,16 +54,16 @@ pub struct StepForces {
     pub before: Vec<f64>,
     /// Force at the setting after the step along the same motion, N.
     pub after: Vec<f64>,
-    /// Window of the derivative, s, if the velocity is computed from the position. 0 if the velocity was measured.
+    /// Window of the derivative, s, if the velocity is computed from the position. It is 0 if the velocity was measured.
     pub velocity_window_s: f64,
 }
 
 impl StepForces {
     /// Returns, for each instant, whether rounding in the window of the velocity leaves the model's forces unaffected.
     ///
-    /// Rounding moves a value toward the mean of its neighbors in the window. This difference estimates the error of the force. In the
-    /// middle of a corner, the rounded velocity is linear again. So instants within a quarter of the window from a rounded instant count as
-    /// rounded too.
+    /// Rounding moves a value toward the mean of its neighbors in the window. The difference between value and mean estimates the error of
+    /// the force. In the middle of a corner, the rounded velocity is linear, so this difference does not show the error. So instants within
+    /// a quarter of the window from a rounded instant count as rounded too.
     fn has_known_motion(&self) -> Vec<bool> {
         if self.velocity_window_s == 0.0 {
             return vec![true; self.time.len()];
@@ -82,14 +85,15 @@ impl StepForces {
     }
 }
 
-/// Averages the responses to steps of one kind on a grid of times since the step. The response is 0 before the step and 1 at its end.
+/// Averages the responses to steps of one kind on a grid of times since the step. The mean response is 0 before the step and 1 at the end
+/// of the grid.
 pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     let raw = fraction_of_way(&steps.iter().collect::<Vec<_>>(), grid);
     let [zero, one] = ends(&raw, grid);
     scaled(&raw, zero, one)
 }
 
-/// Averages the completed fraction of the force change. Returns NaN at times without a usable step.
+/// Computes the completed fraction of the force change by least squares over the steps. Returns NaN at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -114,7 +118,7 @@ fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     sums.iter().map(|[product, square]| product / square).collect()
 }
 
-/// Averages the fraction before the step, and in the last part of the grid.
+/// Averages the completed fraction before the step, and in the last part of the grid. Without finite values, the averages are 0 and 1.
 fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);
@@ -131,14 +135,14 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
 
 /// Computes measured and modeled response on a grid, and the model's completed fraction at the end of the grid.
 ///
-/// Force errors of the model at the levels do not belong to the response. So the measured response ends at the same fraction as the model.
-/// This fraction is below 1 if the level is too short for the valve. If the fraction were set to 1, a time constant of 60 ms would appear
-/// as 47 ms at 63 %.
+/// Force errors of the model at the two settings do not belong to the response. So the measured response is scaled to end at the same
+/// fraction as the model's response. This fraction is below 1 if the level is too short for the valve. If the fraction were set to 1, a
+/// time constant of 60 ms would appear as 47 ms at 63 %.
 fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
     let [measured, model] =
         forces.map(|of| fraction_of_way(&steps.iter().map(|step| of(step)).collect::<Vec<_>>(), grid));
-    // The force change of a step is relative to the force before the step.
+    // The model's full force change is known, so only the start of its response is scaled to 0.
     let [zero, one] = ends(&model, grid);
     let model = scaled(&model, zero, 1.0);
     let settled = dashpot_records::restrict((one - zero) / (1.0 - zero), SHORTEST_WAY, 1.0);
@@ -147,7 +151,7 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     ([measured, model], settled)
 }
 
-/// Steps of one kind, measured and modeled.
+/// Steps of one kind: between the same two settings.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
@@ -166,12 +170,12 @@ struct Step {
     model: StepForces,
 }
 
-/// The valve's state along the command of a record, without dead time, which does not affect where the valve comes to rest.
+/// State of the valve along the command of a record. The dead time is omitted, because it does not affect the equilibrium of the valve.
 struct Valve<'a> {
     actuator: Actuator,
     record: &'a Record,
     stand: Stand,
-    /// Sample of the state.
+    /// Index of the sample to which the state belongs.
     sample: usize,
 }
 
@@ -181,7 +185,7 @@ impl<'a> Valve<'a> {
         Valve { actuator, record, stand: Stand { lagged, turned: 0.0 }, sample: 0 }
     }
 
-    /// Moves on to a later sample.
+    /// Advances the state to a later sample.
     fn move_to(&mut self, sample: usize) -> &Valve<'a> {
         if let Some(signal) = &self.record.setting_signal {
             while self.sample < sample {
@@ -193,7 +197,7 @@ impl<'a> Valve<'a> {
         self
     }
 
-    /// Returns the settings at which the valve comes to rest under the commands before and after a step.
+    /// Returns the equilibrium settings of the valve under the commands before and after a step.
     fn settings_at_rest(&self, from: f64, to: f64) -> [f64; 2] {
         [from, to].map(|command| self.actuator.setting(&self.actuator.at_rest(&self.stand, command)))
     }
@@ -226,7 +230,7 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             let level = |wanted: f64| levels.iter().find(|(known, _)| is_same_setting(*known, wanted)).map(|(_, f)| f);
             let [from, to] = at_rest.map(level);
             let (Some(before), Some(after)) = (from, to) else { continue };
-            // The change is equally likely in both halves of a sample interval.
+            // The instant of the change within a sampling interval is unknown, so use the middle of the interval.
             let instant = 0.5 * (record.time[step.index] + record.time[step.index.saturating_sub(1)]);
             let end = record.time[step.end.min(record.time.len()) - 1];
             let has_settled = instant - starts_at >= SHORTEST && end - instant >= SHORTEST;

@@ -1,8 +1,8 @@
 //! Stiffness of the states of a damper, for hosts whose own solver integrates them.
 //!
-//! `dashpot_step` is stable at every step. A host may integrate the states itself (`dashpot_evaluate`, an FMU in model exchange) with an
-//! explicit method. This is stable only if the product of step and fastest rate lies in the stability region of the method. Otherwise the
-//! force may be wrong without an error.
+//! `dashpot_step` is stable for steps of any length. A host may also integrate the states itself with an explicit method
+//! (`dashpot_evaluate`, an FMU in model exchange). Such an integration is stable only if the product of step and fastest rate lies in the
+//! stability region of the method. Otherwise the force may be wrong without an error message.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::family::Definition;
@@ -13,10 +13,9 @@ use nalgebra::DMatrix;
 ///
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
-/// Rate, 1/s, above which a typical host step of 1 ms is unstable with that method.
+/// Rate, 1/s, above which the classical Runge–Kutta method is unstable at a typical host step of 1 ms.
 const STIFF: f64 = RUNGE_KUTTA / 1e-3;
-/// Velocities for the evaluation of the rates, m/s, in both directions. The range is from standstill, where FV curves are steepest, to a
-/// pothole.
+/// Speeds at which the rates are evaluated in both directions, m/s. They range from standstill, where FV curves are steepest, to a pothole.
 const SPEEDS: [f64; 7] = [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 1.5];
 
 /// Returns the largest magnitude of an eigenvalue of the states' Jacobian, 1/s, or 0 if no state changes.
@@ -35,12 +34,13 @@ pub fn fastest_rate(model: &Model) -> f64 {
     fastest
 }
 
-/// Returns the longest stable step of the classical Runge–Kutta method at a rate, s.
+/// Returns the longest stable step, s, of the classical Runge–Kutta method at a rate, 1/s.
 pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
-/// Returns the longest step, s, with which an explicit solver can integrate the states of all dampers, at every setting of their grids.
+/// Returns the longest step, s, with which an explicit solver can integrate the states of all dampers, at every setting of their grids. The
+/// result is at most 1 s.
 pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
     let at_each_setting = |damper: &D| {
         let damper: Definition = (*damper).into();
@@ -58,13 +58,14 @@ pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-/// Formats a limit with two digits, and never as 0.
+/// Formats a limit with at least two significant digits, so that a small limit does not become 0.
 fn in_digits(limit: f64) -> String {
     let digits = (1.0 - libm::log10(limit).floor()).clamp(0.0, 12.0) as usize;
     format!("{limit:.digits$}")
 }
 
-/// Returns [`remark`] for parameters. It is a text for the description of an FMU, which includes model exchange.
+/// Returns the text of [`remark`] for a parameter set, or no text. It serves the description of an FMU, because an FMU allows model
+/// exchange.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
 }
@@ -96,7 +97,7 @@ mod tests {
 
     #[test]
     fn the_rate_is_that_of_the_mass_behind_its_spring_and_valves() {
-        // The mass is overdamped. Its fast rate is at most the slope of the FV curve divided by the mass.
+        // The internal mass is overdamped. Its fast rate is at most the slope of the FV curve divided by the mass.
         let model = model(3e6, 0.05);
         let slope = model.elements().paths.fv_curve.evaluate(0.0).derivative;
         let rate = fastest_rate(&model);

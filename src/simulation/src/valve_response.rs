@@ -6,12 +6,12 @@ use dashpot_identification::validation::{ResponseTimes, StepResponse};
 
 /// Number of points of a response.
 const POINTS: usize = 400;
-/// Displayed number of time constants of a response. At its end, a thousandth of the change remains.
+/// Number of time constants that a response includes. At its end, a thousandth of the change remains.
 const CONSTANTS: f64 = 7.0;
-/// Time before the step, as a fraction of the displayed time after the step.
+/// Time before the step that a response includes, as a fraction of the time after the step.
 const BEFORE: f64 = 0.1;
 
-/// Computes the response of the valve to a step of the command, as a fraction of its change.
+/// Computes the response of the valve to a step of the command, as the completed fraction of the change of its setting.
 ///
 /// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step. Returns `None` without
 /// an actuator, or if the valve does not move.
@@ -24,7 +24,7 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let rate = actuator.rate[falls];
     let at_limit = if rate > 0.0 { (to - from).abs() / rate } else { 0.0 };
     let moving = at_limit + CONSTANTS * actuator.time[falls];
-    // A valve without a lag jumps. The time after the jump shows that the valve stays at its new position.
+    // A valve without a lag jumps. So the response includes some time after the jump, which shows that the valve stays at its new position.
     let span = (actuator.dead_time + moving).max(1.25 * actuator.dead_time).max(1e-3);
     let rest = Stand { lagged: from, turned: if actuator.has_hysteresis() { (from - to).signum() } else { 0.0 } };
     let (zero, one) = (actuator.setting(&rest), actuator.setting(&actuator.at_rest(&rest, to)));
@@ -47,13 +47,13 @@ pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     })
 }
 
-/// Returns whether the setting of the valve deviates from the command.
+/// Returns whether the axis has an actuator, so that the setting of the valve can deviate from the command.
 pub fn has_actuator(axis: &Axis) -> bool {
     let actuator = axis.actuator();
     axis.is_some() && (actuator.has_lag() || actuator.dead_time > 0.0)
 }
 
-/// Returns the setting at a time after the step.
+/// Returns the setting of the valve at a time after the step, s.
 fn moved(actuator: &Actuator, rest: &Stand, to: f64, time: f64) -> f64 {
     let moving = time - actuator.dead_time;
     // Without a lag, the valve reaches its new position immediately.
@@ -78,7 +78,7 @@ mod tests {
     fn times_are_those_of_the_numbers() {
         let lag = axis([8e-3, 20e-3, 2e-3, 0.0, 0.0, 0.1]);
         let up = valve_response(&lag, 0.0, 1.6).unwrap().model.unwrap();
-        // Hysteresis reverses within the first tenths of the change. Meanwhile, the valve is slower than its lag.
+        // The hysteresis reverses during the first tenths of the change. Meanwhile, the valve is slower than its lag.
         assert!(up.t63_s > 0.010 && up.t63_s < 0.0115 && up.overshoot.abs() < 1e-6, "{up:?}");
         let down = valve_response(&axis([8e-3, 20e-3, 0.0, 0.0, 0.0, 0.0]), 1.6, 0.0).unwrap().model.unwrap();
         assert!((down.t63_s - 0.020).abs() < 2e-4 && (down.t90_s - 0.04605).abs() < 3e-4, "{down:?}");

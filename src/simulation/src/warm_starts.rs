@@ -1,13 +1,13 @@
 //! Temperature of the damper at the start of each record.
 //!
-//! A model with its own heat balance starts cold in every simulation. On the rig, the preceding tests have warmed the oil. Records with a
-//! common clock show this: C_h dϑ/dt = F v − h ϑ with measured force and velocity. Pauses are included.
+//! A model with a heat balance starts cold in every simulation. On the rig, the preceding tests have warmed the oil. Records with a common
+//! clock show the rise ϑ of the oil temperature: C_h dϑ/dt = F v − h ϑ. Force and velocity are measured, and F v is 0 in pauses.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;
 use dashpot_records::Record;
 
-/// Slowest cooling, 1/s, that differs from no cooling. It removes a thousandth of the rise in a day.
+/// Cooling rate, 1/s, that replaces smaller rates, including zero. It removes only a thousandth of the temperature rise in a day.
 const NONE: f64 = 1e-8;
 
 /// Heat that the damper absorbed in a campaign.
@@ -19,7 +19,7 @@ impl WarmStarts {
         WarmStarts(Heating::new(records, &[]))
     }
 
-    /// Returns the rise of the oil's temperature, K, at the start of record `place`.
+    /// Returns the rise of the oil's temperature, K, at the start of the record with the index `place`.
     ///
     /// Returns 0 if the model has no heat balance, or if every record has a separate clock.
     pub fn rise(&self, params: &Params, place: usize) -> f64 {
@@ -33,7 +33,7 @@ impl WarmStarts {
     }
 }
 
-/// Sets the rise of the oil's temperature, K, in a state, if the model has this internal state.
+/// Sets the rise of the oil's temperature, K, in a state. Does nothing if the model has no such internal state.
 pub(crate) fn warm(model: &Model, state: &mut State, rise: f64) {
     let is_heat = |k: &usize| model.state_name(*k).is_some_and(|(name, _)| name == "oil_temperature_rise");
     // The first two states belong to the internal mass.
@@ -49,7 +49,7 @@ mod tests {
     use dashpot_records::smoothing::smooth;
     use std::f64::consts::TAU;
 
-    /// Makes ten cycles of high power that begin at this time of the campaign.
+    /// Makes a record of ten cycles of high power that begins at the time `clock_s` of the campaign.
     fn record(clock_s: f64) -> Record {
         let time: Vec<f64> = (0..5000).map(|k| 1e-3 * f64::from(k)).collect();
         let omega = TAU * 2.0;

@@ -1,9 +1,9 @@
 //! Errors of a model over whole records.
 //!
-//! A fit, a validation and a diagnosis report these figures, so they are comparable.
+//! A fit, a validation and a diagnosis all report these errors, so their figures are comparable.
 //!
-//! The internal figures of a fit and a diagnosis are smaller than those of a validation. They use mean cycles, which average out the noise,
-//! and a diagnosis refits first. A validation uses every sample of every record and begins in steady state.
+//! The internal figures of a fit and a diagnosis are smaller than those of a validation. The reasons are that mean cycles average out the
+//! noise, and that a diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
 
 use crate::comparison::without_actuator;
 use crate::prediction::{predict, predict_family};
@@ -19,7 +19,7 @@ use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Reason why figures over records are not available.
+/// Reason why errors over whole records cannot be computed.
 #[derive(Debug, thiserror::Error)]
 pub enum WholeRecordsError {
     /// The parameters do not form a valid model.
@@ -48,7 +48,8 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
     Ok(validate(&compared)?.overall.errors.model)
 }
 
-/// Computes the errors of a fit over its own records. The records are corrected for the measurement errors that the fit found.
+/// Computes the errors of a fitted model over the records of the fit. The records are first corrected for the measurement errors that the
+/// fit found.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -56,18 +57,19 @@ pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsE
     without(&fit.measured, &fit.params, records)
 }
 
-/// Quality of a fit, relative to the noise of its records and to the plain FV curve. No model can have a smaller error than the noise.
+/// Quality of a fit: the error of its model, in comparison with the plain FV curve and with the noise of the records. No model can have a
+/// smaller error than the noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quality {
     /// Error of the model.
     pub model: Deviation,
     /// Error of the plain FV curve fitted to the same tests.
     pub fv_only: Deviation,
-    /// Mean magnitude of the noise, N, or 0 if unknown.
+    /// Mean magnitude of the noise of the force, N, or 0 if it is unknown.
     pub noise_n: f64,
 }
 
-/// Computes the quality of a fit over its own records.
+/// Computes the quality of a fit over the records of the fit.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -83,7 +85,7 @@ fn mean_noise(records: &[&Record]) -> f64 {
     known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
 }
 
-/// Computes the quality of a family over its tests with constant settings. Each test has its own setting.
+/// Computes the quality of a damper family over the tests of its fit with constant settings. Each test is simulated at its own setting.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -127,7 +129,7 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
     Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
 }
 
-/// Computes the quality of a family over its tests in which the setting changes. Returns `None` without such tests.
+/// Computes the quality of a damper family over the tests of its fit in which the setting changes. Returns `None` without such tests.
 ///
 /// # Errors
 /// The errors of [`deviation`].
@@ -159,7 +161,7 @@ pub fn quality_where_the_setting_changes(
     Ok(Some(Quality { model: errors.model, fv_only: errors.fv_only, noise_n }))
 }
 
-/// Computes the errors over records that are corrected for measurement errors.
+/// Computes the errors of a model over records after correcting them for measurement errors.
 fn without(measured: &[Measured], params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let off = to_measurement_error(measured);
     let right: Vec<Record> = records.iter().map(|record| correct_record(record, &off)).collect();
@@ -176,7 +178,7 @@ pub struct OfDiagnosis {
     /// Errors of the model with the findings that belong to the damper. The records are corrected for the measurement errors that the
     /// diagnosis found.
     ///
-    /// A validation of the improved model's file gives the same figures.
+    /// A validation with the file of the improved model gives the same figures.
     pub improved: Deviation,
 }
 

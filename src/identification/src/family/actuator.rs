@@ -1,4 +1,4 @@
-//! Actuator of a damper family, identified from tests in which the setting changes.
+//! Identification of the actuator of a damper family from tests in which the setting changes.
 
 use super::TEMPERATURE;
 use super::interpolation_error::InterpolationError;
@@ -20,14 +20,15 @@ use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
 const RMS_OF_MEAN: f64 = 1.25;
-/// Factor on the second derivative in the first and last interval, of a standard deviation. Where it bounds the error of a force, it is 2.
+/// Factor on the second derivative of the force over the setting in the first and last grid interval, for a standard deviation of the
+/// force. For a bound on the error of a force, [`InterpolationError`] uses 2.
 ///
-/// The book's figures of the physical valve hold with this value (`prove_semi_active 4 3040000`).
+/// The figures of the physical valve in the book were computed with this value (`prove_semi_active 4 3040000`).
 const AT_END: f64 = 1.5;
-/// Largest ratio of a posterior to a prior standard deviation at which the records determine a number.
+/// Ratio of the posterior to the prior standard deviation of a number below which the number counts as identified.
 const NARROWED: f64 = 0.7;
 
-/// Decision on one part of an actuator, with its probability.
+/// Decision on one part of an actuator, with the probability of the part.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ActuatorDecision {
     /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
@@ -38,18 +39,18 @@ pub struct ActuatorDecision {
     pub probability: f64,
 }
 
-/// An actuator identified from records.
+/// Actuator identified from records.
 #[derive(Debug, Clone, Serialize)]
 pub struct ActuatorFit {
-    /// Numbers of the actuator with their 95 % intervals. A number shared by rising and falling settings appears once for each.
+    /// Numbers of the actuator with their 95 % intervals. A number that rising and falling settings share appears once for each direction.
     pub estimates: Vec<Estimate>,
     /// Decision on each part of the actuator.
     pub parts: Vec<ActuatorDecision>,
-    /// Tests from which the actuator was identified.
+    /// Names of the tests from which the actuator was identified.
     pub tests: Vec<String>,
 }
 
-/// Adds the family's own form error to the noise of the tests. The form error is `fraction` of the largest force of a test.
+/// Adds the error of the family at constant settings to the noise of the tests. This error is `fraction` of the largest force of a test.
 fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     let weighed = |mut test: Test| {
         let form = fraction * test.segment.top;
@@ -62,7 +63,7 @@ fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
 
 /// Identifies the actuator of a given damper family, and writes the actuator into its axis.
 ///
-/// Returns `None` if no test has a changing setting, or if no start gives a finite force.
+/// `records` are the tests with a changing setting. Returns `None` if there are none, or if no start gives a finite force.
 pub fn identify_actuator(
     damper: &mut Definition,
     family: &FamilyStructure,
@@ -114,8 +115,8 @@ pub fn identify_actuator(
 }
 
 /// Estimates the standard deviation of the interpolated force midway between each pair of grid neighbors, as a fraction of the force. It is
-/// the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error there. A moving valve passes these
-/// settings, so a wrong force there would appear as a wrong time.
+/// the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error at these settings. A moving valve
+/// passes the settings between grid values, so a wrong force would appear as a wrong response time.
 fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
     let errors = InterpolationError::new(damper);
     let difference = |place: usize| {
@@ -124,7 +125,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
     let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), AT_END, difference);
-    // A grid of two settings has no inner setting that can be left out.
+    // A grid of two settings has no inner setting that can be left out, so its interpolation error counts as zero.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
@@ -136,9 +137,9 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// Estimates the numbers with their intervals. `timing` contains the derivatives of the residuals with respect to the instant of the
-/// command within a sample. The intervals include the uncertainty of that instant. If the setting never changes in one direction, the
-/// number of that direction is not identified, even if both directions share it.
+/// Estimates the numbers of an actuator with their intervals. `timing` contains the derivatives of the residuals with respect to the
+/// instant of the command within a sampling interval. The intervals include the uncertainty of that instant. If the setting never changes
+/// in one direction, the number of that direction is not identified, even if both directions share it.
 fn estimates(
     refit: &ActuatorRefit,
     timing: &[Vec<f64>],
@@ -182,11 +183,12 @@ fn estimates(
     all
 }
 
-/// Widens an interval to that of the mean over the actuators that the records do not rule out. A number that another one lacks is 0 there.
+/// Mixes an interval with the intervals of `others`, the alternative actuators that the records do not rule out, by their weights. A number
+/// that an alternative lacks is 0 in this alternative.
 fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
     let part = |weight: f64, of: Option<&Estimate>| {
         let value = of.map_or(0.0, |of| of.value);
-        // A number that the records leave open has no interval there.
+        // An alternative in which the number has no interval gets no weight.
         let weight = if of.is_some_and(|of| of.low.is_none()) { 0.0 } else { weight };
         let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
@@ -202,8 +204,8 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
     }
 }
 
-/// Returns the unit of a number of the axis. The user chooses the unit of the setting. The result is one of the few units that the program
-/// knows.
+/// Returns the unit of a number of the axis. In the table, `*` stands for the unit of the setting, which the user chooses. Only A and V are
+/// known here; any other unit gives an empty text.
 fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     match (unit, of_setting) {
         ("*", "A") => "A",

@@ -3,7 +3,7 @@
 use crate::model_file::{Identification, Interval};
 use dashpot_core::family::axis::{Axis, ENTRIES};
 
-/// A number of an actuator.
+/// Number of an actuator, such as a time constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ActuatorNumber {
     /// Name in the model file.
@@ -12,7 +12,7 @@ pub struct ActuatorNumber {
     pub value: f64,
     /// Unit.
     pub unit: String,
-    /// 95 % interval, or `None` if the file has none.
+    /// 95 % interval, or `None` if the file has none or its two ends are equal.
     pub interval: Option<[f64; 2]>,
 }
 

@@ -1,4 +1,4 @@
-//! Evaluation of a family at one setting: an ordinary damper with those results of the fit that hold at the setting.
+//! Evaluation of a damper family at one setting. It gives an ordinary damper with those results of the fit that hold at the setting.
 
 use super::interpolation_error::InterpolationError;
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
@@ -10,11 +10,11 @@ use dashpot_core::list;
 use dashpot_core::parameter::Number;
 use dashpot_messages::{Kept, Sentence};
 
-/// Returns the ordinary damper at a setting, with the 95 % intervals there.
+/// Returns the ordinary damper at a setting, with the 95 % intervals that hold at this setting.
 ///
 /// Between two settings of the fit, the distances of the interval ends from the value are interpolated linearly. The [error of
-/// interpolation](InterpolationError) is added as an independent error. If that error is unknown, the number has no interval, and a note
-/// states so.
+/// interpolation](InterpolationError) is added as an independent error. If this error is unknown, the number has no interval, and a note
+/// names the number.
 pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     let params = file.definition().params_at(setting);
     let mut identification = file.identification.clone();
@@ -28,13 +28,13 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
             identification.intervals.insert(name, interval);
         }
     }
-    // An ordinary damper has no actuator.
+    // An ordinary damper has no actuator, so the intervals of its numbers are removed.
     identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
-    // If the user changed the file, the stored curves belong to another damper.
+    // If the user changed the file, the stored plain FV curves belong to another damper.
     let curve = if file.was_changed() { None } else { place.curve(file.axis.grid(), &curves) };
     identification.fv_only = curve.or(identification.fv_only);
-    // Identification failed at a neighboring setting, so the number has no measured value between the two settings.
+    // A number that was not identified at a neighboring setting has no measured value between the two neighbors.
     let mut open: Vec<String> = Vec::new();
     for name in &identification.not_identified {
         let (bare, is_here) = match name.rsplit_once('@') {
@@ -57,7 +57,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
-/// Position of a setting on a grid.
+/// Position of a setting on a grid, with the indices of its left and right neighbors.
 struct Place {
     setting: f64,
     left: usize,
@@ -81,8 +81,8 @@ impl Place {
         [self.left, self.right].iter().filter_map(|place| grid.get(*place)).copied().collect()
     }
 
-    /// Returns whether a note of the fit holds at this setting. Notes on other settings do not apply here. Notes on the force of an effect
-    /// over all settings do not apply either.
+    /// Returns whether a note of the fit holds at this setting. Notes on settings other than the neighbors do not hold. Notes on the force
+    /// of an effect over all settings do not hold either.
     fn is_of(&self, note: &str, axis: &Axis) -> bool {
         let own = note.strip_prefix("at ").and_then(|rest| rest.strip_prefix(axis.name())?.strip_prefix(" = "));
         match own {
@@ -94,7 +94,7 @@ impl Place {
         }
     }
 
-    /// Returns the plain FV curve at the setting. Returns `None` unless the file has a curve for both neighbors.
+    /// Returns the plain FV curve at the setting. Returns `None` unless the file has a plain curve for both neighbors.
     fn curve(&self, grid: &[f64], all: &[FvOnlyAt]) -> Option<FvOnly> {
         let of = |place: usize| {
             let setting = grid.get(place)?;
@@ -103,7 +103,8 @@ impl Place {
         of(self.left)?.between(of(self.right)?, self.part)
     }
 
-    /// Returns the interval of a number or a list at the setting. Returns `None` if interval and values have different grids.
+    /// Returns the interval of a number or a list at the setting. Returns `None` if the error of interpolation is unknown or the intervals
+    /// do not match the grid. Also returns `None` for a number without an interval at a neighbor.
     fn interval(
         &self,
         name: &str,
@@ -116,7 +117,7 @@ impl Place {
                 let number = Number::find(name).ok()?;
                 let values = axis.values(number)?;
                 let both = [self.left, self.right].map(|place| Some((*values.get(place)?, *ends.get(place)?)));
-                // A number that was changed since the fit has no interval.
+                // The ends of an interval are NaN if the number was changed since the fit.
                 let error = error.of_value(self.setting, |params| params.number(number))?;
                 let ends = self.between(at.number(number), both, error)?;
                 ends.iter().all(|end| !end.is_nan()).then(|| Interval::Number(ends.map(|end| number.inside(end))))
@@ -135,7 +136,8 @@ impl Place {
         }
     }
 
-    /// Interpolates the distances of the neighbors' ends from their values, and adds the error of interpolation.
+    /// Interpolates the distances of the neighbors' interval ends from their values, and adds the error of interpolation. Returns the ends
+    /// around `value`.
     fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2], error: f64) -> Option<[f64; 2]> {
         let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
         Some([0, 1].map(|end| {
@@ -196,7 +198,7 @@ mod tests {
         let file = family_of_text(&bent, "f.toml".as_ref()).unwrap();
         let middle = at_setting(&file, 0.5);
         let [low, high] = number_of(&middle, "coulomb_force");
-        // The line through the neighbors gives 80 N instead of 60 N at the middle. Halfway to a neighbor, half of these 20 N is uncertain.
+        // At setting 1, the line through the neighbors gives 80 N instead of 60 N. Halfway to a neighbor, half of these 20 N is uncertain.
         assert!(((high - low) / 2.0 - libm::hypot(12.5, 10.0)).abs() < 1e-9, "{low} {high}");
         let two = FAMILY.replace(", 2.0]", "]").replace(", 100.0]", "]").replace(", [-4000.0, 0.0, 6000.0]", "");
         let two = two.replace("    [90.0, 110.0],\n", "");

@@ -9,7 +9,7 @@ use dashpot_records::{Campaign, SignFinding, Unusable};
 use serde::Serialize;
 use std::path::Path;
 
-/// The setting of a family.
+/// Name, unit and values of the setting of a family.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct SettingFigures<'a> {
     name: &'a str,
@@ -24,7 +24,7 @@ pub struct FamilyFigures<'a> {
     model: Option<&'a Path>,
     setting: SettingFigures<'a>,
     tests: &'a [String],
-    /// Estimates. A number that depends on the setting appears once for each value of the setting.
+    /// Estimates of all numbers. A number that depends on the setting appears once for each value of the setting.
     parameters: &'a [FamilyEstimate],
     depends_on_setting: &'a [SettingDependence],
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,4 +1,4 @@
-//! Fit of a damper family.
+//! Fit of a damper family: one damper whose numbers may depend on a setting.
 
 use super::TEMPERATURE;
 use super::actuator::{self, ActuatorFit, identify_actuator};
@@ -40,12 +40,12 @@ pub struct FamilyEstimate {
     /// Setting at which the estimate holds, or `None` if all settings share the number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub setting: Option<f64>,
-    /// The number.
+    /// Estimate of the number.
     #[serde(flatten)]
     pub estimate: Estimate,
 }
 
-/// Whether a number depends on the setting.
+/// Decision on whether a number depends on the setting.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingDependence {
     /// Name of the number; `fv_force` for the FV curve.
@@ -63,12 +63,12 @@ pub struct ForceAtSetting {
     pub setting: f64,
     /// Root mean square over the tests at the setting, N.
     pub force_n_rms: f64,
-    /// Ratio of that force to the root mean square of the measured force.
+    /// Ratio of `force_n_rms` to the root mean square of the measured force.
     #[serde(rename = "share")]
     pub fraction: f64,
 }
 
-/// An effect of a family.
+/// Effect of a damper family, with its forces.
 #[derive(Debug, Clone, Serialize)]
 pub struct FamilyItem {
     /// The effect, with its force over all settings.
@@ -89,13 +89,13 @@ pub struct FamilyFit {
     pub estimates: Vec<FamilyEstimate>,
     /// Numbers that may depend on the setting, with the decision for each.
     pub dependences: Vec<SettingDependence>,
-    /// The actuator, or `None` if no test has a changing setting.
+    /// The actuator, or `None` if no test has a changing setting or the actuator gives no finite forces.
     pub actuator: Option<ActuatorFit>,
     /// Effects with their force over all settings.
     pub inventory: Vec<FamilyItem>,
     /// Measurement errors of the records. They never become part of the model.
     pub measured: Vec<Measured>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970.
+    /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
     pub clock_from: Option<f64>,
     /// Errors at each setting, including those of a family fitted without the setting.
     pub settings: Vec<SettingReport>,
@@ -103,23 +103,23 @@ pub struct FamilyFit {
     pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
-    /// Whether the forces contradict the setting that a test states; the notes name the tests.
+    /// Whether the forces contradict the settings that tests state. The notes name the tests or settings.
     pub has_doubtful_labels: bool,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
     /// Fingerprints of the contents of these tests, in the same order.
     pub fingerprints: Vec<String>,
-    /// Root mean square of the weighted residual. At 1, the residual equals noise and curve discretization.
+    /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,
 }
 
 impl FamilyFit {
-    /// Returns the settings for which the model file gives numbers.
+    /// Returns the values of the setting for which the model file gives numbers.
     pub fn settings_grid(&self) -> &[f64] {
         self.damper.axis.grid()
     }
 
-    /// Returns the setting with the worst prediction by the family fitted without that setting. Returns `None` if no setting was left out.
+    /// Returns the setting that the family predicts worst if it is fitted without that setting. Returns `None` if no setting was left out.
     pub fn worst_left_out(&self) -> Option<WorstLeftOut> {
         WorstLeftOut::find(&self.settings)
     }
@@ -128,7 +128,8 @@ impl FamilyFit {
 /// Fits one damper family to records measured at several values of a setting.
 ///
 /// # Errors
-/// The records lack the setting, they have a single setting or too many settings, or no damper can be fitted at a setting.
+/// The records lack the setting, they have a single setting or too many settings, or no damper can be fitted at a setting. Further errors
+/// are forces that are not finite, and numbers that the kernel rejects.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,
@@ -230,7 +231,7 @@ fn damper(best: &FamilyStructure, axis: &SettingAxis, settings: &[SettingTests])
     Ok(damper)
 }
 
-/// Estimates the numbers. A shared number has one estimate, any other number has one at each setting.
+/// Estimates the numbers of a family. A number that all settings share has one estimate. Any other number has one at each setting.
 fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[SettingTests]) -> Vec<FamilyEstimate> {
     let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
     let (joint, joint_refit) = (hypothesis.joint(), hypothesis.joint_refit(refit));
@@ -244,7 +245,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
             Site::Number(number) => estimate.name == number.name(),
         })
     };
-    // The tests at a setting decide about the force effect of a number. All tests decide about a shared number.
+    // The tests at a setting decide whether a number of this setting counts as identified. All tests decide about a shared number.
     let at = |place: usize, tests: &[Test], residual: &[f64]| {
         let theta = hypothesis.theta_at(&refit.theta, place);
         known.select(&columns[place]).estimates(&hypothesis.template, &theta, tests, residual)
@@ -259,7 +260,7 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     all
 }
 
-/// Estimates the numbers again after freeing a rejected delay and mass of the load cell within their priors.
+/// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors.
 fn with_open_measurement(
     best: &FamilyStructure,
     settings: &[SettingTests],
@@ -297,8 +298,8 @@ fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<S
     named.collect()
 }
 
-/// Computes the force of each effect over all settings and at each setting. The probability compares the family with and without the
-/// effect.
+/// Computes the force of each effect over all settings and at each setting. The probability of an effect follows from the log posteriors of
+/// the family with and without this effect.
 fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyItem> {
     let probabilities: BTreeMap<&str, f64> = best
         .components
@@ -336,7 +337,8 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Family
     all
 }
 
-/// Reports the expectations from the priors, and their contradictions with the records. Names the setting of a number that depends on it.
+/// Reports the expectations from the priors, and the contradictions between priors and records. A contradiction of a number that depends on
+/// the setting names the setting.
 fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     for row in priors.rows() {
@@ -356,8 +358,9 @@ fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &Setti
     notes
 }
 
-/// Smallest ratio, with a note, of the family's error to the error of a separate fit of one setting. The worst ratio of UTFSM is 1.15. The
-/// ratio was 2.2 for a model with shared friction and records with friction that depends on the setting.
+/// Ratio of two errors above which a note names a setting. The errors are those of the family and of a separate fit of the setting, the
+/// larger divided by the smaller. The worst ratio in the UTFSM records is 1.15. The ratio was 2.2 for a model with shared friction and
+/// records with friction that depends on the setting.
 const WORSE: f64 = 1.5;
 
 /// Returns notes on settings at which a separate fit is clearly better or clearly worse than the family.
@@ -371,12 +374,13 @@ fn worse_than_alone<'r>(reports: &'r [SettingReport], axis: &'r SettingAxis) -> 
     })
 }
 
-/// Adds the setting to a sentence.
+/// Puts the name and value of the setting before a sentence.
 fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
     Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
 }
 
-/// Returns remarks on the family for the engineer.
+/// Returns remarks for the engineer: numbers that would store energy when the setting changes, and numbers that are not identified or at a
+/// bound.
 fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     let stored: Vec<&str> = damper.axis.stores_energy().map(|number| number.name()).collect();

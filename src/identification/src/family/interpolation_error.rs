@@ -1,17 +1,17 @@
-//! Bound on the error of a damper between two settings, from the curvature of its numbers over the setting.
+//! Bound on the error of a damper between two settings, from the second derivatives of its numbers over the setting.
 
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 
-/// Factor on the second derivative in the first and last interval, where only one neighbor shows it. With 2 the bound holds at 94 % of
-/// random settings in these intervals, with 1.5 at 92 %. The random laws were sigmoids, exponentials, powers and hyperbolas over 3 to 6
-/// uneven settings.
+/// Factor on the second derivative in the first and last interval, where only one end of the interval has neighbors on both sides. With a
+/// factor of 2, the bound holds at 94 % of random settings in these intervals, with 1.5 at 92 %. The random laws were sigmoids,
+/// exponentials, powers and hyperbolas over 3 to 6 uneven settings.
 const AT_END: f64 = 2.0;
 
-/// Half the second derivative with respect to the setting, from three settings of the grid.
+/// Half the second derivative of a value with respect to the setting, from three settings of the grid.
 #[derive(Clone, Copy)]
 struct Bend {
-    /// Mean of the three settings. A cubic has this second derivative there.
+    /// Mean of the three settings. At this mean, a cubic through the three values has exactly this second derivative.
     at: f64,
     /// Half the second derivative, unit of the value divided by the squared unit of the setting.
     half: f64,
@@ -20,11 +20,12 @@ struct Bend {
 /// Dampers at the settings of a grid, for an estimate of the error between the settings.
 ///
 /// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
-/// Approximation, 1963, 3.1). The deviation of a setting from the line through its neighbors shows that derivative. Between two settings,
-/// the larger of their two derivatives applies. In the first and last interval, the two nearest derivatives are extrapolated linearly. Near
-/// a point of inflection, the nearest derivative alone is almost zero.
+/// Approximation, 1963, 3.1). The deviation of the value at a setting from the line through its neighbors shows this derivative. Between
+/// two settings, the larger of the derivatives at these settings applies. In the first and last interval, the two nearest derivatives are
+/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection.
 ///
-/// The monotone cubic is more accurate than the line if the damper is smooth over the setting, and equally accurate at a kink.
+/// The model interpolates with a monotone cubic. It is more accurate than the line if the damper is smooth over the setting, and equally
+/// accurate at a kink.
 pub struct InterpolationError {
     grid: Vec<f64>,
     dampers: Vec<Params>,
@@ -40,8 +41,8 @@ impl InterpolationError {
 
     /// Returns the possible error of a value at a setting, to either side, in units of the value.
     ///
-    /// The error is 0 on the grid and beyond its ends. Returns `None` if no neighbor lies between two others, for example in a grid of two
-    /// settings.
+    /// The error is 0 on the grid and beyond its ends. Returns `None` if neither neighbor of `setting` has neighbors on both sides, as in a
+    /// grid of two settings.
     pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
         self.of_differences(setting, AT_END, |place| {
             let [before, own, after] =
@@ -52,9 +53,9 @@ impl InterpolationError {
         })
     }
 
-    /// Returns the possible error of any quantity. `difference` returns the deviation from the line through the neighbors at a grid index,
-    /// with its sign if it has one.
-    /// `at_end` is the factor on the second derivative in the first and last interval.
+    /// Returns the possible error of any quantity at a setting. `difference` returns the deviation at a grid index from the line through
+    /// its neighbors, with its sign if it has one. `at_end` is the factor on the second derivative in the first and last interval. Returns
+    /// `None` in the case of [`InterpolationError::of_value`], or if `difference` does.
     pub fn of_differences(&self, setting: f64, at_end: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
@@ -68,7 +69,7 @@ impl InterpolationError {
             let half = difference(place)? / ((here - before) * (after - here));
             Some(Bend { at: (before + here + after) / 3.0, half })
         };
-        // If the second derivative is linear over the setting, its value here gives the error of a straight line exactly.
+        // If the second derivative is linear over the setting, its value at this mean gives the error of linear interpolation exactly.
         let mean = (self.grid[left] + next + setting) / 3.0;
         let largest = match [bend(Some(left)), bend(Some(right))] {
             [Some(a), Some(b)] => a.half.abs().max(b.half.abs()),
@@ -79,7 +80,7 @@ impl InterpolationError {
     }
 }
 
-/// Returns the largest expected half second derivative at a setting in the first or last interval.
+/// Returns the largest expected magnitude of half the second derivative at `at`, in the first or last interval.
 fn end_bend(nearest: Bend, second: Option<Bend>, at: f64, factor: f64) -> f64 {
     let continued = second.map_or(0.0, |second| {
         let rise = (nearest.half - second.half) / (nearest.at - second.at);
@@ -124,7 +125,7 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Near a setting, the slope of the cubic there dominates the error. That part is less than half the bound.
+                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. It adds less than half the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");

@@ -14,16 +14,16 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// Mean error over the tests of a setting, from the mean cycle of each test.
+/// Mean error of a damper over the tests of a setting, from the mean cycle of each test.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SettingError {
     /// Mean absolute error, N.
     pub mean_error_n: f64,
-    /// Error in percent of the largest force of each test.
+    /// Mean of the tests' errors, each in percent of the largest force of its test.
     pub error_percent: f64,
 }
 
-/// The errors at one setting.
+/// Errors of separate fit, family, and prediction without the setting, at one setting.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SettingReport {
     /// Value of the setting.
@@ -34,15 +34,16 @@ pub struct SettingReport {
     pub own_fit: SettingError,
     /// Error of the family.
     pub family: SettingError,
-    /// Error of the family fitted to all other settings. `None` at the ends of the grid, where nothing is interpolated.
+    /// Error of the family fitted to all other settings. `None` at the ends of the grid, where nothing is interpolated, and if that fit
+    /// fails.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<SettingError>,
-    /// Ratio of the error `left_out` to the error of the fit to this setting alone.
+    /// Ratio of the mean error of `left_out` to that of `own_fit`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out_ratio: Option<f64>,
 }
 
-/// Setting with the worst prediction by the family fitted without that setting.
+/// Setting that the family predicts worst if it is fitted without that setting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstLeftOut {
     /// Value of the setting.
@@ -54,11 +55,11 @@ pub struct WorstLeftOut {
 }
 
 impl WorstLeftOut {
-    /// Largest ratio at which an interpolated setting counts as equal to a grid setting. It is the target of the book's figures, and
-    /// affects messages only.
+    /// Largest ratio at which a prediction between settings counts as good as a fit at the setting. It is the target of the figures in the
+    /// book, and affects messages only.
     const AS_GOOD: f64 = 1.3;
 
-    /// Returns whether the model is worse between its settings than at them.
+    /// Returns whether the model is worse between its settings than at its settings.
     pub fn is_worse(&self) -> bool {
         self.ratio > WorstLeftOut::AS_GOOD
     }
@@ -72,10 +73,11 @@ impl WorstLeftOut {
     }
 }
 
-/// Makes the damper over a grid from the parameter set at each setting.
+/// Makes the damper over a grid from the parameter set at each setting. A name or unit of the axis that is too long for the kernel is left
+/// out.
 ///
 /// # Errors
-/// The kernel rejects the sets.
+/// The kernel rejects the parameter sets.
 pub fn damper_through(axis: &SettingAxis, grid: &[f64], sets: &[Params]) -> Result<Definition, Fault> {
     let (params, mut over) = Axis::through(grid, sets)?;
     let is_short = |text: &str| text.len() <= dashpot_core::family::axis::MAX_TEXT;
@@ -100,12 +102,14 @@ fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
     SettingError { mean_error_n: newtons / count, error_percent: percent / count }
 }
 
-/// Computes the error of a parameter set, with the measurement errors of a hypothesis at `theta`.
+/// Computes the error of a parameter set, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if the parameters
+/// form no valid model.
 fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &forces_at(params, rig, theta, tests)?))
 }
 
-/// Computes the forces of a parameter set in each test, with the measurement errors of a hypothesis. `None` if the numbers make no model.
+/// Computes the forces of a parameter set in each test, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if
+/// the parameters form no valid model.
 pub fn forces_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
     let model = Model::new(params).ok()?;
     let integration = Accuracy::Single.integration(params, &model);
@@ -113,17 +117,18 @@ pub fn forces_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test
     Some(tests.par_iter().map(|test| rig.forces_with(&model, test, theta)).collect())
 }
 
-/// Counts the records of tests; a long record gives several tests.
+/// Counts the records from which tests come. One long record gives several tests.
 pub fn count_records(tests: &[Test]) -> usize {
     tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len()
 }
 
-/// Computes the error of an ordinary fit on its own tests.
+/// Computes the error of an ordinary fit on the tests to which it was fitted.
 fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
 }
 
-/// Computes the error at a setting of the family refitted to the other settings. Returns `None` at an end of the grid.
+/// Computes the error, at one setting, of the family refitted to all other settings. Returns `None` at an end of the grid, and if the refit
+/// fails.
 fn left_out_error(
     family: &FamilyStructure,
     axis: &SettingAxis,
@@ -143,7 +148,8 @@ fn left_out_error(
     error_at(&params, &less.template, &less.theta_at(&refit.theta, place - 1), &left_out.tests)
 }
 
-/// Reports the errors at every setting. `own` contains the ordinary fit of each setting.
+/// Computes the errors at every setting. `own` contains the ordinary fit of each setting. Settings at which no error can be computed are
+/// left out.
 pub fn reports(
     family: &FamilyStructure,
     own: &[&Structure],

@@ -2,7 +2,7 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`settings`] | records sorted by their setting, and errors of the campaign |
+//! | [`settings`] | records sorted by their setting; reasons why no family can be fitted |
 //! | [`actuator`] | response of the valve, from tests with a changing setting |
 //! | [`at_setting()`] | ordinary damper at a setting, with its intervals |
 //! | [`actuator_numbers()`] | numbers of the valve in a model file |
@@ -34,6 +34,6 @@ pub use left_out::{SettingError, SettingReport, WorstLeftOut};
 pub use setting_labels::LABEL_DOUBT_RATIO;
 pub use settings::{FamilyError, SettingAxis, SettingRecords};
 
-/// Divisor of the log odds of a part of a family before conversion to probabilities. The form errors of different tests are correlated, so
-/// the tests contain less information than their number suggests.
+/// Divisor of the log odds of a family's part before their conversion to a probability. The form errors of different tests are correlated,
+/// so the tests contain less information than their number suggests.
 const TEMPERATURE: f64 = 2.0;

@@ -1,4 +1,4 @@
-//! Model file of a family: first the lines that the kernel reads, then tables with the results of the fit.
+//! Model file of a damper family: first the lines that the kernel reads, then tables with the results of the fit.
 
 use super::fit::{FamilyEstimate, FamilyFit};
 use crate::intervals::Standing;
@@ -15,7 +15,7 @@ fn estimates_of<'f>(fit: &'f FamilyFit, name: &str, setting: Option<f64>) -> Vec
     own.map(|e| &e.estimate).collect()
 }
 
-/// Returns the names of the shared estimates or of all other estimates. Each name appears once.
+/// Returns the names of the numbers that all settings share, or of all other numbers if `is_shared` is false. Each name appears once.
 fn names(fit: &FamilyFit, is_shared: bool) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for FamilyEstimate { estimate, .. } in fit.estimates.iter().filter(|e| e.setting.is_none() == is_shared) {

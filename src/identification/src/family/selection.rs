@@ -6,7 +6,8 @@ use dashpot_estimation::samples::selection::{MOST_CHANGING, most_at_setting, sel
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 
-/// Selects tests of every kind of motion at each setting, and tests with a changing setting. Returns a note if tests are left out.
+/// Selects tests of every kind of motion at each setting, and among those with a changing setting. Removes all other tests from both
+/// arguments. Returns a note if tests are left out.
 pub fn select_tests(settings: &mut [SettingRecords], changing: &mut Vec<&Record>) -> Option<Sentence> {
     let count = |settings: &[SettingRecords], changing: &[&Record]| {
         settings.iter().map(|of| of.records.len()).sum::<usize>() + changing.len()

@@ -13,22 +13,23 @@ use dashpot_records::setting_in_words;
 
 /// Ratio of a test's errors at the stated setting and at another setting above which the label is suspect.
 ///
-/// The assumptions are that one label in a hundred is wrong, and that the residual of a test contains four independent errors. A ratio of 5
-/// then gives odds of 6 to 1 between two settings and even odds among six. With a lower ratio, a test with a poor fit is wrongly suspected.
-/// Test: `a_test_with_the_label_of_another_setting_is_named`.
+/// The assumptions are that one label in a hundred is wrong, and that the residual of a test contains four independent errors. With a ratio
+/// of 5, the odds for a wrong label are then 6 to 1 between two settings and even among six settings. With a lower ratio, a correct test
+/// with a poor fit would be suspected. Test: `a_test_with_the_label_of_another_setting_is_named`.
 pub const LABEL_DOUBT_RATIO: f64 = 5.0;
-/// Smallest ratio of the median number of tests of a setting to that of a setting with few tests.
+/// Smallest ratio of the median number of tests per setting to the number of tests at a setting for a check by [`strays`].
 ///
-/// A wrong label rarely hits several tests alike. The check costs a simulation of these tests at every setting.
-/// Test: `a_test_with_the_label_of_another_setting_is_named`.
+/// A wrong label rarely applies to many tests alike, so only settings with few tests are checked. The check costs a simulation of these
+/// tests at every setting. Test: `a_test_with_the_label_of_another_setting_is_named`.
 const FEW: usize = 3;
-/// Largest ratio of a test's errors at another setting and at its own at which both fit equally well.
+/// Ratio of a test's error at another setting to its error at its own setting below which both settings fit the test equally well.
 ///
-/// The own setting was fitted to the test, so its error is small. In units of noise and form error it counts as 1 at least, and a damper
-/// that is interpolated or shares its numbers errs by two to three of them. Test: `a_test_with_the_label_of_another_setting_is_named`.
+/// The damper at the own setting was fitted to the test, so its error is small. It counts as at least 1 in units of noise and form error. A
+/// damper that is interpolated or shares its numbers has an error of two to three such units. Test:
+/// `a_test_with_the_label_of_another_setting_is_named`.
 const AS_WELL: f64 = 3.0;
-/// Largest decrease of the damping force over the setting that noise may cause, as a fraction of its range.
-/// Test: `exchanged_labels_are_found_where_one_exchange_makes_the_force_monotone`.
+/// Largest decrease of the damping force over the setting that counts as noise, as a fraction of the range of the damping force. Test:
+/// `exchanged_labels_are_found_where_one_exchange_makes_the_force_monotone`.
 const FLAT: f64 = 0.02;
 
 /// Returns notes on stated settings that contradict the forces.
@@ -63,16 +64,17 @@ pub fn notes(
     notes
 }
 
-/// A record whose forces belong to another setting than the stated one.
+/// Record whose forces belong to another setting than the stated one.
 #[derive(Debug, PartialEq)]
 struct Suspect {
-    /// Position of the stated setting.
+    /// Index of the stated setting in the grid.
     stated: usize,
     /// Index of the record among the records of the stated setting.
     record: usize,
-    /// Position of the setting whose damper fits the record.
+    /// Index, in the grid, of the setting whose damper fits the record.
     fitting: usize,
-    /// Ratio of the error at the stated setting to the error at the other setting.
+    /// Ratio of a larger error to the error at the fitting setting. The larger error is that at the stated setting, or at the better of its
+    /// neighbors for strays.
     ratio: f64,
 }
 
@@ -83,7 +85,7 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     let own: Vec<Vec<(usize, f64)>> = own;
     let mut all: Vec<f64> = own.iter().flatten().map(|(_, error)| *error).collect();
     all.sort_by(f64::total_cmp);
-    // Most labels are right, so the median is typical of tests at their own setting.
+    // Most labels are right, so the median error is typical of tests at their own setting.
     let Some(typical) = all.get(all.len() / 2).copied() else { return Vec::new() };
     let mut suspects = Vec::new();
     for (stated, errors_there) in own.iter().enumerate() {
@@ -104,9 +106,9 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     suspects
 }
 
-/// Returns records at a setting with few tests, whose forces are those of a setting that is not next to it.
+/// Returns records at a setting with few tests whose forces are those of a setting at least two grid positions away.
 ///
-/// The family fits such a setting by these tests alone, so their error there is small.
+/// The family was fitted to these few tests at their stated setting, so their error at this setting is small even if it is wrong.
 fn strays(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     let count = |of: &SettingTests| count_records(&of.tests);
     let mut sizes: Vec<usize> = settings.iter().map(count).collect();
@@ -134,8 +136,8 @@ fn strays(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     strays
 }
 
-/// Returns the root mean square error of each record at a setting, with the record's index. The errors are relative to the error due to
-/// noise and form.
+/// Returns the index of each record and its root mean square error with the damper at a setting. The errors are in units of noise and form
+/// error. Returns `None` if an error is not finite.
 fn errors(best: &FamilyStructure, place: usize, tests: &[Test]) -> Option<Vec<(usize, f64)>> {
     let (hypothesis, theta) = (&best.hypothesis, &best.refit.theta);
     let params = hypothesis.params_at(theta, place);
@@ -155,9 +157,9 @@ fn errors(best: &FamilyStructure, place: usize, tests: &[Test]) -> Option<Vec<(u
     errors.iter().all(|(_, error)| error.is_finite()).then_some(errors)
 }
 
-/// Returns the positions of two settings whose exchange makes the damping force monotonic over the settings.
+/// Returns the indices of two settings whose exchange makes the damping force monotonic over the settings.
 ///
-/// Returns `None` if the force is monotonic as it is, or if no exchange makes it so.
+/// Returns `None` for fewer than three settings, if the force is already monotonic, or if no exchange makes it monotonic.
 pub fn exchanged_settings(sets: &[Params]) -> Option<(usize, usize)> {
     exchanged(&sets.iter().map(strength).collect::<Vec<_>>())
 }
@@ -168,8 +170,8 @@ fn strength(params: &Params) -> f64 {
     forces.iter().map(|force| force.abs()).sum::<f64>() / forces.len().max(1) as f64
 }
 
-/// Returns two settings whose exchange makes the damping force monotonic over the setting. Returns `None` if it is already monotonic, or if
-/// no exchange makes it so.
+/// Returns the indices of two settings whose exchange makes the damping force monotonic over the setting. Returns `None` for fewer than
+/// three settings, if the force is already monotonic, or if no exchange makes it monotonic.
 fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
     let (least, most) = strengths.iter().fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(*s), b.max(*s)));
     let flat = FLAT * (most - least);

@@ -1,4 +1,4 @@
-//! Sorting of a campaign's records by their setting.
+//! Sorting of a campaign's records by their setting, and reasons why no family can be fitted.
 
 use crate::FitError;
 use crate::phrases;
@@ -6,7 +6,7 @@ use dashpot_core::family::interpolation::MAX_GRID;
 use dashpot_messages::Sentence;
 use dashpot_records::{Record, is_same_setting, records_without_setting};
 
-/// Largest number of names that a sentence lists.
+/// Largest number of test names that an error message lists.
 const NAMES: usize = 6;
 
 /// Reason why no family can be fitted to a campaign.
@@ -24,7 +24,7 @@ pub enum FamilyError {
     Without {
         /// Name of the setting.
         name: String,
-        /// Names of these tests.
+        /// Names of the tests without the setting.
         tests: Vec<String>,
     },
     /// The setting changes within all records.
@@ -54,7 +54,7 @@ pub enum FamilyError {
         name: String,
         /// Value of the setting.
         value: f64,
-        /// Error of the fit.
+        /// Error of the fit at this setting.
         why: FitError,
     },
     /// The numbers do not form a valid family.
@@ -64,7 +64,7 @@ pub enum FamilyError {
         /// Reason.
         why: &'static str,
     },
-    /// The joint problem has no finite forces.
+    /// The fit of all settings together gives no finite forces.
     NotFinite,
 }
 
@@ -112,7 +112,7 @@ pub struct SettingAxis {
     pub unit: String,
 }
 
-/// The records of one setting.
+/// Records at one value of a setting.
 #[derive(Debug, Clone)]
 pub struct SettingRecords<'a> {
     /// Value of the setting.

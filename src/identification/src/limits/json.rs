@@ -5,7 +5,7 @@ use super::{Checked, Value};
 use serde::ser::SerializeMap as _;
 use serde::{Serialize, Serializer};
 
-/// A figure under the key of its quantity and unit.
+/// Figure with the JSON key that its quantity and unit determine.
 struct Figure<'a> {
     key: &'static str,
     of: &'a Value,

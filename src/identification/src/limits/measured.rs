@@ -9,15 +9,17 @@ use dashpot_estimation::samples::segments;
 use dashpot_records::Record;
 use serde::{Deserialize, Serialize};
 
-/// Largest relative distance of a test's peak velocity from the requested speed at which its force needs no interpolation. Rigs reach their
-/// commanded speed with this error. With a larger value, a steep curve could decide about a limit.
+/// Largest relative difference between a test's peak velocity and the requested speed at which the test counts as a test at that speed.
+/// Rigs reach their commanded speed with this error. With a larger value, the force at another speed could decide about a limit on a steep
+/// curve.
 pub const NEAR: f64 = 0.05;
-/// Largest ratio of two peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee.
+/// Largest ratio of two peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee that no test
+/// shows.
 pub const BETWEEN: f64 = 2.0;
-/// Largest relative difference of two amplitudes that count as the same stroke.
+/// Largest relative difference of two amplitudes at which they count as the same stroke.
 const SAME_STROKE: f64 = 0.1;
 
-/// A peak with the test from which it comes.
+/// Peak force and peak velocity of one stroke of a test.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the test.
@@ -37,18 +39,19 @@ struct Gap {
     mean_gap: f64,
 }
 
-/// Measured figures that decide about every limit of a campaign. They can be stored as text with serde. A later comparison with other
-/// limits gives bitwise equal results.
+/// Figures, measured from the records of a campaign, that decide about every limit on a force. Serde can store them as text. Limits judged
+/// later from stored figures have bitwise the same results as limits judged from the records.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     points: Vec<Point>,
     gaps: Vec<Gap>,
-    /// Names of the slow tests, and their friction and gas force.
+    /// Names of the slow tests, with the friction and gas force of these tests. `None` if no slow test shows them.
     sliding: Option<(Vec<String>, first_guess::Dry)>,
 }
 
 impl Figures {
-    /// Measures the figures of the records. If `forces` is given, these forces at the samples replace the measured forces.
+    /// Measures the figures of the records. If `forces` is given, its forces at the samples of each record replace the measured forces.
+    /// Records without whole cycles give no figure.
     pub fn measure(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
         let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
         let mut slow: Vec<Record> = Vec::new();
@@ -76,7 +79,7 @@ impl Figures {
         found
     }
 
-    /// Returns all points, two for each test.
+    /// Returns all points: one in rebound and one in compression for each test with whole cycles.
     pub fn points(&self) -> impl Iterator<Item = &Point> {
         self.points.iter()
     }
@@ -89,7 +92,7 @@ impl Figures {
             (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
             (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
             (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
-            // These figures exclude responses to steps of a setting: see `judge_over_settings`.
+            // `judge_over_settings` judges the response times, because they come from steps of a setting.
             (
                 Quantity::ResponseTimeUp | Quantity::ResponseTimeDown | Quantity::RiseTimeUp | Quantity::RiseTimeDown,
                 _,
@@ -101,7 +104,7 @@ impl Figures {
         self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), uncertainty: None })
     }
 
-    /// Returns the force at a speed, from the longest stroke that reaches this speed.
+    /// Returns the force at a velocity, N. The longest stroke that reaches this velocity supplies it, or the stroke of the given amplitude.
     fn force(&self, velocity: f64, amplitude: Option<f64>) -> Option<Value> {
         let mut side: Vec<&Point> = self
             .points
@@ -113,8 +116,8 @@ impl Figures {
             .find_map(|stroke| at_speed(stroke, velocity))
     }
 
-    /// Returns the hysteresis of the test at a speed, with preference for the longest stroke. Without a speed, returns the largest
-    /// hysteresis of all tests.
+    /// Returns the mean hysteresis, N, of a test at a speed. If several tests have this speed, the test with the longest stroke supplies
+    /// it. Without a speed, returns the largest hysteresis of all tests.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
         let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], uncertainty: None };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
@@ -132,7 +135,8 @@ fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
     wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
 }
 
-/// Returns the force at a speed from the peaks of one stroke. It is interpolated between neighbors, or comes from a peak near the speed.
+/// Returns the force at a velocity from the peaks of one stroke. The force is interpolated between the neighboring peaks. If the ratio of
+/// their speeds exceeds [`BETWEEN`] or one of them is missing, a peak within [`NEAR`] of the speed supplies the force.
 fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let speed = |p: &Point| p.peak.velocity_m_s.abs();
     let wanted = velocity.abs();

@@ -3,7 +3,7 @@
 //! [`table`] reads the limits, and [`measured`] extracts the figures from the records. [`judge`] compares limits and records, and
 //! [`Figures::judge`] compares limits and stored figures. [`judge_over_settings`] judges a damper over a setting.
 //!
-//! The verdict applies to the measurement. If a model is given, the same rules judge its forces separately. A model that represents a
+//! The verdict applies to the measured damper. If a model is given, the same rules judge its forces separately. A model that represents the
 //! damper in a vehicle must meet the limits too.
 
 mod json;
@@ -20,7 +20,7 @@ pub use table::{Limit, LimitError, Quantity, parse, read};
 use dashpot_records::Record;
 use serde::Serialize;
 
-/// Verdict on one limit.
+/// Verdict on a damper or a model by one limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -28,11 +28,12 @@ pub enum Verdict {
     Pass,
     /// The figure is outside the limits.
     Fail,
-    /// The records do not show the quantity, because no test has this speed or no test is slow enough. This is not a pass.
+    /// The records do not show the limited quantity. For example, no test reaches the speed, or no test is slow enough for friction. This
+    /// is not a pass.
     NotTested,
 }
 
-/// Verdict on all limits of a damper.
+/// Verdict on a damper by all its limits together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Overall {
@@ -55,14 +56,14 @@ impl Overall {
     }
 }
 
-/// A figure and the tests from which it comes.
+/// Figure of one quantity, and the tests from which it comes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     /// Figure: a force, N, or a time, s.
     pub value: f64,
     /// Names of the tests.
     pub tests: Vec<String>,
-    /// Largest error of the measurement to either side, in the unit of the figure, or `None` if it is unknown.
+    /// Half-width of the 95 % interval of a measured time, s, or `None` if it is unknown.
     pub uncertainty: Option<f64>,
 }
 
@@ -75,15 +76,15 @@ pub struct Checked {
     pub measured: Option<Value>,
     /// Figure of the model on the same tests.
     pub model: Option<Value>,
-    /// Verdict on the damper.
+    /// Verdict on the damper, from the measured figure.
     pub verdict: Verdict,
     /// Verdict on the model, if one was given.
     pub model_verdict: Option<Verdict>,
 }
 
 impl Checked {
-    /// Returns the uncertainty of the measured figure if it decides about the verdict. Then an end of the window lies within the
-    /// uncertainty.
+    /// Returns the uncertainty of the measured figure if it can change the verdict. It can if the lower or the upper limit lies within the
+    /// uncertainty of the figure.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         let uncertainty = measured.uncertainty?;
@@ -103,18 +104,18 @@ pub struct PeakPoint {
     pub velocity_m_s: f64,
     /// Measured force, N.
     pub force_n: f64,
-    /// Force of the model, N.
+    /// Force of the model, N, or `None` without a model.
     pub model_n: Option<f64>,
 }
 
-/// Results of all limits.
+/// Results of the comparison of a damper with all its limits.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
     /// Whether every limit was tested and met.
     pub passed: bool,
     /// Verdict on the damper. A limit that was not tested is neither a failure nor a pass.
     pub overall: Overall,
-    /// Whether the model meets every tested limit, or `None` without a model.
+    /// Whether every limit was tested on the model and the model meets it, or `None` without a model.
     pub model_passed: Option<bool>,
     /// Every limit, in the order of the file.
     pub limits: Vec<Checked>,
@@ -122,14 +123,16 @@ pub struct Certificate {
     pub peaks: Vec<PeakPoint>,
 }
 
-/// Compares limits with records. If a model is given, also compares them with its forces at the records' samples.
+/// Compares limits with records. `model` contains the forces of a model at the samples of each record. If it is given, the limits are also
+/// compared with these forces.
 pub fn judge(limits: &[Limit], records: &[&Record], model: Option<&[&[f64]]>) -> Certificate {
     let simulated = model.map(|forces| Figures::measure(records, Some(forces)));
     Figures::measure(records, None).judge(limits, simulated.as_ref())
 }
 
 impl Figures {
-    /// Compares limits with these figures. If a model is given, also compares them with the figures of the model on the same records.
+    /// Compares limits with these figures. If `model` is given, the limits are also compared with these figures of the model on the same
+    /// records.
     pub fn judge(&self, limits: &[Limit], model: Option<&Figures>) -> Certificate {
         answers(limits, self, model)
     }
@@ -179,7 +182,7 @@ mod tests {
 
     /// Makes a test of a damper with a hysteresis loop.
     ///
-    /// It has 2000 N s/m in rebound, 800 N s/m in compression, 30 N of friction and 150 N of gas force.
+    /// The damper has 2000 N s/m in rebound, 800 N s/m in compression, 30 N of friction and 150 N of gas force.
     fn test(name: &str, amplitude: f64, peak: f64) -> Record {
         let (n, cycles, w) = (400, 4, peak / amplitude);
         let mut record = Record {

@@ -1,4 +1,4 @@
-//! Limits of a damper over a setting. The tests at the setting of a limit decide about it.
+//! Checks of a damper over a setting against limits. The tests at the setting of a limit decide about the limit.
 
 use super::measured::Figures;
 use super::table::{Limit, Quantity};
@@ -45,13 +45,13 @@ pub enum SettingLimitError {
     },
 }
 
-/// Converts the settings of limits to the unit of the damper's setting.
+/// Converts the settings of limits to `own`, the unit of the damper's setting. A setting without a unit stays unchanged.
 ///
 /// # Errors
-/// Returns the first unit that belongs to another quantity.
+/// Returns the first limit whose unit belongs to another quantity, or that has a unit while the damper's setting has none.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
     for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
-        // If the damper's setting has no unit, a limit with a unit refers to another damper and is rejected.
+        // If the damper's setting has no unit, a limit with a unit cannot be converted, so it is rejected.
         if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),
@@ -78,7 +78,8 @@ pub fn check_without_setting(limits: &[Limit]) -> Result<(), SettingLimitError> 
     }
 }
 
-/// Checks that each limit has a setting if the records have several. A response time without a setting applies to all steps.
+/// Checks that each limit on a force has a setting if the records have several settings. A limit on a response time needs no setting,
+/// because it then applies to all steps.
 ///
 /// # Errors
 /// Returns the first limit without a setting.
@@ -91,10 +92,11 @@ pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result
     }
 }
 
-/// Compares limits with the records of a damper over a setting. Also compares them with the forces of its model, if given.
+/// Compares limits with the records of a damper over a setting and with the forces of its model. `model` contains these forces at the
+/// samples of each record.
 ///
-/// `settings` contains the setting of every record, or `None` if the setting changes within the record. Response times come from all steps
-/// in their direction, or from the steps that end at the setting of the limit.
+/// `settings` contains the setting of every record, or `None` if the setting changes within the record. A limit on a response time applies
+/// to all steps in its direction. If the limit has a setting, it applies only to the steps that end at this setting.
 ///
 /// # Errors
 /// The errors of [`check_over_settings`].
@@ -137,7 +139,7 @@ pub fn judge_over_settings(
     })
 }
 
-/// Compares a limit on a time with the slowest response to which the limit applies.
+/// Compares a limit on a response time with the slowest response to which the limit applies.
 fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
     let is_rise = matches!(limit.quantity, Quantity::RiseTimeUp | Quantity::RiseTimeDown);
@@ -156,7 +158,7 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
             let tests = vec![group.test.clone()];
             Some(Value { value: time(part(group)?), tests, uncertainty: uncertainty(group.uncertainty) })
         });
-        // Judge each group separately, because a mean over tests and directions would hide a slow response.
+        // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
     };
     let measured = slowest(|of| of.measured, |of| of.measured);

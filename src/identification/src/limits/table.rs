@@ -4,17 +4,17 @@ use dashpot_records::{Dimension, Unit, delimiter, split_unit};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
-/// Limited quantity.
+/// Quantity on which a limit can be set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Force at a peak velocity. Rebound velocity and tension are positive, compression is negative.
     Force,
-    /// Force that pushes the rod out, from slow tests.
+    /// Force that pushes the rod out, from slow tests, N.
     GasForce,
-    /// Half the difference between the strokes of slow tests.
+    /// Half the difference between the forces in rebound and compression of slow tests, N.
     Friction,
-    /// Mean gap between rising and falling velocity at equal velocity.
+    /// Mean, over velocity, of the magnitude of the force difference between rising and falling velocity, N.
     Hysteresis,
     /// Time from a step of the setting up until the force has completed 63 % of its change, s.
     ResponseTimeUp,
@@ -52,12 +52,12 @@ impl Quantity {
         if self.is_time() { ["low_s", "high_s", "value_s"] } else { ["low_n", "high_n", "value_n"] }
     }
 
-    /// Returns the display unit, and the factor to that unit.
+    /// Returns the unit in which reports show the quantity, and the factor from N or s to that unit.
     pub fn display(self) -> (&'static str, f64) {
         if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
     }
 
-    /// Returns the quantity of a name. Ignores case, and accepts spaces or hyphens instead of underscores.
+    /// Returns the quantity with this name. Ignores case, and accepts spaces or hyphens instead of underscores.
     ///
     /// # Errors
     /// Returns a message with the known names.
@@ -72,16 +72,16 @@ impl Quantity {
     }
 }
 
-/// Limits of a quantity at one point of operation.
+/// Lowest and highest allowed value of a quantity at one point of operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
     /// Name in the file, or the name of the quantity if the file gives none.
     pub name: String,
     /// Limited quantity.
     pub quantity: Quantity,
-    /// Velocity at which the limit holds, m/s, negative in compression.
+    /// Velocity at which the limit holds, m/s, negative in compression. A force needs it, and a response time must not have it.
     pub velocity_m_s: Option<f64>,
-    /// Amplitude at which the limit holds, m. If absent, the longest stroke that reaches the velocity applies.
+    /// Amplitude at which the limit holds, m. If it is absent, the limit applies to the longest stroke that reaches the velocity.
     pub amplitude_m: Option<f64>,
     /// Smallest allowed value: a force, N, or a time, s.
     pub low: Option<f64>,
@@ -91,15 +91,15 @@ pub struct Limit {
     pub setting: Option<f64>,
     /// Unit of the setting in the file, such as mA. If it is empty, the unit of the damper applies.
     pub setting_unit: String,
-    /// Line in the file.
+    /// Line number in the file, from 1.
     pub line: u64,
 }
 
-/// Largest limit on a response time, s. No valve is slower, so a larger number is in milliseconds without a unit.
+/// Largest accepted limit on a response time, s. No valve is slower, so a larger number is rejected as milliseconds without their unit.
 const LONGEST: f64 = 2.0;
 
 impl Limit {
-    /// Checks that a value can meet the limit, and that a rig measures the quantity.
+    /// Checks that the limit is complete, that a value can meet it, and that a rig can measure the quantity at the given velocity.
     ///
     /// # Errors
     /// Returns a message with the reason.
@@ -178,16 +178,16 @@ pub enum LimitError {
         file: PathBuf,
         /// Line number, from 1.
         line: u64,
-        /// Description of the error and its remedy.
+        /// Description of the error, and its remedy.
         cause: String,
     },
 }
 
-/// Known columns. Either `low` and `high`, or `nominal` and `tolerance`, define the limit.
+/// Known columns, as text for error messages. Either `low` and `high`, or `nominal` and `tolerance`, define the limit.
 const COLUMNS: &str =
     "quantity, velocity_m_s, low, high, and if wanted nominal, tolerance, amplitude_m, setting, unit, name";
 
-/// Reads a file of limits, in UTF-8 or another encoding of a spreadsheet.
+/// Reads a file of limits. The file may be in UTF-8 or in another encoding that a spreadsheet writes.
 ///
 /// # Errors
 /// [`LimitError`] with file, line and remedy.
@@ -203,7 +203,8 @@ pub fn read(file: &Path) -> Result<Vec<Limit>, LimitError> {
 pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     let wrong = |line: u64, cause: String| LimitError::Line { file: file.into(), line, cause };
     let text = text.trim_start_matches('\u{feff}');
-    // A spreadsheet with decimal commas separates fields by semicolons or tabs.
+    // A spreadsheet with decimal commas separates fields by semicolons or tabs. So a comma in a number is a decimal comma with these
+    // separators.
     let is_heading = |l: &&str| !l.trim().is_empty() && !l.trim_start().starts_with('#');
     let delimiter = delimiter::detect(text.lines().find(is_heading).unwrap_or_default());
     let decimal_comma = delimiter != b',';
@@ -256,7 +257,8 @@ pub fn parse(file: &Path, text: &str) -> Result<Vec<Limit>, LimitError> {
     Ok(limits)
 }
 
-/// Returns the line of a row. The CSV reader counts from the end of the previous row, and silently skips empty lines and comments.
+/// Returns the line number of a row. The position from the CSV reader is the end of the previous row, so empty lines and comments after it
+/// are added.
 fn line_of(text: &str, at: &csv::Position) -> u64 {
     let ahead = usize::try_from(at.byte()).ok().and_then(|byte| text.get(byte..)).unwrap_or_default();
     at.line() + ahead.lines().take_while(|l| l.is_empty() || l.starts_with('#')).count() as u64

@@ -18,7 +18,7 @@ pub struct BoucWen {
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
-    /// β; γ is 1 − β.
+    /// Coefficient β; γ is 1 − β.
     pub beta: f64,
     /// Stiffness k, N/m.
     pub stiffness_n_m: f64,
@@ -34,7 +34,7 @@ impl Law for BoucWen {
             Number::positive(s.force),
             Number::Log { low: 1e-6 * s.displacement, high: 10.0 * s.displacement },
             Number::Log { low: 1.0, high: 20.0 },
-            // Below 0.5 the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
+            // With β below 0.5, the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
             Number::Plain { typical: 1.0, low: 0.5, high: 5.0 },
             Number::linear(s.force / s.displacement),
             Number::positive(s.force / s.velocity),

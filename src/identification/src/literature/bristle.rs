@@ -4,7 +4,7 @@
 //! hysteretic force builds up. Then `dq/du = 1 − |q|ⁿ w`. If the bristle is deflected along the travel (q ≥ 0), `w = 1`. If it is still
 //! deflected against the travel, `w = 1 − 2b`. With β + γ = 1 in Wen's notation, b is β. Dahl's model has n = 1 and b = 1.
 
-/// Shape of the hysteresis.
+/// Shape of the hysteresis: the exponent n and the fraction b of the law for dq/du.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// Sharpness n of the transition from sticking to sliding.
@@ -13,11 +13,13 @@ pub struct Shape {
     pub turning: f64,
 }
 
-/// Travel of one step, in units of δ.
+/// Longest travel of one integration step, in units of δ.
 const STEP: f64 = 0.1;
-/// Deflection above which the law is nearly linear, and the longer step above it. Steps of any length are nearly exact there.
+/// Deflection above which the law is nearly linear, and the travel of one step above it, in units of δ. For a nearly linear law, steps of
+/// any length are nearly exact.
 const NEARLY: (f64, f64) = (0.9, 0.4);
-/// Travel, in units of δ, after which the initial deflection contributes less than a millionth, for any b of at least 0.5.
+/// Travel, in units of δ, above which the bristle counts as sliding. The initial deflection then contributes less than a millionth, for any
+/// b of at least 0.5.
 const FORGOTTEN: f64 = 16.0;
 
 /// Returns `(e^x − 1)/x`.
@@ -36,7 +38,7 @@ impl Shape {
 
     /// Returns the deflection after a signed travel from deflection `z`. The travel is in units of δ.
     ///
-    /// The exponential Rosenbrock steps are exact for a linear law.
+    /// The steps are exponential Rosenbrock steps, which are exact for a linear law.
     pub fn after(self, z: f64, travel: f64) -> f64 {
         let direction = travel.signum();
         let mut left = travel.abs();

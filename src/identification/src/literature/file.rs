@@ -20,7 +20,7 @@ pub enum FileError {
     /// The file cannot be opened.
     #[error("cannot read the comparison model {file}: {why}")]
     Unreadable {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Reason from the operating system.
         why: std::io::Error,
@@ -28,14 +28,14 @@ pub enum FileError {
     /// The file has another format, or it is damaged.
     #[error("{file} is no comparison model that dashpot fit --model wrote: {why}")]
     Wrong {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Message of the TOML reader, with line and column.
         why: String,
     },
 }
 
-/// Writes a model and the tests from which it was identified.
+/// Formats the file of a model, with the names of the tests from which it was identified.
 pub fn write(model: &Literature, tests: &[String]) -> String {
     #[derive(Serialize)]
     struct File<'a> {
@@ -47,7 +47,7 @@ pub fn write(model: &Literature, tests: &[String]) -> String {
     HEADING.to_owned() + &toml::to_string(&File { model, tests }).unwrap_or_default()
 }
 
-/// Reads a model of the literature.
+/// Reads a model of the literature from its file.
 ///
 /// # Errors
 /// [`FileError`], with the file and the reason.
@@ -57,7 +57,7 @@ pub fn read(path: &Path) -> Result<Literature, FileError> {
     toml::from_str(&text).map_err(|why| FileError::Wrong { file: path.to_path_buf(), why: why.to_string() })
 }
 
-/// Returns whether a text has the format of such a file.
+/// Returns whether a text is the file of a model of the literature.
 pub fn is_one(text: &str) -> bool {
     #[derive(Deserialize)]
     struct Head {

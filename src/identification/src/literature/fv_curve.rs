@@ -1,10 +1,10 @@
-//! Force-velocity curve with the highest accuracy of any curve.
+//! Force-velocity curve with the smallest error on the tests.
 //!
-//! Its points lie at the peak velocities of the tests, and at creep speeds where slow tests show the friction step. The kernel's monotone
-//! curve interpolates between the points, and a constant gas force is added. Least squares over all samples determine the forces. Thus no
-//! other curve through these velocities has a smaller error.
+//! The points lie at the peak velocities of the tests, and at creep speeds where slow tests show the friction step. Additional points
+//! divide wide gaps. The kernel's monotone curve interpolates between the points, and a constant gas force is added. Least squares over all
+//! samples determine the forces. Thus no other monotone curve with points at these velocities has a smaller root mean square error.
 //!
-//! Vehicle models use such a curve today. Every fit, report and validation is compared with it.
+//! Vehicle models use such a curve today. Every fit, report and validation compares the identified model with this curve.
 
 use super::law::options;
 use super::observation::{Motion, Observation};
@@ -14,10 +14,10 @@ use dashpot_core::{element, list, number};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve};
 use serde::{Deserialize, Serialize};
 
-/// Parameters of the curve.
+/// Parameters of the force-velocity curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FvCurve {
-    /// Increasing velocities of the points, m/s. Zero is one of them.
+    /// Velocities of the points, m/s, increasing. Zero is one of them.
     pub velocity_m_s: Vec<f64>,
     /// Forces at the points without the gas force, N. The force at zero velocity is zero.
     pub force_n: Vec<f64>,
@@ -27,22 +27,23 @@ pub struct FvCurve {
 
 /// Speeds of points below the smallest peak velocity, m/s. At these speeds, slow tests show the friction force around zero velocity.
 const CREEPING: [f64; 4] = [3e-4, 1e-3, 2.5e-3, 5e-3];
-/// Largest ratio of one speed to the next. Knees are about as wide, so additional points divide a wider gap.
+/// Largest ratio of a point's speed to the next lower speed. Knees of a curve are about as wide, so additional points divide a wider gap.
 const WIDEST: f64 = 1.65;
-/// Ratio below which two speeds are merged to one point.
+/// Ratio of two speeds below which they are merged to one point.
 const SAME: f64 = 1.25;
-/// Smallest speed of the points that divide a gap, m/s. At lower speeds, only slow tests determine the curve.
+/// Speed, m/s, above which additional points divide wide gaps. At lower speeds, only slow tests determine the curve.
 const SMALLEST: f64 = 0.010;
-/// Smallest slope, relative to the line through both ends of the curve.
+/// Smallest slope of the curve, relative to the range of measured force divided by the range of velocity.
 ///
 /// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force by less than a
 /// newton, and the curve stays invertible.
 const LEAST_SLOPE: f64 = 0.1;
-/// Smallest number of samples between the neighbors of a point.
+/// Smallest number of samples between a point and the next point toward zero. With fewer samples, the point is left out.
 const ENOUGH: usize = 12;
 /// Width of the averaging bins: a fraction of their speed, and a minimum in m/s.
 ///
-/// The bins are far narrower than any feature of a curve. Because of them, the cost of a fit does not depend on the number of tests.
+/// The bins are far narrower than any feature of a curve. Averaging over them makes the computation time of the least squares independent
+/// of the number of tests.
 const BIN: (f64, f64) = (0.01, 2e-5);
 
 /// Samples averaged over a narrow range of velocity.
@@ -79,16 +80,17 @@ fn bins(tests: &[Observation]) -> Vec<Bin> {
     bins
 }
 
-/// Returns the speeds of the points on one side, increasing.
+/// Returns the speeds of the points for one sign of velocity, m/s, increasing.
 fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let of = |t: &Observation| -> Vec<f64> { t.motion.velocity[t.from..].iter().map(|v| sign * v).collect() };
     let mut all: Vec<f64> = tests.iter().flat_map(of).filter(|v| *v > 0.0).collect();
     all.sort_by(f64::total_cmp);
-    // The last point lies among the samples of highest speed instead of a single noisy peak.
+    // The last point lies at the fourth highest speed, because the highest may be a single noisy peak.
     let Some(top) = all.get(all.len().saturating_sub(4)).copied() else { return Vec::new() };
     let mut peaks: Vec<f64> =
         tests.iter().map(|t| of(t).into_iter().fold(0.0, f64::max)).filter(|v| *v > 0.0 && *v < top / SAME).collect();
-    // Keep the creep speeds that a slow test passes in steady motion. Reversals alone do not suffice.
+    // Keep the creep speeds below the peak velocity of a slow test, which passes them slowly. Fast tests pass them only at their reversals,
+    // which does not suffice.
     let slow = peaks.iter().copied().filter(|v| *v < SMALLEST).fold(0.0, f64::max);
     peaks.extend(CREEPING.iter().copied().filter(|v| *v < slow));
     peaks.push(top);
@@ -97,12 +99,12 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     let mut points: Vec<f64> = Vec::new();
     for v in peaks {
         match points.last_mut() {
-            // The kernel rejects points that are closer together.
+            // The kernel rejects points that are closer together than `NEAREST`.
             Some(last) if v < (SAME * *last).max(*last + 2.0 * NEAREST) => *last = if v == top { v } else { *last },
             _ => points.push(v),
         }
     }
-    // Add a point below the first point of the fast tests. Otherwise, the curve below it would be a single straight line.
+    // Add a point below the first point of the fast tests. Otherwise, the curve below that first point would be a single straight line.
     let first_fast = points.partition_point(|v| *v < SMALLEST);
     if points.get(first_fast).is_some_and(|v| *v > SAME * SMALLEST) {
         points.insert(first_fast, SMALLEST);
@@ -124,7 +126,8 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
         if count >= ENOUGH {
             kept.push(*v);
         } else if k + 1 == divided.len() {
-            // There are too few samples between the last two points. Keep the last point, because it bounds the data.
+            // There are too few samples between the last two points. Keep the last point instead of the other, because it bounds the range
+            // of the samples.
             kept.pop();
             kept.push(*v);
         }
@@ -137,7 +140,7 @@ fn speeds(tests: &[Observation], sign: f64) -> Vec<f64> {
     kept
 }
 
-/// Index of the point at zero velocity.
+/// Returns the index of the point at zero velocity.
 fn zero(velocity: &[f64]) -> usize {
     velocity.partition_point(|v| *v < 0.0)
 }
@@ -145,12 +148,13 @@ fn zero(velocity: &[f64]) -> usize {
 struct Problem<'a> {
     bins: &'a [Bin],
     velocity: &'a [f64],
-    /// Force of one unit of rise, N.
+    /// Force, N, by which the unknowns of the least squares are multiplied.
     unit: f64,
 }
 
 impl Problem<'_> {
-    /// Returns the forces at the points and the gas force. Each unknown is the rise of a point above its neighbor on the side of zero.
+    /// Returns the forces at the points and the gas force, N. Each unknown is the rise of a point above its neighbor on the side of zero.
+    /// The last unknown is the gas force.
     fn curve(&self, x: &[f64]) -> (Vec<f64>, f64) {
         let zero = zero(self.velocity);
         let mut force = vec![0.0; self.velocity.len()];
@@ -178,14 +182,14 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Identifies the curve.
+/// Identifies the curve from tests.
 pub fn fit(tests: &[Observation]) -> FvCurve {
     let bins = bins(tests);
     let mut velocity: Vec<f64> = speeds(tests, -1.0).into_iter().rev().map(|v| -v).collect();
     velocity.push(0.0);
     velocity.extend(speeds(tests, 1.0));
     if velocity.len() < 2 {
-        // Without motion use a horizontal line.
+        // Without motion there are no speeds, so use any two velocities.
         velocity = vec![-1.0, 0.0];
     }
     let unit = bins.iter().map(|b| b.force.abs()).fold(1e-3, f64::max);

@@ -1,8 +1,8 @@
 //! Polynomial in velocity, followed by a first-order lag.
 //!
-//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). Its equations
-//! are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant decreases over a ramp from low to high speed, because a jump makes the
-//! model unstable.
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). The equations
+//! of the model are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant T changes over a ramp from low to high speed, because a
+//! jump makes the model unstable.
 
 use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the polynomial with lag.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LaggedPolynomial {
-    /// a_0, a_1, ..., N (s/m)^k.
+    /// Coefficients a_0, a_1, ... of the polynomial; a_k is in N (s/m)^k.
     pub coefficients: Vec<f64>,
     /// Time constant at low speed, s.
     pub lag_slow_s: f64,
@@ -24,28 +24,29 @@ pub struct LaggedPolynomial {
     pub ramp_m_s: [f64; 2],
 }
 
-/// Degree of the polynomial, from the source.
+/// Largest degree of the polynomial, from Jonnalagadda & Vyas.
 const DEGREE: usize = 7;
 /// Speeds at which the ramp of the time constant begins and ends, as fractions of the highest speed of the tests.
 const RAMP: [f64; 2] = [0.03, 0.3];
-/// Number of substeps of a sample per shortest time constant.
+/// Number of substeps in an interval of one shortest time constant.
 const PARTS: f64 = 2.0;
-/// Largest number of substeps. If a force needs more, it has already reached its target.
+/// Largest number of substeps in a sampling interval. An interval that needs more is so long compared with the time constants that the
+/// force reaches its target in it.
 const MOST_PARTS: f64 = 16.0;
-/// Largest coefficient of a polynomial of this degree, in units of force over a power of the highest velocity.
+/// Bound on the coefficients of a polynomial of degree 7, in units of the largest force divided by a power of the highest velocity.
 ///
-/// The largest coefficient of Chebyshev's polynomial of degree 7 is 112.
+/// The largest coefficient of the Chebyshev polynomial of degree 7 is 112.
 const LARGEST: f64 = 120.0;
 
-/// Returns the largest number of coefficients within the kernel's range. If all tests are slow, the coefficients of high powers become very
-/// large.
+/// Returns the largest number of coefficients whose values stay within the kernel's range. If all tests are slow, the coefficients of high
+/// powers become very large.
 fn most_terms(s: &Scales) -> usize {
     let (_, high) = list!("polynomial").bounds();
     (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)
 }
 
-/// Returns the number of coefficients with the best prediction of left-out tests, without the lag. A polynomial of high degree fits the
-/// tests and diverges beyond them.
+/// Returns the number of coefficients with which the polynomial, without the lag, predicts left-out tests best. A polynomial of high degree
+/// would fit the tests and diverge beyond them. With fewer than three tests, returns the largest number.
 fn terms(tests: &[Observation]) -> usize {
     let s = Scales::from_tests(tests);
     let most = most_terms(&s);
@@ -85,7 +86,7 @@ fn terms(tests: &[Observation]) -> usize {
 /// Polynomial with lag and N coefficients.
 struct WithTerms<const N: usize>(LaggedPolynomial);
 
-/// Identifies the model.
+/// Identifies the model from tests. Returns `None` if no start gives finite forces.
 pub fn fit(tests: &[Observation]) -> Option<LaggedPolynomial> {
     match terms(tests) {
         2 => law::fit::<WithTerms<2>>(tests).map(|f| f.0),
@@ -166,8 +167,8 @@ impl LaggedPolynomial {
         let v = &motion.velocity;
         motion.run(self.polynomial(v[0]), |y, i| {
             if i > 0 && motion.dt[i] > 0.0 {
-                // The substep is exact for a target that changes linearly during the substep. Substeps are short compared with the time
-                // constant.
+                // A substep is exact for a polynomial value that changes linearly during the substep. So the substeps must be short
+                // compared with the time constant.
                 let shortest = self.lag_slow_s.min(self.lag_fast_s);
                 let parts = (PARTS * motion.dt[i] / shortest).ceil().clamp(1.0, MOST_PARTS);
                 let h = motion.dt[i] / parts;

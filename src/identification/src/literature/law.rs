@@ -1,4 +1,4 @@
-//! Parameters, starts and least squares of models that consist of a formula.
+//! Least-squares identification of models that consist of a formula: their parameters, starts and residuals.
 
 use super::observation::{Motion, Observation, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 pub enum Number {
     /// A parameter to which the force is proportional if all other linear parameters are zero. Linear least squares find it at each start.
     Linear {
-        /// Typical size.
+        /// Typical magnitude, which scales the parameter.
         typical: f64,
         /// Lowest value.
         low: f64,
@@ -25,9 +25,9 @@ pub enum Number {
         /// Highest value.
         high: f64,
     },
-    /// Any other parameter.
+    /// A parameter that is neither linear nor logarithmic.
     Plain {
-        /// Typical size.
+        /// Typical magnitude, which scales the parameter.
         typical: f64,
         /// Lowest value.
         low: f64,
@@ -78,7 +78,8 @@ pub trait Law: Sized + Send + Sync + 'static {
     /// Returns the parameters, in the order of [`Law::from_numbers`].
     fn numbers(scales: &Scales) -> Vec<Number>;
 
-    /// Returns starts with different physical interpretations of the tests. Linear least squares replace the entries of linear parameters.
+    /// Returns start values of all parameters, each set with another physical interpretation of the tests. Linear least squares replace the
+    /// values of linear parameters.
     fn starts(scales: &Scales) -> Vec<Vec<f64>>;
 
     /// Makes the model with these parameters.
@@ -88,15 +89,16 @@ pub trait Law: Sized + Send + Sync + 'static {
     fn forces(&self, motion: &Motion) -> Vec<f64>;
 }
 
-/// Weighted residual above which the loss grows linearly instead of quadratically. It is large, because a poor model has large residuals
-/// that are not outliers.
+/// Weighted residual above which the Huber loss grows linearly instead of quadratically. The value is large, because a poor model has large
+/// residuals that are not outliers.
 const HUBER: f64 = 30.0;
-/// Number of starts that are iterated to convergence. They have the lowest cost after the fit of their linear parameters.
+/// Number of starts that are iterated to convergence: those with the lowest cost after the fit of their linear parameters.
 const FOLLOWED: usize = 3;
-/// Relative ridge on the diagonal. It keeps the linear parameters of a start finite if the data does not determine them.
+/// Increase of the diagonal of the normal equations, relative to the diagonal. It keeps the linear parameters of a start finite if the
+/// tests do not determine them.
 const RIDGE: f64 = 1e-10;
 
-/// Returns the least-squares options of every model of the literature.
+/// Returns the least-squares options that all models of the literature share.
 pub fn options() -> Options {
     Options { steps: 100, tolerance: 1e-6, loss: Loss::Huber(HUBER), ..Options::default() }
 }
@@ -139,7 +141,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Returns a start with the least-squares values of its linear parameters.
+/// Returns a start, in scaled coordinates, with the least-squares values of its linear parameters.
 fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
     let linear: Vec<usize> =
         (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
@@ -186,7 +188,7 @@ pub fn fit<L: Law>(tests: &[Observation]) -> Option<L> {
     fit_from(tests, &[])
 }
 
-/// Identifies a law from its own and further starts. Returns `None` if no start gives finite forces.
+/// Identifies a law from the starts of the law and from `further` starts. Returns `None` if no start gives finite forces.
 ///
 /// The further starts are always iterated to convergence, without a fit of their linear parameters.
 pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L> {
@@ -200,7 +202,7 @@ pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L
     Some(L::from_numbers(&best(&problem, &L::starts(&scales), further)?, &scales))
 }
 
-/// Returns the parameters with the lowest cost of several starts.
+/// Returns the parameters with the lowest cost that the least squares find from several starts. Returns `None` if no cost is finite.
 fn best(problem: &Problem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
     let (low, high) = problem.numbers.iter().map(|n| n.bounds()).unzip();
     let bounds = Bounds { low, high };

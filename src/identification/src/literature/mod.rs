@@ -1,8 +1,8 @@
 //! Models for comparison with dashpot's own model: the models of today's vehicle simulation, and damper models of the literature.
 //!
-//! Each model has a separate file with the paper that defines it. It is identified from the tests of dashpot's model by the same least
-//! squares, and then predicts the force of any motion. The models serve for comparison only. The kernel can run the models for which it has
-//! elements ([`Literature::params`]). The other models have a separate file format ([`mod@file`]).
+//! Each model has a separate source file that names the paper with its definition. All models are identified from the tests of dashpot's
+//! model by the same least squares, and then predict the force of any motion. The models serve for comparison only. The kernel can run the
+//! models for which it has elements ([`Literature::params`]). The other models are stored in a separate file format ([`mod@file`]).
 //!
 //! | file | model |
 //! |---|---|
@@ -65,7 +65,7 @@ pub enum Literature {
     Network(neural_network::Network),
 }
 
-/// Names on the command line, each with a description of the model.
+/// Names of the models on the command line, each with a description of the model.
 pub const MODELS: [(&str, &str); 9] = [
     ("fv", "force-velocity curve with friction step and gas force"),
     ("piecewise", "piecewise-linear force-velocity curve"),
@@ -87,7 +87,7 @@ pub enum LiteratureError {
         /// The given name.
         name: String,
     },
-    /// There is no test.
+    /// No test has scored samples.
     #[error("there is no test to fit {name} to")]
     NoTests {
         /// Name of the model.
@@ -127,7 +127,7 @@ impl Literature {
         found.ok_or(LiteratureError::NotFinite { name })
     }
 
-    /// Returns the name on the command line.
+    /// Returns the name of the model on the command line.
     pub fn name(&self) -> &'static str {
         match self {
             Literature::Fv(_) => "fv",

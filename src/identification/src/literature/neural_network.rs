@@ -4,9 +4,9 @@
 //! variable temperature operation*, Vehicle System Dynamics 40, 2003. Jonnalagadda & Vyas review it (*Modelling of Automotive Suspension
 //! Damper*, KTH 2020, chapter 2).
 //!
-//! It has one hidden tanh layer over displacement, velocity and acceleration. The original also feeds back the measured force, which does
-//! not exist in a vehicle model. Levenberg-Marquardt with exact derivatives and weight decay trains the network from fixed starts. Thus,
-//! equal tests give equal networks.
+//! The network has one hidden tanh layer over displacement, velocity and acceleration. The original also feeds back the measured force,
+//! which does not exist in a vehicle model. Levenberg-Marquardt with exact derivatives and weight decay trains the network from fixed
+//! starts. Thus, equal tests give equal networks.
 
 use super::law::options;
 use super::observation::{Motion, Observation, Scales};
@@ -23,7 +23,8 @@ pub struct Network {
     pub input_scale: [f64; 3],
     /// Factor on the output, N.
     pub output_scale_n: f64,
-    /// Weights of each hidden neuron: bias, displacement, velocity, acceleration, and the weight of its output.
+    /// Weights of each hidden neuron: its bias, its weights of displacement, velocity and acceleration, and the weight of its output in the
+    /// force.
     pub neurons: Vec<[f64; 5]>,
     /// Bias of the output.
     pub bias: f64,
@@ -35,13 +36,14 @@ pub struct Network {
 const NEURONS: usize = 8;
 /// Number of fixed starts.
 const STARTS: u64 = 4;
-/// Prior standard deviation of the weights. It excludes steps that are steeper than those of any damper.
+/// Prior standard deviation of the weights, for scaled inputs. It makes steps improbable that are steeper than those of any damper.
 const DECAY: f64 = 3.0;
-/// Number of scored samples of all tests that train the network. Neighboring samples of a loop are redundant.
+/// Approximate largest number of samples that train the network. If the tests have more scored samples, every k-th one is used, because
+/// neighboring samples are redundant.
 const SAMPLES: usize = 6000;
 const SIZE: usize = 5 * NEURONS + 4;
 
-/// Acceleration at the samples by central differences of velocity, m/s².
+/// Computes the acceleration at the samples by central differences of velocity, m/s².
 fn acceleration(motion: &Motion) -> Vec<f64> {
     let (v, dt) = (&motion.velocity, &motion.dt);
     let n = v.len();
@@ -61,7 +63,7 @@ struct Problem<'a> {
     output: f64,
 }
 
-/// Computes the output of the network and its derivatives.
+/// Computes the scaled output of the network. If `by` is given, stores the derivatives of the output with respect to the weights in it.
 fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
     let tail = &w[5 * NEURONS..];
     let mut sum = tail[0] + tail[1] * u[0] + tail[2] * u[1] + tail[3] * u[2];
@@ -112,8 +114,8 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Returns a generator of numbers uniform over −1..1. The numbers are equal in every run (linear congruential generator with Knuth's
-/// constants).
+/// Returns a generator of numbers that are uniform over −1..1 and equal in every run. It is a linear congruential generator with Knuth's
+/// constants.
 fn spread(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     move || {
@@ -122,7 +124,7 @@ fn spread(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// Trains the network.
+/// Trains the network on tests. Returns `None` if the cost is not finite.
 pub fn fit(tests: &[Observation]) -> Option<Network> {
     let scales = Scales::from_tests(tests);
     let accelerations: Vec<Vec<f64>> = tests.iter().map(|t| acceleration(&t.motion)).collect();
@@ -149,7 +151,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
             let mut next = spread(seed);
             let mut start = Vec::with_capacity(SIZE);
             for _ in 0..NEURONS {
-                // Begin with steep and gentle steps at all velocities. They also depend on displacement and acceleration.
+                // Each neuron starts as a steep or gentle step at some velocity. The step also depends on displacement and acceleration.
                 let steep = libm::pow(10f64, 0.75 * (1.0 + next()));
                 start.extend([steep * 0.5 * next(), next(), steep, next(), 0.1 * next()]);
             }
@@ -158,7 +160,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
         })
         .collect();
     let mut priors = vec![Some(Prior { mean: 0.0, spread: DECAY }); SIZE];
-    // Friction is the main reason for a steep dependence on velocity.
+    // The velocity weights have a ten times wider prior, because friction makes the force depend steeply on velocity.
     for k in 0..NEURONS {
         priors[5 * k + 2] = Some(Prior { mean: 0.0, spread: 10.0 * DECAY });
     }

@@ -1,12 +1,13 @@
 //! Tests in the format of the models of the literature: motion, force, and the scale of the residual.
 //!
-//! Only this module depends on the preparation of records. All other modules here use these types.
+//! Of the modules for models of the literature, only this one depends on the preparation of records. The others use the types of this
+//! module.
 
 use dashpot_estimation::segment::Segment;
 use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
 
-/// A motion at its samples.
+/// Motion of the rig at the samples of a test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
     /// Time from the preceding sample to each sample, s. The first value is 0.
@@ -15,12 +16,12 @@ pub struct Motion {
     pub displacement: Vec<f64>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
-    /// Index of a sample one or more whole cycles after the first, if the motion is periodic. The internal state of a model is equal at
-    /// both samples.
+    /// Index of a sample that lies one or more whole cycles after the first sample, if the motion is periodic. In the steady state, the
+    /// internal state of a model is equal at both samples.
     pub returns: Option<usize>,
 }
 
-/// A test from which a model is identified.
+/// Test from which a model is identified.
 #[derive(Debug, Clone)]
 pub struct Observation {
     /// Name of the test.
@@ -29,13 +30,13 @@ pub struct Observation {
     pub motion: Motion,
     /// Measured force, N.
     pub force: Vec<f64>,
-    /// First scored sample. The transient of a model decays during the samples before it.
+    /// Index of the first scored sample. The transient of a model decays during the samples before it.
     pub from: usize,
-    /// Force of one unit of weighted residual, N.
+    /// Force error, N, that gives a weighted residual of 1.
     pub scale: f64,
 }
 
-/// Largest relative difference of two samples one cycle apart, as a fraction of the range of the motion.
+/// Largest difference of two samples whole cycles apart at which a motion counts as periodic, as a fraction of the range of the motion.
 const SAME: f64 = 0.05;
 
 impl Motion {
@@ -49,8 +50,8 @@ impl Motion {
 
     /// Simulates a model with internal state along the motion.
     ///
-    /// A periodic motion first runs for one cycle from `rest`, so that the scored samples begin in the steady state. `step` advances the
-    /// state from the preceding sample to a sample, and returns the force at that sample.
+    /// A periodic motion first runs for one or more whole cycles from the state `rest`, so that the scored samples begin in the steady
+    /// state. `step` advances the state from the preceding sample to a sample, and returns the force at that sample.
     pub(super) fn run<M: Clone>(&self, rest: M, step: impl Fn(&mut M, usize) -> f64) -> Vec<f64> {
         let mut memory = rest;
         if let Some(end) = self.returns {
@@ -61,7 +62,8 @@ impl Motion {
         (0..self.dt.len()).map(|i| step(&mut memory, i)).collect()
     }
 
-    /// Returns the middle of the displacements, m, without the approach and the return.
+    /// Returns the middle of the displacements, m: the mean of their 10 % and 90 % quantiles. The quantiles exclude the approach of the rig
+    /// to its motion and its return.
     pub(super) fn middle(&self) -> f64 {
         let mut sorted = self.displacement.clone();
         sorted.sort_by(f64::total_cmp);
@@ -88,8 +90,8 @@ pub fn observations(segments: &[Segment]) -> Vec<Observation> {
 fn observation(segment: &Segment) -> Observation {
     let displacement: Vec<f64> = segment.input.iter().map(|i| i.displacement.unwrap_or(0.0)).collect();
     let velocity: Vec<f64> = segment.input.iter().map(|i| i.velocity).collect();
-    // The scored part contains whole cycles if the motion has any. So the sample at (length − `from`) lies one or more whole cycles after
-    // the first sample.
+    // The scored samples, (length − `from`) in number, are whole cycles if the motion has any. So the sample with the index (length −
+    // `from`) lies one or more whole cycles after the first sample.
     let returns = (displacement.len() - segment.from).min(displacement.len() - 1);
     let near = |values: &[f64]| {
         let (low, high) = range(values);
@@ -112,7 +114,7 @@ pub(super) struct Scales {
     pub force: f64,
     /// Half the range of the displacements, m.
     pub displacement: f64,
-    /// Middle of that range, m.
+    /// Middle of the range of the displacements, m.
     pub middle: f64,
     /// Largest |velocity|, m/s.
     pub velocity: f64,

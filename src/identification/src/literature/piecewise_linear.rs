@@ -1,15 +1,15 @@
 //! Piecewise-linear force-velocity curve.
 //!
-//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). It has rebound
-//! slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. The lines pass through the
-//! origin.
+//! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). The model has
+//! rebound slopes Cr1 to Cr3 with two knees, compression slopes Cc1 and Cc2 with one knee, and a constant gas force. Without the gas force,
+//! the curve passes through the origin.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
 use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
 
-/// Kernel parameters of this form of the FV curve.
+/// Kernel parameters of the piecewise-linear form of the FV curve: slopes, N s/m, and knees, m/s.
 pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
     number!("fv_rebound_c1"),
     number!("fv_rebound_c2"),
@@ -24,13 +24,13 @@ pub const COEFFICIENTS_AND_KNEES: [parameter::Number; 8] = [
 /// Parameters of the piecewise-linear curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PiecewiseLinear {
-    /// Cr1, Cr2, Cr3, N s/m.
+    /// Rebound slopes Cr1, Cr2 and Cr3, N s/m.
     pub rebound_coefficients_n_s_m: [f64; 3],
     /// First and second rebound knee, m/s.
     pub rebound_knees_m_s: [f64; 2],
-    /// Cc1, Cc2, N s/m.
+    /// Compression slopes Cc1 and Cc2, N s/m.
     pub compression_coefficients_n_s_m: [f64; 2],
-    /// Compression knee as a speed, m/s.
+    /// Speed of the compression knee, m/s, positive.
     pub compression_knee_m_s: f64,
     /// Gas force, which pushes the rod out, N.
     pub gas_force_n: f64,
@@ -50,7 +50,7 @@ impl PiecewiseLinear {
         curve - self.gas_force_n
     }
 
-    /// Converts the curve to a parameter set of the kernel, which contains this form of the curve.
+    /// Converts the curve to a parameter set of the kernel, which has a piecewise-linear form of the FV curve.
     pub fn params(&self) -> Params {
         let mut params = Params::new();
         params.disable_all();
@@ -72,7 +72,7 @@ impl Law for PiecewiseLinear {
     fn numbers(s: &Scales) -> Vec<Number> {
         let slope = Number::Linear { typical: s.force / s.velocity, low: 0.0, high: 1e6 };
         let knee = Number::Log { low: (1e-3 * s.velocity).max(1e-4), high: s.velocity.min(9.0) };
-        // The unknown of the second knee is its distance from the first, so the knees keep their order.
+        // The unknown of the second rebound knee is its distance from the first knee, so the knees keep their order.
         vec![slope, slope, slope, knee, knee, slope, slope, knee, Number::linear(s.force)]
     }
 

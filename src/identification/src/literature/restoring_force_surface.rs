@@ -25,10 +25,11 @@ pub struct Surface {
 const MOST_X: usize = 5;
 /// Highest tried degree in velocity.
 const MOST_V: usize = 11;
-/// Ridge relative to the mean of the diagonal. It keeps the surface flat for combinations of displacement and velocity without tests.
+/// Increase of the diagonal of the normal equations, relative to the mean of the diagonal. It keeps the surface flat for combinations of
+/// displacement and velocity without tests.
 const RIDGE: f64 = 1e-5;
 
-/// Computes T_0 to T_n of a value clamped to −1..1.
+/// Computes the Chebyshev polynomials T_0 to T_n of a value that is scaled from `low`..`high` to −1..1 and clamped.
 fn chebyshev(value: f64, [low, high]: [f64; 2], n: usize) -> Vec<f64> {
     let u = ((2.0 * value - low - high) / (high - low).max(1e-12)).clamp(-1.0, 1.0);
     let mut t = vec![1.0, u];
@@ -39,7 +40,7 @@ fn chebyshev(value: f64, [low, high]: [f64; 2], n: usize) -> Vec<f64> {
     t
 }
 
-/// Weighted sums of products of the basis functions over one test.
+/// Normal equations of one test: weighted sums of products of the basis functions and the force.
 struct Sums {
     square: DMatrix<f64>,
     right: DVector<f64>,
@@ -52,7 +53,7 @@ fn solve(square: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     (square + DMatrix::identity(n, n) * ridge).cholesky().map(|c| c.solve(right))
 }
 
-/// Identifies the surface.
+/// Identifies the surface from tests. Returns `None` if the normal equations of the surface cannot be solved.
 pub fn fit(tests: &[Observation]) -> Option<Surface> {
     let all = |of: fn(&Motion) -> &Vec<f64>| -> [f64; 2] {
         let values: Vec<f64> = tests.iter().flat_map(|t| of(&t.motion)[t.from..].iter().copied()).collect();
@@ -107,7 +108,8 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
                     .map(|test| {
                         let (own, own_right) = part(test, &of);
                         match solve(&(&square - &own), &(&right - &own_right)) {
-                            // Sum logarithms, so that a single test beyond the range of the other tests does not dominate.
+                            // Sum the logarithms of the squared errors, so that a single test beyond the range of the other tests does not
+                            // dominate.
                             Some(c) => {
                                 libm::log((test.force - 2.0 * own_right.dot(&c) + c.dot(&(&own * &c))).max(1e-9))
                             }

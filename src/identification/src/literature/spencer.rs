@@ -1,10 +1,10 @@
 //! Spencer's modified Bouc-Wen model.
 //!
 //! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng. Mech. ASCE 123,
-//! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with them rounds the loop at low speed.
-//! The accumulator k₁ is in parallel with the whole path:
-//! `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x + f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y.
-//! The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which avoids a division if k₁ is nearly zero.
+//! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with these three rounds the force-velocity
+//! loop at low speed. The accumulator k₁ is in parallel with the whole path: `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`,
+//! `F = c₁ ẏ + k₁ x + f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y. The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which
+//! avoids a division if k₁ is nearly zero.
 
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
@@ -21,13 +21,13 @@ pub struct Spencer {
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
-    /// β; γ is 1 − β.
+    /// Coefficient β; γ is 1 − β.
     pub beta: f64,
     /// Damping c₀ in parallel with the hysteresis, N s/m.
     pub inner_damping_n_s_m: f64,
     /// Stiffness k₀ in parallel with the hysteresis, N/m.
     pub inner_stiffness_n_m: f64,
-    /// Damping c₁ in series with both, N s/m.
+    /// Damping c₁ in series with hysteresis, c₀ and k₀, N s/m.
     pub series_damping_n_s_m: f64,
     /// Stiffness k₁ of the accumulator, N/m.
     pub stiffness_n_m: f64,
@@ -39,16 +39,17 @@ pub struct Spencer {
 const STEP: f64 = 0.25;
 /// Largest relative decay of the deflection x − y in one step.
 const DECAY: f64 = 0.5;
-/// Largest number of steps between two samples. Only a start far from the solution needs as many.
+/// Largest number of steps between two samples. Only a start of the fit far from the solution needs as many.
 const MOST: f64 = 24.0;
 
-/// Series damping, relative to the damping of the tests, at which the series path is practically rigid.
+/// Series damping, relative to the largest force divided by the highest velocity of the tests, at which the series dashpot is practically
+/// rigid.
 const RIGID: f64 = 3e3;
 
-/// Identifies the model.
+/// Identifies the model from tests. Returns `None` if no start gives finite forces.
 ///
-/// Bouc-Wen is a special case of the model, and the Bouc-Wen fit is one of the starts. Therefore, the error is never larger than with
-/// Bouc-Wen.
+/// The Bouc-Wen model is a special case of this model, and the Bouc-Wen fit is one of the starts. Therefore, the cost is practically never
+/// larger than with Bouc-Wen.
 pub fn fit(tests: &[Observation]) -> Option<Spencer> {
     let s = Scales::from_tests(tests);
     let plain = law::fit::<BoucWen>(tests).map(|b| {
@@ -69,9 +70,9 @@ pub fn fit(tests: &[Observation]) -> Option<Spencer> {
 
 #[derive(Clone, Copy)]
 struct Memory {
-    /// Deflection of the hysteresis, −1..1.
+    /// Normalized hysteresis z, −1..1.
     z: f64,
-    /// x − y, m.
+    /// Deflection x − y of the hysteresis, m.
     deflection: f64,
 }
 
@@ -82,7 +83,7 @@ impl Law for Spencer {
             Number::Log { low: 1e-3 * s.force, high: 10.0 * s.force },
             Number::Log { low: 1e-5 * s.displacement, high: 3.0 * s.displacement },
             Number::Log { low: 1.0, high: 20.0 },
-            // Below 0.5 the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
+            // With β below 0.5, the element would produce energy (Ikhouane & Rodellar, Systems with Hysteresis, 2007).
             Number::Plain { typical: 1.0, low: 0.5, high: 5.0 },
             Number::Plain { typical: damp, low: 0.0, high: 10.0 * damp },
             Number::Plain { typical: stiff, low: -2.0 * stiff, high: 10.0 * stiff },
@@ -134,7 +135,7 @@ impl Law for Spencer {
         let (x, v) = (&motion.displacement, &motion.velocity);
         let shape = Shape { sharpness: self.sharpness, turning: self.beta };
         let sum = self.inner_damping_n_s_m + self.series_damping_n_s_m;
-        // Returns the velocity of the inner point.
+        // Returns the velocity ẏ of the point between the series dashpot and the Bouc-Wen element.
         let inner = |m: &Memory, v: f64| {
             (self.level_n * m.z + self.inner_damping_n_s_m * v + self.inner_stiffness_n_m * m.deflection) / sum
         };
@@ -145,8 +146,8 @@ impl Law for Spencer {
                 let decay = self.inner_stiffness_n_m.abs() / sum * dt;
                 let steps = (travel / STEP).max(decay / DECAY).ceil().clamp(1.0, MOST);
                 let h = dt / steps;
-                // The mean velocity over a sample is the difference of the displacements divided by the time. Thus, the sum of the travels
-                // is exact.
+                // The mean velocity between two samples is the difference of the displacements divided by the time. Thus, the travels of
+                // the steps add up to the measured travel.
                 let mean = (x[i] - x[i - 1]) / dt;
                 for k in 0..steps as usize {
                     let part = (k as f64 + 0.5) / steps;

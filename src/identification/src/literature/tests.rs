@@ -4,7 +4,7 @@ use super::*;
 use dashpot_core::list;
 use std::f64::consts::TAU;
 
-/// Makes sine tests of these amplitudes, m, and frequencies, Hz. The forces come from a model.
+/// Makes sine tests with the forces of a model. `plan` contains the amplitude, m, and frequency, Hz, of each test.
 fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
     plan.iter()
         .map(|(amplitude, frequency)| {
@@ -105,7 +105,7 @@ fn every_law_finds_itself_again_and_predicts_tests_left_out() {
 
 #[test]
 fn surface_and_network_learn_a_smooth_damper() {
-    // The damper has a degressive curve, a spring, and damping that increases inward.
+    // The damper has a degressive curve, a spring, and damping that increases as the rod moves inward.
     let smooth = |plan: &[(f64, f64)]| {
         let mut tests = tests_of(&examples()[5], plan);
         for test in &mut tests {
@@ -152,7 +152,8 @@ fn what_cannot_be_identified_is_said() {
 
 #[test]
 fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
-    // A sample of 4 ms is short compared with the time constants. Thus, the test compares the models instead of their step sizes.
+    // The sampling interval of 4 ms is short compared with the time constants. Thus, the differences of forces come from the models and not
+    // from their step sizes.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.025, 3.0), (0.005, 3.0)]);
     let mut models = ["fv", "piecewise"].map(|name| Literature::fit(name, &tests).unwrap()).to_vec();
@@ -175,7 +176,8 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
             let own = found.forces(&test.motion);
             let top = own.iter().fold(0.0f64, |m, f| m.max(f.abs()));
             let mut state = model.steady_state(&input(0));
-            // Repeat the motion until the transient of the lag has decayed. The kernel integrates its ramp slightly differently.
+            // Repeat the motion until the transient of the lag has decayed. The tolerance of 2 % is needed, because the kernel integrates
+            // the ramp of the time constant slightly differently.
             const PASSES: usize = 60;
             for pass in 1..=PASSES {
                 for (i, own) in own.iter().enumerate().skip(1) {

@@ -1,11 +1,11 @@
-//! Comparison with models of the literature. Each is identified from the tests of the model's fit.
+//! Comparison with models of the literature. Each of them is identified from the tests that the fit of the validated model used.
 
 use super::compared::Compared;
 use super::deviation::Deviation;
 use crate::literature::Literature;
 use serde::Serialize;
 
-/// Model of the literature with its errors.
+/// Errors of a model of the literature, or of the validated model in the same format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Against {
     /// Name of the model on the command line.
@@ -14,21 +14,21 @@ pub struct Against {
     pub meaning: String,
     /// Errors on every test, in the order of the validation's tests.
     pub tests: Vec<AgainstTest>,
-    /// Mean errors on the tests from which the model was identified.
+    /// Mean errors on the tests that the fit of the validated model used, or `None` without such tests.
     pub used_in_fit: Option<AgainstSummary>,
-    /// Mean errors on the left-out tests.
+    /// Mean errors on all other tests, or `None` without such tests.
     pub left_out: Option<AgainstSummary>,
     /// The model with its parameters, or `None` for the validated model.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers: Option<Literature>,
 }
 
-/// Errors on one test.
+/// Errors of a model on one test.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AgainstTest {
     /// Name of the test.
     pub name: String,
-    /// Whether the model was identified from this test.
+    /// Whether the fit of the validated model used this test.
     pub used_in_fit: bool,
     /// Errors of the model.
     #[serde(flatten)]

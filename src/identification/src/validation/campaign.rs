@@ -1,4 +1,4 @@
-//! Validation of a whole campaign: every test, the overall figures, and separate figures of the left-out tests.
+//! Validation of a whole campaign: figures of every test, of all tests together, and of the left-out tests.
 
 use super::against::{Against, AgainstTest};
 use super::compared::{Compared, ValidationError};
@@ -14,7 +14,7 @@ use serde::Serialize;
 
 /// Mean figures over a set of tests, with equal weight for each test regardless of its length.
 ///
-/// The percent is the mean of the tests' percents. The root mean square is the mean of the tests' root mean squares.
+/// The error in percent is the mean of the tests' errors in percent. The root mean square is the mean of the tests' root mean squares.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
     /// Number of tests.
@@ -27,13 +27,13 @@ pub struct Summary {
 /// Errors of a model over a campaign. `dashpot validate` writes its JSON form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Validation {
-    /// Every test, in the given order.
+    /// Figures of every test, in the given order.
     pub tests: Vec<TestValidation>,
-    /// All tests together.
+    /// Mean figures of all tests.
     pub overall: Summary,
-    /// Tests that the identification used, if any.
+    /// Mean figures of the tests that the identification used, or `None` without such tests.
     pub used_in_fit: Option<Summary>,
-    /// Tests that the identification did not use, if any.
+    /// Mean figures of the tests that the identification did not use, or `None` without such tests.
     pub left_out: Option<Summary>,
     /// Errors by amplitude and peak velocity.
     pub matrix: ErrorMatrix,
@@ -48,16 +48,17 @@ pub struct Validation {
     /// Responses to steps of the setting, or empty if no test has steps.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub step_responses: Vec<StepResponse>,
-    /// Tests whose forces are those of another setting, or empty.
+    /// Tests whose forces are those of another setting than the stated one, or empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub setting_doubts: Vec<SettingDoubt>,
-    /// The model and the models of the literature on the same tests, or empty without a comparison.
+    /// Errors of the model and of models of the literature on the same tests, or empty without a comparison.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub against: Vec<Against>,
     /// Results of the limits, or `None` without limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limits: Option<Certificate>,
-    /// Measurement errors that the model's own fit found, if any. States whether these records were corrected.
+    /// Sentence about the measurement errors that the fit of the model found. It states whether the records were corrected. `None` without
+    /// such errors.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests of the campaign that could not be used. No figure includes them.
@@ -70,7 +71,7 @@ pub struct ChangingSummary {
     /// Figures of these tests.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Indices of these tests among those of the validation.
+    /// Indices of these tests in [`Validation::tests`].
     #[serde(skip)]
     pub places: Vec<usize>,
 }
@@ -80,12 +81,12 @@ pub struct ChangingSummary {
 pub struct SettingSummary {
     /// Value of the setting.
     pub setting: f64,
-    /// Whether the model file gives numbers at this value. Otherwise the numbers are interpolated.
+    /// Whether the model file gives numbers at this value. Otherwise the numbers of the model are interpolated.
     pub is_of_grid: bool,
     /// Figures of the tests at this setting.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Indices of these tests among those of the validation.
+    /// Indices of these tests in [`Validation::tests`].
     #[serde(skip)]
     pub places: Vec<usize>,
 }
@@ -94,7 +95,7 @@ impl Validation {
     /// Summarizes the tests by their setting. The lowest setting comes first. `settings` contains the setting of every test, `grid` the
     /// settings of the model file.
     ///
-    /// A test with a changing setting has `None`. These tests are summarized together.
+    /// `settings` has `None` for a test whose setting changes. These tests are summarized together.
     pub fn summarize_settings(&mut self, settings: &[Option<f64>], grid: &[f64]) {
         let all = 0..self.tests.len().min(settings.len());
         let (constant, changing): (Vec<usize>, Vec<usize>) = all.partition(|place| settings[*place].is_some());
@@ -127,10 +128,10 @@ impl Validation {
     }
 }
 
-/// Computes the figures of every test, and summarizes them.
+/// Computes the figures of every test, and summarizes the tests.
 ///
 /// # Errors
-/// [`ValidationError`] for the first test that cannot be validated.
+/// [`ValidationError`] for the first test that cannot be validated, or if there are no tests.
 pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError> {
     compared.iter().try_for_each(Compared::check)?;
     let tests: Vec<TestValidation> = compared.iter().map(TestValidation::of).collect();

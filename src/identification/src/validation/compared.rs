@@ -1,4 +1,4 @@
-//! One test with its simulated forces, and the checks before a comparison.
+//! Measured test with its simulated forces, and the checks before a comparison of them.
 
 use dashpot_records::Record;
 
@@ -15,10 +15,10 @@ pub struct Compared<'a> {
     pub used_in_fit: bool,
 }
 
-/// Reason why a comparison is not possible.
+/// Reason why measured and simulated forces cannot be compared.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ValidationError {
-    /// There is nothing to compare.
+    /// There is no test.
     #[error("no test to validate against: name at least one record")]
     NoTests,
     /// A test has no samples.
@@ -70,7 +70,7 @@ pub enum ValidationError {
 }
 
 impl Compared<'_> {
-    /// Rejects data that cannot be compared. All later figures are then finite.
+    /// Rejects data that cannot be compared, so that all later figures are finite.
     pub(super) fn check(&self) -> Result<(), ValidationError> {
         const RECORD: &str = "clean the record first";
         const SIMULATED: &str = "the simulation diverged, check the model's parameters";

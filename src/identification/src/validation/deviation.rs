@@ -1,14 +1,14 @@
-//! Error figures of one simulated force relative to the measured force.
+//! Error figures of a simulated force, compared with the measured force.
 
 use serde::Serialize;
 
 /// Speed that separates region 1 (slow: friction, bleed, hysteresis) from region 2 (fast: valve shims, blow-off), m/s.
 ///
-/// The reference work prints the errors of both regions but not the boundary. Its tables imply a boundary between two peak velocities of
-/// its schedule, 0.262 m/s and 0.524 m/s. The value is their rounded middle.
+/// The thesis of Jonnalagadda & Vyas prints the errors of both regions but not the boundary. Its tables imply a boundary between two peak
+/// velocities of its schedule, 0.262 m/s and 0.524 m/s. The value is the rounded middle of these two.
 pub const REGION_BOUNDARY: f64 = 0.4;
 
-/// Error figures of a simulated force relative to the measured force.
+/// Error figures of a simulated force, compared with the measured force over a test.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Deviation {
     /// Mean of |simulated − measured| over the samples, N.
@@ -23,13 +23,13 @@ pub struct Deviation {
     pub rmse_n: f64,
 }
 
-/// Error figures of the full model. The figures of the force–velocity curve alone are for comparison.
+/// Error figures of the full model, and of the force–velocity curve alone for comparison.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Errors {
-    /// The full model.
+    /// Figures of the full model.
     #[serde(flatten)]
     pub model: Deviation,
-    /// The force–velocity curve alone.
+    /// Figures of the force–velocity curve alone.
     pub fv_only: Deviation,
 }
 
@@ -82,7 +82,7 @@ impl Errors {
         Some(Self { model: Deviation::mean(&model), fv_only: Deviation::mean(&fv_only) })
     }
 
-    /// Returns the figures with percents relative to another largest force, N, such as that of a whole row of tests.
+    /// Returns the figures with errors in percent of another largest force, N, such as that of a whole row of tests.
     pub(super) fn in_percent_of(mut self, max_force: f64) -> Self {
         for deviation in [&mut self.model, &mut self.fv_only] {
             deviation.error_percent = percent(deviation.mean_error_n, max_force);
@@ -91,7 +91,7 @@ impl Errors {
     }
 }
 
-/// Computes the error in percent with the definition of the reference work.
+/// Computes the error in percent with the definition of Jonnalagadda & Vyas.
 fn percent(mean_error: f64, max_force: f64) -> f64 {
     100.0 * mean_error / max_force
 }
@@ -102,7 +102,7 @@ mod tests {
 
     #[test]
     fn the_published_table_is_reproduced() {
-        // In Table 5.1, Test 1 has 148.1041 N of 3466 N, printed there as 4.27 %.
+        // In Table 5.1 of Jonnalagadda & Vyas, Test 1 has an error of 148.1041 N at 3466 N, printed as 4.27 %.
         let measured = [3466.0, -1000.0, 0.0, 500.0];
         let simulated = measured.map(|force| force - 148.1041);
         let got = Deviation::of_test(&simulated, &measured, &[1.0, -1.0, 0.0, 0.1], 3466.0);

@@ -1,27 +1,27 @@
-//! Hysteresis of one test: the gap between the strokes at equal velocity, the loop area, and the energy per cycle.
+//! Hysteresis of one test: the force gap between rising and falling velocity, the loop area, and the energy per cycle.
 //!
-//! All three come from whole cycles only, because an open loop has no area.
+//! These figures come from whole cycles only, because an open loop has no area.
 //!
-//! Gap and area are the force at rising velocity minus the force at falling velocity. They are negative for a force that lags the velocity
-//! (gas and oil compressibility, a parallel spring). They are positive for a force that leads (moving mass). They are zero for a function
-//! of velocity alone.
+//! The gap is the force at rising velocity minus the force at falling velocity, and the area has the same sign. Both are negative for a
+//! force that lags the velocity (gas and oil compressibility, a parallel spring). They are positive for a force that leads the velocity
+//! (moving mass). They are zero for a force that is a function of velocity alone.
 
 use super::Compared;
 use serde::Serialize;
 
 /// Number of velocity bins from the negative to the positive peak velocity.
 ///
-/// The number is even, so that zero velocity is the edge of a bin. Friction changes sign there, and a bin across zero would average it to
-/// zero.
+/// The number is even, so that zero velocity is the edge of a bin. Friction changes sign at zero velocity, so a bin across zero would
+/// average the friction to zero.
 const BINS: usize = 20;
 
-/// Smallest number of samples of a branch in a bin for a valid mean force.
+/// Smallest number of samples of a branch (rising or falling velocity) in a bin. A bin with fewer samples is left out.
 const MIN_SAMPLES: usize = 2;
 
-/// Smallest number of samples of a cycle for a valid area.
+/// Smallest number of samples of a cycle. A cycle with fewer samples is left out.
 const MIN_CYCLE_SAMPLES: usize = 8;
 
-/// One figure of each of the three forces.
+/// Figure of each of three forces: the measured force and two simulated forces.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct OfEach {
     /// Figure of the measured force.
@@ -32,7 +32,7 @@ pub struct OfEach {
     pub fv_only: f64,
 }
 
-/// Vertical gap at one velocity.
+/// Gap between rising and falling velocity in one velocity bin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GapBin {
     /// Middle of the velocity bin, m/s.
@@ -46,7 +46,7 @@ pub struct GapBin {
 pub struct Hysteresis {
     /// Number of whole cycles used.
     pub cycles: usize,
-    /// Gap over velocity, without bins that have too few samples of either branch.
+    /// Gap over velocity, without bins that have too few samples of a branch.
     pub gap: Vec<GapBin>,
     /// Mean of |gap| over the bins, N; zero without bins.
     pub mean_gap_n: OfEach,
@@ -124,9 +124,9 @@ fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
     (0..force.len()).map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i])).sum()
 }
 
-/// Samples of whole cycles sorted by velocity bin and by branch.
+/// Samples of whole cycles, sorted by velocity bin and by branch: rising or falling velocity.
 struct Bins {
-    /// Peak velocity of the outermost bins, m/s.
+    /// Velocity at the outer edge of the outermost bins, m/s.
     peak: f64,
     /// Samples of `[rising, falling]` velocity in each bin.
     samples: Vec<[Vec<usize>; 2]>,
@@ -164,7 +164,7 @@ impl Bins {
         self.usable[bin]
     }
 
-    /// Returns the middle velocity of a bin, m/s.
+    /// Returns the velocity in the middle of a bin, m/s.
     fn middle(&self, bin: usize) -> f64 {
         self.peak * ((2 * bin + 1) as f64 / BINS as f64 - 1.0)
     }
@@ -186,7 +186,7 @@ impl Bins {
     }
 }
 
-/// Averages the chosen samples.
+/// Averages a channel over the chosen samples.
 fn mean(samples: &[usize], of: &[f64]) -> f64 {
     samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64
 }

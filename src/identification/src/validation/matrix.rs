@@ -1,7 +1,7 @@
 //! Error matrix: the campaign's errors for tests of equal amplitude, for tests of equal peak velocity, and for the slow tests.
 //!
-//! Rows correspond to the reference work's stitched records, which join all tests of one amplitude. Each test has equal weight in its row,
-//! so frequencies with many tests do not dominate. The percent is relative to the largest measured force of the whole row.
+//! Rows correspond to the stitched records of Jonnalagadda & Vyas, which join all tests of one amplitude. Each test has equal weight in its
+//! row, so frequencies with many tests do not dominate. Errors in percent are relative to the largest measured force of the whole row.
 
 use super::deviation::Errors;
 use super::of_test::TestValidation;
@@ -9,24 +9,24 @@ use serde::Serialize;
 
 /// Peak velocity below which tests are friction tests and form a separate row, m/s.
 ///
-/// The slow test of the reference work reaches 2.6 mm/s. Its slowest damping test reaches 52 mm/s.
+/// In the test schedule of Jonnalagadda & Vyas, the slow test reaches 2.6 mm/s, and the slowest damping test reaches 52 mm/s.
 pub const SLOW_PEAK_VELOCITY: f64 = 0.005;
 
-/// Largest relative scatter of a measured amplitude or peak velocity of one nominal value.
+/// Largest relative difference from the mean of a group at which an amplitude or a peak velocity belongs to the group.
 const SAME: f64 = 0.05;
 
-/// Scatter of a measured amplitude on a rig at the smallest strokes, m.
+/// Difference, m, within which amplitudes always belong to one group: the scatter of a rig at the smallest strokes.
 const SAME_AMPLITUDE: f64 = 0.0001;
 
-/// Scatter of a measured peak velocity on a rig in the slowest tests, m/s.
+/// Difference, m/s, within which peak velocities always belong to one group: the scatter of a rig in the slowest tests.
 const SAME_VELOCITY: f64 = 0.002;
 
-/// Errors of one group of tests.
+/// Errors of one group of tests, such as the tests of one amplitude.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MatrixRow {
     /// Description of the property that the tests share.
     pub label: String,
-    /// The shared amplitude, m, or peak velocity, m/s: the mean over the tests.
+    /// Mean amplitude, m, of a row of `by_amplitude`. For all other rows, mean peak velocity, m/s.
     pub value: f64,
     /// Number of tests.
     pub tests: usize,
@@ -34,7 +34,7 @@ pub struct MatrixRow {
     pub test_names: Vec<String>,
     /// Largest |measured force| of the row, N.
     pub max_force_n: f64,
-    /// Mean errors with equal weight of each test. Percents are relative to `max_force_n`.
+    /// Mean errors with equal weight of each test. Errors in percent are relative to `max_force_n`.
     #[serde(flatten)]
     pub errors: Errors,
 }
@@ -42,18 +42,18 @@ pub struct MatrixRow {
 /// Errors of the tests of one amplitude and one peak velocity.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MatrixCell {
-    /// Row in `by_amplitude`.
+    /// Index of the row in [`ErrorMatrix::by_amplitude`].
     pub amplitude_row: usize,
-    /// Row in `by_peak_velocity`.
+    /// Index of the row in [`ErrorMatrix::by_peak_velocity`].
     pub peak_velocity_row: usize,
     /// Number of tests.
     pub tests: usize,
-    /// Mean errors. The percent is the mean of the tests' percents.
+    /// Mean errors. The error in percent is the mean of the tests' errors in percent.
     #[serde(flatten)]
     pub errors: Errors,
 }
 
-/// Errors of a campaign. The groups are those of the test schedule.
+/// Errors of a campaign by groups of tests, which follow the test schedule.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ErrorMatrix {
     /// One row for each amplitude. The largest amplitude comes first, as in the test schedule.
@@ -62,9 +62,9 @@ pub struct ErrorMatrix {
     pub by_peak_velocity: Vec<MatrixRow>,
     /// Errors of each tested combination of amplitude and peak velocity.
     pub cells: Vec<MatrixCell>,
-    /// Slow friction tests. They appear in no other row.
+    /// Slow friction tests, or `None` without them. They appear in no other row.
     pub slow: Option<MatrixRow>,
-    /// Tests without whole cycles (random, road). They have neither amplitude nor frequency.
+    /// Tests without whole cycles (random, road), or `None` without them. Such tests have neither amplitude nor frequency.
     pub not_periodic: Option<MatrixRow>,
 }
 
@@ -132,9 +132,9 @@ fn row(label: String, value: f64, tests: &[&TestValidation]) -> Option<MatrixRow
     })
 }
 
-/// Groups indices by nearly equal value. The smallest value comes first, and a group keeps the given order.
+/// Groups the indices of nearly equal values. The group with the smallest values comes first. Within a group, the indices increase.
 ///
-/// A value joins the preceding group if it lies within [`SAME`] of the group's mean, or within `floor`.
+/// A value joins the preceding group if its distance from the mean of the group is at most `floor` or [`SAME`] of the value.
 fn groups(values: &[f64], floor: f64) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
@@ -154,7 +154,7 @@ fn mean(group: &[usize], values: &[f64]) -> f64 {
     group.iter().map(|i| values[*i]).sum::<f64>() / group.len() as f64
 }
 
-/// Averages the peak velocities, m/s; zero without tests.
+/// Averages the peak velocities of tests, m/s. Returns zero without tests.
 fn mean_peak_velocity(tests: &[&TestValidation]) -> f64 {
     tests.iter().map(|test| test.peak_velocity_m_s).sum::<f64>() / tests.len().max(1) as f64
 }

@@ -1,19 +1,19 @@
 //! Validation of a model against the rig: error figures, the error matrix and hysteresis.
 //!
-//! The input is one [`Compared`] for each test. It contains the measured record, and the forces of the full model and of the force–velocity
-//! curve alone at its samples. Every figure is given for both, because the cost of a model is justified only if its error is smaller than
-//! the curve's error.
+//! The input is one [`Compared`] for each test. It contains the measured record, and two simulated forces at its samples: those of the full
+//! model and of the force–velocity curve alone. Every figure is given for both, because the effort of a full model is justified only if its
+//! error is smaller than the curve's error.
 //!
 //! | file | measure |
 //! |---|---|
 //! | [`Against`] | errors of the models of the literature on the same tests |
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
-//! | [`hysteresis`] | vertical gap between the strokes, loop area, energy per cycle |
+//! | [`hysteresis`] | force gap between rising and falling velocity, loop area, energy per cycle |
 //! | [`ResponseTimes`] | times of the force response to a step of the setting |
 //! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
 //!
-//! Definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5. Thus, the figures are
-//! comparable with the published figures.
+//! The definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5. Thus, the figures are
+//! comparable with those published there.
 
 mod against;
 mod campaign;

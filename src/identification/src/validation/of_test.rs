@@ -1,4 +1,4 @@
-//! Validation of one test.
+//! Validation of one test: errors, hysteresis and peak forces.
 
 use super::compared::Compared;
 use super::deviation::{Deviation, Errors};
@@ -30,9 +30,9 @@ pub struct TestValidation {
     pub cycles: usize,
     /// Root mean square of the measured force's noise, N. No model can have a smaller error.
     pub noise_rms_n: f64,
-    /// Hysteresis, if the test has whole cycles.
+    /// Hysteresis, or `None` if the test has no whole cycles.
     pub hysteresis: Option<Hysteresis>,
-    /// Force at peak velocity in rebound and in compression, if the test has whole cycles.
+    /// Force at peak velocity in rebound and in compression, or empty if the test has no whole cycles.
     pub peaks: Vec<PeakForce>,
 }
 

@@ -1,8 +1,8 @@
-//! Response of the force to a step of the setting: times of the measured force and of the model.
+//! Response of the damper force to a step of the setting: times of the measured force and of the model's force.
 
 use serde::Serialize;
 
-/// Times of a response to a step, s, relative to the step.
+/// Times of the response to a step, s, from the instant of the step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ResponseTimes {
     /// Time until the force has completed 10 % of its change.
@@ -16,7 +16,8 @@ pub struct ResponseTimes {
 }
 
 impl ResponseTimes {
-    /// Computes the times of a response from 0 to 1. Returns `None` if the response does not reach 1, or has no samples at a crossing.
+    /// Computes the times of a response that goes from 0 to 1. Returns `None` if the response does not reach 0.9, or if it has no samples
+    /// at a crossing.
     pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
         let begins = time.partition_point(|t| *t < 0.0);
         let reach = |fraction: f64, from: usize| -> Option<usize> {
@@ -36,7 +37,7 @@ impl ResponseTimes {
         let at_63 = reach(0.632, begins)?;
         let at_10 = (begins..=at_63).rev().find(|k| response[*k] < 0.1).map_or(begins, |k| k + 1);
         let at_90 = reach(0.9, at_63)?;
-        // Average neighbors, because the largest of many noisy samples is not an overshoot.
+        // Average five neighboring samples, because the largest of many noisy samples is not an overshoot.
         let most = response[at_63..].windows(5).map(|w| w.iter().sum::<f64>() / 5.0).fold(1.0, f64::max);
         Some(ResponseTimes {
             t10_s: crossing(at_10, 0.1)?.max(0.0),
@@ -50,25 +51,26 @@ impl ResponseTimes {
 /// Uncertainties of measured response times, s: half the width of their 95 % intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TimeUncertainty {
-    /// Uncertainty of the time to 63 %.
+    /// Uncertainty of the time until 63 %.
     pub t63_s: f64,
-    /// Uncertainty of the time to 90 %.
+    /// Uncertainty of the time until 90 %.
     pub t90_s: f64,
     /// Uncertainty of the time from 10 % to 90 %. The instant of the command does not affect it.
     pub rise_s: f64,
 }
 
-/// The instant of a command within a sample interval is unknown, so its error is up to half a sample.
+/// Largest error of the instant of a command, in sampling intervals. The instant lies anywhere between two samples.
 const HALF_SAMPLE: f64 = 0.5;
-/// Width of a 95 % interval to either side, in standard deviations.
+/// Half-width of a 95 % interval, in standard deviations.
 const WIDTH_95: f64 = 2.0;
 
 impl TimeUncertainty {
-    /// Computes the uncertainties from the noise of the measured response. The slope is that of the modeled response, which has no noise.
+    /// Computes the uncertainties from the noise of the measured response and the slope of the modeled response, which has no noise.
     ///
-    /// Near its end a response is almost level. So a small noise there makes the time to 90 % uncertain.
+    /// Near its end, a response is almost level. So even a small noise makes the time until 90 % uncertain.
     ///
-    /// Returns `None` if the modeled response does not reach 90 %.
+    /// Returns `None` if the modeled response does not reach 90 %, or if the measured response has fewer than three samples in its last
+    /// quarter.
     pub fn measure(time: &[f64], measured: &[f64], model: &[f64], sample_s: f64) -> Option<TimeUncertainty> {
         let noise = WIDTH_95 * end_noise(time, measured)?;
         let reaches = |fraction: f64| (0..time.len()).find(|k| time[*k] >= 0.0 && model[*k] >= fraction);
@@ -87,10 +89,10 @@ impl TimeUncertainty {
     }
 }
 
-/// Fraction of a response at its end that shows the noise.
+/// Fraction of a response, at its end, from which the noise is determined.
 const END: f64 = 0.25;
 
-/// Computes the standard deviation of a response from a straight line in its last quarter.
+/// Computes the standard deviation of a response from a straight line in its last quarter. Returns `None` for fewer than three samples.
 fn end_noise(time: &[f64], response: &[f64]) -> Option<f64> {
     let from = time.partition_point(|t| *t < (1.0 - END) * time[time.len() - 1]);
     let points = || time[from..].iter().zip(&response[from..]).filter(|(_, r)| r.is_finite());
@@ -106,7 +108,7 @@ fn end_noise(time: &[f64], response: &[f64]) -> Option<f64> {
     Some((square * count / (count - 2.0)).sqrt())
 }
 
-/// Response to the steps of one test in one direction.
+/// Response to the steps of one test in one stroke direction: rebound or compression.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StepGroup {
     /// Name of the test.
@@ -118,10 +120,10 @@ pub struct StepGroup {
     /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
-    /// Uncertainties of the measured times.
+    /// Uncertainties of the measured times, or `None` if they cannot be computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<TimeUncertainty>,
-    /// Times of the model's force.
+    /// Times of the model's force, or `None` if they cannot be determined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
 }
@@ -141,15 +143,16 @@ pub struct StepResponse {
     pub sample_s: f64,
     /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
     pub end_fraction: f64,
-    /// Response times of each test and direction with at least three steps. A limit applies to the slowest group.
+    /// Response times of each test and stroke direction with at least three steps. A limit applies to the slowest of these groups and of
+    /// all steps together.
     pub groups: Vec<StepGroup>,
     /// Times of the measured force, or `None` if the records do not show them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<ResponseTimes>,
-    /// Uncertainties of the measured times.
+    /// Uncertainties of the measured times, or `None` if they cannot be computed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<TimeUncertainty>,
-    /// Times of the model's force.
+    /// Times of the model's force, or `None` if they cannot be determined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<ResponseTimes>,
     /// Time since the step, s.

@@ -1,16 +1,16 @@
-//! A test whose forces are those of another setting than the stated one.
+//! Doubt about the setting of a test, because its forces are those of another setting.
 
 use crate::phrases;
 use dashpot_messages::Sentence;
 use dashpot_records::setting_in_words;
 use serde::Serialize;
 
-/// A test with a doubtful setting.
+/// Test with a doubtful setting, and the errors on which the doubt is based.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SettingDoubt {
     /// Name of the test.
     pub test: String,
-    /// Setting that the test states or is given.
+    /// Setting that the record states, or that the user gave for it.
     pub stated: f64,
     /// Setting at which the model fits best.
     pub fitting: f64,
@@ -21,7 +21,7 @@ pub struct SettingDoubt {
 }
 
 impl SettingDoubt {
-    /// Formats the doubt. `unit` is the unit of the setting.
+    /// Formats the doubt as a sentence. `unit` is the unit of the setting.
     pub fn sentence(&self, unit: &str) -> Sentence {
         Sentence::from(phrases::SETTING_DOUBT)
             .with("test", &self.test)

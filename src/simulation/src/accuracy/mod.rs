@@ -1,4 +1,4 @@
-//! Error of the fixed step relative to a converged solution, over a test matrix.
+//! Error of the kernel's fixed step relative to a converged solution, over a matrix of sine tests.
 
 pub mod radau;
 
@@ -6,7 +6,7 @@ use dashpot_core::{Input, Model, step};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// One sine test.
+/// Sine test.
 #[derive(Debug, Clone, Copy)]
 pub struct Sine {
     /// Amplitude, m.
@@ -32,16 +32,16 @@ pub enum HostInput {
     Velocity,
 }
 
-/// Errors of one test relative to its largest force.
+/// Force errors of one test, relative to its largest force.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
-    /// Root mean square.
+    /// Root mean square error.
     pub rms: f64,
     /// Largest error.
     pub largest: f64,
 }
 
-/// Computes the forces of the fixed step at each multiple of `dt`.
+/// Computes the forces, N, of the kernel's fixed step at each multiple of `dt`, s: `steps + 1` values.
 pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.evaluate(t);
@@ -72,27 +72,29 @@ pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
     Errors { rms: (sum / exact.len() as f64).sqrt() / top, largest: largest / top }
 }
 
-/// Converged reference of each test, at the finest step of the comparison.
+/// Converged reference forces of each test, on the grid of the finest step of a comparison.
 pub struct References {
     tests: Vec<(Sine, Vec<f64>)>,
     dt: f64,
 }
 
-/// Number of Radau steps in the finest interval. Twice the number changes the reference by less than a thousandth of the measured errors
-/// (see the tests).
+/// Number of Radau steps in an interval of the reference grid. Twice the number changes the reference by less than a thousandth of the
+/// measured errors (see the tests).
 const PARTS: usize = 4;
-/// Number of cycles of each test. Slow tests are truncated to [`LONGEST`], s.
+/// Number of cycles of each test. Slow tests are truncated to [`LONGEST`].
 const CYCLES: f64 = 2.0;
+/// Longest duration of a test, s.
 const LONGEST: f64 = 8.0;
 
 impl References {
-    /// Solves each test on the grid of step `dt`.
+    /// Solves each test on a grid with the step `dt`, s.
     pub fn solve(model: &Model, tests: &[Sine], dt: f64) -> References {
         let tests = tests
             .par_iter()
             .map(|sine| {
                 let steps = ((CYCLES / sine.frequency).min(LONGEST) / dt).ceil() as usize;
-                // The number of steps is a multiple of the coarsest host step.
+                // The number of reference steps is a multiple of 40, the coarsest host step of a comparison. So every host step that
+                // divides 40 ends at the end of the test.
                 let steps = steps.div_ceil(40) * 40;
                 (*sine, radau::reference_forces(model, &sine.motion(), dt, steps, PARTS))
             })
@@ -100,12 +102,12 @@ impl References {
         References { tests, dt }
     }
 
-    /// Returns the tests and their exact forces at each multiple of the step.
+    /// Returns the tests and their reference forces, N, at each multiple of the reference step.
     pub fn forces(&self) -> impl Iterator<Item = (Sine, &[f64])> {
         self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
     }
 
-    /// Computes the errors of the model's own step at `dt` for each test. `dt` must be a multiple of the reference step.
+    /// Computes the errors of the kernel's step at the host step `dt`, s, for each test. `dt` must be a multiple of the reference step.
     pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests

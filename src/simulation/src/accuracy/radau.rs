@@ -1,7 +1,8 @@
-//! Independent integrator for references: Radau IIA of order 5 on the continuous equations.
+//! Independent integrator for reference solutions: Radau IIA of order 5 on the continuous equations of the model.
 //!
-//! It shares only [`dashpot_core::evaluate()`] with the kernel's step. The motion is exact, and Newton's method solves all three stages
-//! together to rounding. Callers halve the step until the result does not change.
+//! The integrator shares only [`dashpot_core::evaluate()`] and its derivatives with the kernel's step. The motion is evaluated exactly, and
+//! Newton's method solves all three stages together to rounding. Callers must choose steps so short that halving them does not change the
+//! result.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Input, Model, State, evaluate};
@@ -19,7 +20,7 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
     }
 }
 
-/// Runs the model from the steady state. Returns the force at each multiple of `dt`: `steps + 1` values.
+/// Simulates the model from the steady state. Returns the force, N, at each multiple of `dt`, s: `steps + 1` values.
 ///
 /// Every interval is divided into `parts` Radau steps.
 pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {

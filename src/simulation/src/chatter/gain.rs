@@ -1,4 +1,5 @@
-//! Gain of a host's step over typical motions: sines about a position, their reversals, and every segment of the FV curve.
+//! Largest gain of a disturbance in one step of a host. It is searched over typical sines, at their reversals, and on every segment of the
+//! FV curve.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -6,20 +7,22 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Output, Params};
 use dashpot_core::{element, list, number};
 
-/// Amplitudes of the motions, m, and their peak velocities, m/s. The range is from standstill to a pothole.
+/// Amplitudes of the evaluated motions, m. With [`SPEEDS`], they range from almost standstill to a pothole.
 ///
-/// Outside the reference situation, only medium motions are evaluated. The results of other motions differ little there and take most of
-/// the time.
+/// Outside the reference situation, only motions with medium amplitudes and speeds are evaluated. The other motions would change the result
+/// little and take most of the time.
 const AMPLITUDES: [f64; 4] = [2e-4, 1e-3, 5e-3, 0.02];
+/// Peak velocities of the evaluated motions, m/s.
 const SPEEDS: [f64; 4] = [2e-3, 0.02, 0.2, 1.0];
 /// Amplitude, m, and peak velocity, m/s, of a stroke through most of the travel, which can open a void.
 const LONG: (f64, f64) = (0.05, 1.0);
 /// Largest number of steps of one motion.
 pub(super) const STEPS: usize = 4000;
-/// Velocities that are evaluated at a reversal, m/s.
+/// Velocities that are evaluated at a reversal of a motion, m/s.
 const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
 /// Positions on a segment of the FV curve, as fractions of its length. A monotone cubic is steepest in its middle or at an end.
 const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
+
 /// Evaluated motion: a sine that starts at its middle.
 #[derive(Clone, Copy)]
 pub(super) struct Sine {
@@ -39,7 +42,7 @@ impl Sine {
     }
 }
 
-/// Returns the motions that a host can follow.
+/// Returns the motions whose phase advances by at most 0.5 rad in a step of the host.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;
@@ -50,7 +53,7 @@ pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = 
         .filter(move |sine| sine.omega * host.step <= 0.5)
 }
 
-/// Largest gain, and its motion and force.
+/// Largest gain, with the velocity, the model output and the situation at which it occurs.
 pub(super) struct Largest {
     pub gain: f64,
     pub velocity: f64,
@@ -70,7 +73,7 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
         let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {
             let to = input(k);
-            // Evaluate the reversal itself too, because a void or a gap may close between two samples of the motion.
+            // Also evaluate the velocities of a reversal, because a void or a gap may close between two samples of the motion.
             if to.velocity * input(k - 1).velocity <= 0.0 {
                 for velocity in AT_THE_TURN {
                     let turned = Input { velocity, ..to };
@@ -91,7 +94,8 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
     most
 }
 
-/// Returns the largest gain at steady velocities on every segment of the FV curve. A motion may have no sample on a narrow steep segment.
+/// Returns the largest gain at constant velocities on all segments of the FV curve. This check is needed, because a motion may have no
+/// sample on a narrow steep segment.
 pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Largest {
     let knots = if params.number(number!("fv_form")) == 0.0 {
         params.list(list!("fv_velocity")).to_vec()

@@ -1,4 +1,4 @@
-//! Host properties that determine chatter.
+//! Properties of a host that determine chatter.
 
 /// Step and mass of a host, which determine chatter.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,5 @@
-//! Simulation of a typical host loop: the host's mass on a tire, moved by a road. Derivatives at one instant do not show how a mass or a
-//! void in the damper affects the next steps. The loop shows it.
+//! Simulation of a typical host loop: the host's mass on a tire, moved by a road. The loop shows how a mass or a void in the damper affects
+//! the next steps. Derivatives at one instant do not show this.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -7,38 +7,41 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use dashpot_core::{element, number};
 
-/// Stiffness of the tire under the host's mass in the loop, N/m (a car's).
+/// Stiffness of a car's tire, which carries the host's mass in the loop, N/m.
 ///
-/// If the step cannot resolve the mass on this tire, the tire is softer. In a step, the phase advances by at most `FOLLOWS`, rad.
+/// If the step cannot resolve the oscillation of the mass on this tire, the loop uses a softer tire ([`FOLLOWS`]).
 const TYRE: f64 = 2e5;
+/// Largest phase, rad, by which the oscillation of the mass on the tire advances in a step.
 const FOLLOWS: f64 = 0.3;
-/// Velocity, m/s, above which the loop counts as diverged. Dampers are always slower.
+/// Velocity, m/s, above which the loop counts as diverged. No damper moves as fast.
 const BEYOND: f64 = 100.0;
-/// Initial velocity of the loop, m/s. An acceleration of 10 m/s² gives it in a millisecond.
+/// Initial velocity of the mass in the loop, m/s. An acceleration of 10 m/s² reaches this velocity in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Smallest alternating part of the force, N, that is visible in a vehicle's signals.
-///
-/// `TURNS` is the smallest number of reversals of the force in the last 24 steps. A single impact (a gap, a stop, dry friction at a
-/// reversal) causes three or four. The period of a mass may not be a multiple of the step. Then the force reverses in most steps, but not
-/// in all.
+/// Smallest alternating part of the force, N, that counts as a reversal. It is visible in a vehicle's signals.
 const SEEN: f64 = 5.0;
+/// Smallest number of reversals of the force in the last 24 steps that counts as chatter.
+///
+/// A single impact (a gap, a stop, dry friction at a reversal) causes three or four reversals. If the period of an oscillating mass is no
+/// multiple of the step, the force reverses in most steps, but not in all.
 const TURNS: u32 = 9;
+/// Bit mask of the last 24 steps.
 const WINDOW: u32 = (1 << 24) - 1;
 /// Largest number of steps of the loop over one road.
 const LOOP: usize = 3000;
-/// Heights of the roads, m. Situations other than the reference use the first height. Each wave has a fraction of the height and a
-/// frequency, Hz: body, between body and axle, and axle.
+/// Heights of the roads, m. Situations other than the reference use the first height only.
 const ROADS: [f64; 3] = [0.005, 0.02, 0.05];
+/// Waves of a road. Each has a fraction of the height and a frequency, Hz, near those of the body, between body and axle, and of the axle.
 const WAVES: [(f64, f64); 4] = [(0.5, 1.3), (0.25, 3.1), (0.12, 9.7), (0.06, 14.0)];
 /// Ratio of the mass of the body to that of the wheel.
 const BODY: f64 = 10.0;
-/// Largest number of times that the step is halved.
+/// Largest number of times that the host's step is halved in the search for a step without chatter.
 pub(super) const HALVINGS: i32 = 6;
-/// Tried fractions of the critical damping of the internal mass.
+/// Tried values of the series damping, as fractions of the critical damping of the internal mass.
 const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
-/// Result of a host loop whose force reverses at every step.
+
+/// Result of a host loop that chatters: its force reverses in many steps, or its motion diverges.
 ///
-/// The loop is the host's mass on a tire, moved by a road.
+/// In the loop, a road moves the host's mass on a tire.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
     /// Largest alternating part of the force, N, or infinity if the motion diverges.
@@ -52,7 +55,7 @@ pub struct Turning {
 }
 
 impl Turning {
-    /// Describes the result.
+    /// Describes the chatter of the loop in a clause of a message.
     pub(super) fn told(&self, host: Host) -> String {
         let Turning { force, steps, height, situation } = *self;
         let does = if self.grows() {
@@ -76,7 +79,7 @@ impl Turning {
 
 /// Simulates the loop on the roads of a situation. Returns `None` if it does not chatter.
 pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
-    // In a stop, a high road would cause unrealistic forces.
+    // A high road in a stop, for example, would cause unrealistic forces. So situations other than the reference have the lowest road.
     let roads = if situation == Situation::REFERENCE { &ROADS[..] } else { &ROADS[..1] };
     let found = roads.iter().filter_map(|height| loop_like_the_hosts(model, situation, *height, host));
     found.max_by(|a, b| a.force.total_cmp(&b.force))
@@ -87,7 +90,7 @@ fn road(height: f64, time: f64) -> f64 {
     height * WAVES.iter().map(|(share, hertz)| share * libm::sin(std::f64::consts::TAU * hertz * time)).sum::<f64>()
 }
 
-/// Simulates the loop on one road.
+/// Simulates the loop on one road. Returns `None` if it does not chatter.
 pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f64, host: Host) -> Option<Turning> {
     let Host { step: h, mass } = host;
     // The damper moves the effective mass of wheel and body in series.
@@ -98,7 +101,7 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     let at_rest = step(model, &state, &rest, 0.0).1.force;
     let (mut x, mut v) = (0.0, KNOCK);
     let mut force = [at_rest; 3];
-    // Each bit represents one of the last steps. It is set if the force reversed in that step.
+    // Each bit of `turned` represents one of the last steps. It is set if the force reversed in that step.
     let (mut turned, mut last, mut most, mut found) = (0u32, 0.0, 0.0f64, None::<f64>);
     let mut count = 0;
     let turning = |force: f64, steps: usize| Turning { force, steps, height, situation };
@@ -128,15 +131,16 @@ pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f
     found.map(|force| turning(force, count + TURNS as usize - 1))
 }
 
-/// Halves the host's step until the loop does not chatter. Returns that step, s.
+/// Halves the host's step until the loop does not chatter. Returns this step, s, or `None` if the loop chatters at the shortest tried step.
 pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Option<f64> {
     let shorter = (1..=HALVINGS).map(|halved| Host { step: host.step * 0.5f64.powi(halved), ..host });
     shorter.into_iter().find(|shorter| turning(model, situation, *shorter).is_none()).map(|shorter| shorter.step)
 }
 
-/// Returns a series damping, N s/m, with which the loop does not chatter. Applies only to an undamped series path.
+/// Returns a series damping, N s/m, with which the loop does not chatter. Returns `None` if the series path is damped or absent, or if no
+/// tried damping suffices.
 ///
-/// Without damping, the mass oscillates on its spring.
+/// The reason for the search is that the internal mass oscillates on an undamped series spring.
 pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
     let [stiffness, mass, damping] =
         [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));

@@ -1,4 +1,4 @@
-//! Check of a damper in a host, and of the element that causes chatter.
+//! Check of a damper in a host for chatter, and search for the element that causes it.
 
 use super::gain::{Largest, largest, on_the_curve};
 use super::host::Host;
@@ -8,17 +8,18 @@ use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Fault, Model, Params};
 
-/// Gain above which a disturbance changes sign at every step.
+/// Gain from which on a disturbance changes sign at every step.
 pub const RINGS: f64 = 1.0;
-/// Gain above which a disturbance grows.
+/// Gain from which on a disturbance does not decay.
 pub const GROWS: f64 = 2.0;
 
-/// Smallest fraction of the gain that must disappear without an element if that element is the cause.
+/// Smallest fraction of the gain that must disappear without an element for this element to count as the cause.
 pub(super) const ITS_DOING: f64 = 0.3;
+
 /// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
-    /// The largest gain.
+    /// Largest gain over all situations and motions.
     pub gain: f64,
     /// Velocity at the largest gain, m/s.
     pub velocity: f64,
@@ -28,17 +29,19 @@ pub struct Chatter {
     pub d_force_d_displacement: f64,
     /// Situation with the largest gain.
     pub situation: Situation,
-    /// Longest step at which no disturbance changes sign, s, or `None` if none was found.
+    /// Longest step found without chatter, s, or `None` if none was found.
     pub quiet_step: Option<f64>,
-    /// Element that causes most of the gain, and the gain without this element. `None` if no single element is the cause.
+    /// Element that causes the chatter, and the gain without this element. It causes most of the gain, or the host loop is quiet without
+    /// it. `None` if no single element is the cause.
     pub element: Option<(Element, f64)>,
     /// Result of the host loop if the loop chatters.
     pub turning: Option<Turning>,
-    /// Damping of an undamped series path, N s/m, with which the loop would not chatter.
+    /// Damping of an undamped series path, N s/m, with which the loop would not chatter, or `None`.
     pub calming: Option<f64>,
 }
 
-/// Checks a damper in a host over its stroke. Also checks it under side force and in the cold, if these affect the damper.
+/// Checks a damper in a host about the middle of its stroke. Also checks it at other positions, in its stops, under side force and in the
+/// cold, if these affect the damper.
 ///
 /// # Errors
 /// The parameters do not form a valid model.
@@ -69,7 +72,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
         .filter(|(_, left)| *left < (1.0 - ITS_DOING) * gain)
         .or_else(|| {
             let turning = turning.filter(|_| gain < RINGS)?;
-            // Without the series path there is no internal mass, so a comparison without that element would be meaningless.
+            // Without the series path there is no internal mass, so a comparison without the series path would be meaningless.
             let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
             let is_quiet = |element: &Element| {
                 let mut less = *params;

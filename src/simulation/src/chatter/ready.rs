@@ -1,4 +1,4 @@
-//! Preparation of a damper for a host: check at the host's step and, on request, replacement of friction that would chatter.
+//! Preparation of a damper for a host: a check at the host's step and, on request, the replacement of friction that would chatter.
 
 use super::host::Host;
 use super::in_host::{Chatter, chatter};
@@ -41,7 +41,7 @@ pub enum HostError {
     },
 }
 
-/// Damper prepared for a host.
+/// Damper checked in a host and, on request, prepared for it.
 pub struct Ready {
     /// The damper.
     pub params: Params,
@@ -49,7 +49,7 @@ pub struct Ready {
     pub host: Host,
     /// Chatter of the damper in this host.
     pub chatter: Chatter,
-    /// Elements that were replaced for this host.
+    /// Replacements of friction for this host, or `None` without a replacement.
     pub softened: Option<Softened>,
     /// Whether the user requested the replacement.
     asked: bool,
@@ -114,8 +114,8 @@ impl Ready {
     /// Checks the damper at each value of its setting, or once if it is an ordinary damper.
     ///
     /// # Errors
-    /// The errors of [`Ready::prepare`]. [`HostError::OverSetting`] if friction would have to be replaced at a setting. The replacement
-    /// would lose its numbers over the setting.
+    /// The errors of [`Ready::prepare`], and [`HostError::OverSetting`] if friction would have to be replaced at a setting. A replacement
+    /// would lose the numbers of the friction at the other settings.
     pub fn prepare_at_settings(
         definition: &Definition,
         host_step: f64,
@@ -150,13 +150,13 @@ impl Ready {
         self.softened.iter().map(Softened::describe).collect()
     }
 
-    /// Describes chatter, and an internal mass whose oscillation the step does not resolve, if present.
+    /// Describes chatter, and an internal mass whose oscillation the step does not resolve. Returns nothing if neither is present.
     pub fn remarks(&self) -> Vec<String> {
         let chatters = self.chatter.rings().then(|| self.chatter.describe(self.host, self.asked));
         chatters.into_iter().chain(self.unfollowed()).collect()
     }
 
-    /// Describes the replacements and the remarks for an export.
+    /// Returns the texts for an export: all [messages](Ready::messages) if friction was replaced, otherwise the [remarks](Ready::remarks).
     pub fn notes(&self) -> Vec<String> {
         match self.softened {
             Some(_) => self.messages(),

@@ -5,16 +5,17 @@ use dashpot_core::{Input, Model, Params};
 
 /// Side force, N, for the check of a damper with side-force friction.
 ///
-/// It occurs in a strut of a car during cornering or braking.
+/// Such a side force occurs in a strut of a car during cornering or braking.
 pub(super) const SIDE_FORCE: f64 = 2000.0;
-/// Largest force, N, for the check of a stop: a front corner in a pothole.
+/// Force of a stop, N, at which the damper is checked. It occurs at a front corner in a pothole.
 pub(super) const STOP_FORCE: f64 = 1e4;
-/// Temperature, °C, for the check of a damper with temperature-dependent oil: a winter morning.
+/// Temperature, °C, at which a damper with temperature-dependent oil is checked: a winter morning.
 pub(super) const COLD: f64 = -20.0;
-/// Positions in the stroke, m, for a damper with position-dependent damping.
+/// Positions in the stroke, m, at which a damper with position-dependent damping or compressible oil is checked.
 pub(super) const PLACES: [f64; 8] = [-0.08, -0.06, -0.04, -0.02, 0.02, 0.04, 0.06, 0.08];
-/// Largest displacement, m, of the search for a stop.
+/// Largest displacement, m, at which a stop is searched.
 const FURTHEST: f64 = 0.3;
+
 /// Operating conditions of a damper: position in the stroke, side force and temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Situation {
@@ -30,7 +31,7 @@ impl Situation {
     /// Middle of the stroke, without side force, at the typical temperature of a rig.
     pub const REFERENCE: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
 
-    /// Returns all conditions that change the derivatives of this damper.
+    /// Returns the reference, and all other conditions that change the derivatives of this damper.
     pub(super) fn all(params: &Params, model: &Model) -> Vec<Situation> {
         let mut all = vec![Situation::REFERENCE];
         if params.is_on(element!("side_force_friction")) {
@@ -72,7 +73,7 @@ impl Situation {
     }
 }
 
-/// Returns the displacement at which the stop of one side reaches [`STOP_FORCE`].
+/// Returns the displacement, m, at which the stop of one side reaches [`STOP_FORCE`], at most [`FURTHEST`] from the middle.
 fn in_the_stop(model: &Model, side: f64) -> f64 {
     let force = |depth: f64| model.static_output(&Input::motion(side * depth, 0.0)).stop_force.abs();
     let (mut low, mut high) = (0.0, FURTHEST);

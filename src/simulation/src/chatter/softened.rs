@@ -15,10 +15,10 @@ pub(super) const FRICTION: [(Element, Number); 2] = [
     (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
 ];
 
-/// Damper that does not chatter in a host, with the errors of the replacement.
+/// Damper whose steep friction was replaced, with the errors of the replacement.
 #[derive(Debug, Clone)]
 pub struct Softened {
-    /// The damper.
+    /// Parameters of the damper after the replacement.
     pub params: Params,
     /// Replacement of each friction that chattered.
     pub softer: Vec<Softer>,
@@ -26,7 +26,7 @@ pub struct Softened {
     pub rms_error: f64,
     /// Largest difference of the force over the compared motions, N.
     pub largest_error: f64,
-    /// Largest gain of the damper.
+    /// Largest gain of the damper after the replacement. Elements that were not replaced may still chatter.
     pub gain: f64,
 }
 
@@ -42,8 +42,8 @@ pub enum Softer {
         /// Length over which the presliding friction reverses, m.
         length: f64,
     },
-    /// Smaller steepness of side-force friction at the change of its sign, s/m. Its force depends on the host, so presliding friction
-    /// cannot replace it.
+    /// Smaller steepness of the side-force friction at the change of its sign, s/m. Presliding friction cannot replace this friction,
+    /// because its force depends on the side force from the host.
     LessSteep {
         /// Steepness before.
         before: f64,
@@ -77,19 +77,20 @@ impl Softer {
 
 /// Typical length over which presliding friction of seals reverses, m (Deubel & Prokop, J. Automob. Eng. 2023: tenths of a millimeter).
 ///
-/// It is the longest tried length. Shorter lengths are closer to friction that reverses instantaneously. So the shortest length with a gain
-/// up to `QUIET` is chosen.
+/// It is the longest tried length. Shorter lengths are closer to friction that reverses instantaneously. So the length is halved while the
+/// gain stays below [`QUIET`] or does not rise.
 const LENGTH: f64 = 2e-4;
+/// Largest gain at which presliding friction counts as safely free of chatter.
 const QUIET: f64 = 0.3;
-/// Longest step for the comparison of both dampers, s.
+/// Longest step for the comparison of the dampers before and after the replacement, s.
 const FINE: f64 = 1e-4;
-/// Largest number of elements that reverse instantaneously in a damper.
+/// Largest number of elements that are replaced: those whose friction reverses instantaneously.
 const MOST: usize = FRICTION.len() + 1;
 
-/// Replaces steep friction by presliding friction, and flattens side-force friction.
+/// Replaces steep friction that chatters by presliding friction, and reduces the steepness of side-force friction that chatters.
 ///
-/// Returns `None` if that does not help, or if no steep friction chatters. Presliding friction acts like a stiff spring, while the replaced
-/// friction jumps.
+/// Returns `None` if no steep friction chatters. Presliding friction chatters less, because it acts like a stiff spring at a reversal,
+/// while the replaced friction jumps.
 ///
 /// # Errors
 /// The parameters do not form a valid model.
@@ -121,7 +122,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));
             (a, b) = (next_a, next_b);
-            // Skip the first half turn, which builds up the friction after a start at rest.
+            // Skip the first half cycle, which builds up the friction after a start at rest.
             if omega * dt * k as f64 > 0.5 * std::f64::consts::TAU {
                 squares += (to.force - from.force).powi(2);
                 count += 1.0;
@@ -133,8 +134,8 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     Ok(Some(Softened { params: soft, softer, rms_error, largest_error, gain: found.gain }))
 }
 
-/// Finds a steep friction that chatters, and the situation in which it chatters. Other elements (a stop, the FV curve) may chatter in other
-/// situations.
+/// Finds a steep friction that causes chatter, and the situation in which it chatters. Every situation is tried, because other elements (a
+/// stop, the FV curve) may cause the chatter in some situations.
 fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, Situation)>, Fault> {
     let model = Model::new(params)?;
     for situation in Situation::all(params, &model) {
@@ -157,7 +158,7 @@ fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, S
     Ok(None)
 }
 
-/// Replaces an element by presliding friction, in addition to existing presliding friction.
+/// Replaces a friction element by presliding friction. The force is added to that of existing presliding friction.
 fn presliding_instead(
     soft: &mut Params,
     (element, level): (Element, Number),
@@ -191,7 +192,8 @@ fn presliding_instead(
     Ok(())
 }
 
-/// Halves the steepness of side-force friction until it does not chatter in a situation. Returns whether this succeeded.
+/// Halves the steepness of side-force friction until it causes no chatter in a situation. Returns `false` if the lower bound of the
+/// steepness prevents this.
 fn less_steep(soft: &mut Params, situation: Situation, host: Host) -> Result<bool, Fault> {
     let steepness = number!("side_force_steepness");
     let mut without = *soft;

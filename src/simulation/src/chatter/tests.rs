@@ -7,7 +7,7 @@ use dashpot_core::{element, list, number};
 
 fn steep() -> Params {
     let mut params = Params::new();
-    // Without gas force, the equilibrium of the mass depends only on its spring.
+    // Without gas force, the equilibrium of the host's mass depends only on the spring of the host.
     for off in [element!("stribeck_friction"), element!("series_compliance"), element!("gas_preload")] {
         params.enable(off, false);
     }
@@ -19,7 +19,8 @@ fn steep() -> Params {
 
 const HOST: Host = Host { step: 1e-3, mass: 40.0 };
 
-/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of velocity in the last steps.
+/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of the damper force, N, in the
+/// last steps.
 fn swings(params: &Params, host: Host) -> f64 {
     swings_under(params, host, 0.0)
 }

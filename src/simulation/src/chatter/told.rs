@@ -9,12 +9,12 @@ use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
-    /// Returns whether a disturbance changes sign at every step, according to the derivatives or the host loop.
+    /// Returns whether a disturbance changes sign from step to step, according to the derivatives or the host loop.
     pub fn rings(&self) -> bool {
         self.gain >= RINGS || self.turning.is_some()
     }
 
-    /// Returns whether this disturbance persists.
+    /// Returns whether a disturbance that changes sign from step to step persists.
     pub fn swings(&self) -> bool {
         self.gain >= GROWS || self.turning.is_some()
     }
@@ -86,7 +86,7 @@ impl Chatter {
 }
 
 impl Softened {
-    /// Describes the replacements and their errors.
+    /// Describes the replacements and the force differences that they cause.
     pub fn describe(&self) -> String {
         let done = self.softer.iter().map(|one| match one {
             Softer::Replaced { element, force, length } => format!(

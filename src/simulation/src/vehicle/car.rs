@@ -3,7 +3,7 @@
 //! Axes: x forward, y to the left, z up. The order of the corners is L1, R1, L2, R2. All heights are relative to the static position, and
 //! all suspension forces are relative to the static forces. So the vehicle starts in equilibrium.
 
-/// A vehicle.
+/// Masses, dimensions, springs and tires of a vehicle.
 #[derive(Clone, Copy, Debug)]
 pub struct Car {
     /// Sprung mass, kg.
@@ -20,7 +20,7 @@ pub struct Car {
     pub roll_arm: f64,
     /// Spring rate at the wheel, front and rear, N/m.
     pub spring: [f64; 2],
-    /// Anti-roll rate at the wheel, front and rear, N/m. It refers to the difference of the strokes.
+    /// Anti-roll rate at the wheel, front and rear, N/m. It refers to the difference of the strokes of an axle's two wheels.
     pub anti_roll: [f64; 2],
     /// Vertical tire stiffness, N/m.
     pub tyre: f64,
@@ -32,7 +32,7 @@ pub struct Car {
     pub motion_ratio: f64,
 }
 
-/// One number of a vehicle, for files and reports.
+/// Number of a vehicle with its name and unit, for files and reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarValue {
     /// Name of the number in a file.
@@ -52,7 +52,7 @@ pub enum CarError {
     /// A name does not belong to a vehicle.
     #[error("line {line}: a vehicle has no {name:?}; it has {}", Car::default().values().map(|v| v.name).join(", "))]
     Unknown {
-        /// The name.
+        /// Name in the file.
         name: String,
         /// Line number, from 1.
         line: usize,
@@ -60,7 +60,7 @@ pub enum CarError {
     /// A value is out of range.
     #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
     Range {
-        /// The name.
+        /// Name of the number.
         name: &'static str,
         /// Value of the number.
         value: f64,
@@ -92,7 +92,7 @@ impl Car {
             let Some(number) = number else {
                 return Err(CarError::Toml(format!("line {line}: {name} is {value}, which is no number")));
             };
-            // Anti-roll bars and the roll arm may be 0. All other values are divisors.
+            // Anti-roll bars and the roll arm may be 0. All other values must be positive.
             let may_be_zero = name.ends_with("anti_roll") || name == "roll_arm";
             if !(number.is_finite() && (number > 0.0 || (may_be_zero && number == 0.0))) {
                 let least = if may_be_zero { "0 or more" } else { "more than 0" };
@@ -128,7 +128,7 @@ impl Car {
         units.map(|(name, unit)| CarValue { name, value: *car.place_of(name), unit })
     }
 
-    /// Returns a reference to the number with this name.
+    /// Returns a mutable reference to the number with this name. Any unknown name refers to the motion ratio, so callers check names first.
     fn place_of(&mut self, name: &str) -> &mut f64 {
         match name {
             "sprung_mass" => &mut self.sprung_mass,
@@ -214,10 +214,11 @@ impl Car {
         [above(&body.position) - body.wheel[corner], above(&body.velocity) - body.wheel_velocity[corner]]
     }
 
-    /// Makes one step of `dt` with a forward speed, a steering angle, and road heights under the wheels.
+    /// Advances the vehicle by one step of `dt`, s. The inputs are the forward speed, m/s, the steering angle, rad, and the road heights
+    /// under the wheels, m.
     ///
-    /// The damper forces are relative to the static forces, at the wheel, tension positive. The step is semi-implicit: it updates
-    /// velocities first, then positions.
+    /// The damper forces, N, are relative to the static forces and act at the wheel, tension positive. The step is semi-implicit: it
+    /// updates velocities first, then positions.
     pub fn step(&self, body: &mut Body, dt: f64, speed: f64, steer: f64, road: [f64; 4], damper: [f64; 4]) {
         let stroke: [f64; 4] = std::array::from_fn(|i| self.stroke(body, i)[0]);
         let (mut heave, mut roll, mut pitch, mut side, mut yaw) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -259,7 +260,8 @@ impl Car {
         body.lateral[1] += dt * yaw / self.inertia[2];
     }
 
-    /// Returns the energy of heave, pitch, roll, wheels, springs and tires above the static position, J, on a flat road.
+    /// Returns the energy of the vehicle, J, relative to the static position on a flat road. It includes heave, pitch, roll, wheels,
+    /// springs and tires.
     pub fn energy(&self, body: &Body) -> f64 {
         let kinetic: f64 = self.sprung_mass * body.velocity[0].powi(2)
             + self.inertia[0] * body.velocity[1].powi(2)

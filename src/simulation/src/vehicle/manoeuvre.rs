@@ -1,6 +1,6 @@
 //! Maneuvers: speed, steering and road over time.
 
-/// Maneuver.
+/// Maneuver of a vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manoeuvre {
     /// Drive both axles over a bump of 40 mm height and 0.5 m length at 30 km/h.
@@ -20,7 +20,7 @@ pub struct Road {
     waves: Vec<[f64; 4]>,
 }
 
-/// Unevenness at 0.1 cycles/m, m³: between class B and class C.
+/// Power spectral density of the road height at 0.1 cycles/m, m³: between class B and class C of ISO 8608.
 const UNEVENNESS: f64 = 100e-6;
 
 impl Road {
@@ -44,7 +44,7 @@ impl Road {
                 let n = from + uniform() * (to - from);
                 let amplitude = (2.0 * UNEVENNESS * (n / 0.1).powi(-2) * (to - from)).sqrt();
                 let phase = std::f64::consts::TAU * uniform();
-                // Long waves are equal on both sides, short waves differ.
+                // Long waves are almost equal on both sides, short waves differ.
                 let apart = std::f64::consts::TAU * (uniform() - 0.5) * (n / 0.3).min(1.0);
                 [std::f64::consts::TAU * n, amplitude, phase, phase + apart]
             })
@@ -52,7 +52,7 @@ impl Road {
         Road { waves }
     }
 
-    /// Returns the height under a wheel, m. Side 0 is left.
+    /// Returns the height, m, under a wheel at a distance along the road, m. Side 0 is left.
     pub fn height(&self, distance: f64, side: usize) -> f64 {
         self.waves.iter().map(|w| w[1] * libm::sin(w[0] * distance + w[2 + side])).sum()
     }
@@ -103,7 +103,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Returns the height of the road, m, under a wheel `ahead` of the center of gravity. Side 0 is left.
+    /// Returns the height of the road, m, under a wheel that is `ahead`, m, of the center of gravity. Side 0 is left.
     pub fn road(self, road: &Road, time: f64, ahead: f64, side: usize) -> f64 {
         let distance = self.speed() * time + ahead;
         match self {

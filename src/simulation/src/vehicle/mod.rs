@@ -1,6 +1,6 @@
-//! Vehicle on four dampers, with the fixed step of a real-time simulator.
+//! Simulation of a vehicle on four dampers, with the fixed step of a real-time simulator.
 //!
-//! The damper forces have a zero-order hold over the next step. The dampers then respond to the resulting motion.
+//! The damper forces are constant over the next step of the vehicle (zero-order hold). The dampers then respond to the resulting motion.
 //!
 //! The model is deliberately small. It shows the effect of a damper model on a vehicle, and does not predict a real vehicle.
 

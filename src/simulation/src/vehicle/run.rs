@@ -1,11 +1,11 @@
-//! Simulation of a maneuver at a fixed step.
+//! Simulation of a maneuver at a fixed step of vehicle and dampers.
 
 use super::too_fast::{SHORTEST_STEP, TooFast, too_fast};
 use super::{Body, Car, Manoeuvre, Road};
 use crate::chatter::RINGS;
 use dashpot_core::{Input, Model, State, step};
 
-/// Names of the corners.
+/// Names of the corners of a vehicle: left and right, front (1) and rear (2).
 pub const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
 
 /// Motion and force of one damper.
@@ -19,7 +19,7 @@ pub struct Corner {
     pub force: f64,
 }
 
-/// Sample of a run.
+/// Sample of a simulated maneuver.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// Time, s.
@@ -32,17 +32,18 @@ pub struct Sample {
     pub road: [f64; 4],
 }
 
-/// Results of a maneuver.
+/// Results of a simulated maneuver.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// Samples at every host step.
     pub samples: Vec<Sample>,
-    /// Largest coupling ratio c h/m: slope of the damper at the wheel times step divided by unsprung mass. An explicit host is unstable
+    /// Largest coupling ratio c h/m: slope of the damper at the wheel, c, times step divided by unsprung mass. An explicit host is unstable
     /// above 2. With one more step of delay, it is unstable above 1.
     pub coupling: f64,
     /// Largest coupling ratio at damper velocities above [`SLOW`].
     ///
-    /// Below that velocity, friction determines the slope. The friction force is bounded, so the coupling chatters there but does not grow.
+    /// Below that velocity, friction determines the slope. The friction force is bounded, so an unstable coupling chatters but does not
+    /// diverge.
     pub coupling_moving: f64,
 }
 
@@ -65,14 +66,14 @@ pub enum VehicleError {
 pub trait Dampers {
     /// Sets all dampers to equilibrium at displacement 0. Returns their static forces, N.
     fn rest(&mut self) -> [f64; 4];
-    /// Advances by `dt` to these displacements and velocities.
+    /// Advances the dampers by `dt`, s, to these displacements, m, and velocities, m/s.
     ///
     /// Returns the force, N, and its total derivative with respect to velocity, N s/m. The total derivative includes the change of
     /// displacement, which is `dt` times the change of velocity.
     fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
 }
 
-/// Models that the kernel steps.
+/// Dampers that the kernel simulates.
 struct Kernels<'a> {
     models: [&'a Model; 4],
     states: [State; 4],
@@ -121,7 +122,7 @@ pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt:
     told_every(1, car, manoeuvre, dampers, dt)
 }
 
-/// Simulates a maneuver. Stores a sample after every `every` steps of `dt`.
+/// Simulates a maneuver. Stores one sample for each `every` steps of `dt`, s.
 fn told_every(
     every: usize,
     car: &Car,
@@ -168,10 +169,10 @@ fn told_every(
     Ok(Run { samples, coupling, coupling_moving })
 }
 
-/// Runs of two sets of dampers in one maneuver. Their steps are so short that the coupling of force and motion does not chatter.
+/// Runs of two sets of dampers in one maneuver, with steps so short that the coupling of force and motion does not chatter.
 #[derive(Clone, Debug)]
 pub struct Quiet {
-    /// Step, s.
+    /// Step of both runs, s.
     pub step: f64,
     /// The runs, with samples at the steps of the host.
     pub runs: [Run; 2],
@@ -182,9 +183,9 @@ const QUIET: f64 = 0.5;
 /// Largest number of substeps of a host step. A curve that still chatters contains a jump, for which no step is short enough.
 const MOST_PARTS: f64 = 64.0;
 
-/// Simulates the sets of dampers in shorter steps if one of the `runs` at `dt` chatters.
+/// Simulates both sets of dampers again in shorter steps if one of the `runs` at `dt` chatters. Returns `None` if neither run chatters.
 ///
-/// The difference between the runs then comes from the dampers and not from the coupling step.
+/// The difference between the new runs comes from the dampers and not from the step of the coupling.
 ///
 /// # Errors
 /// The vehicle becomes unstable.
@@ -278,7 +279,7 @@ mod tests {
 
     /// A curve with a friction jump chatters in steps of a millisecond.
     ///
-    /// In short steps it does not chatter, and both runs have samples at the same instants.
+    /// In short steps, the damper does not chatter, and both runs have samples at the same instants.
     #[test]
     fn a_steep_curve_is_driven_without_its_chatter() {
         let mut steep = Params::new();
@@ -289,7 +290,7 @@ mod tests {
         let (steep, smooth) = (Model::new(&steep).unwrap(), Model::new(&Params::new()).unwrap());
         let car = Car::default();
         let drive = |model: &Model| run(&car, Manoeuvre::StepSteer, [model; 4], 1e-3).unwrap();
-        // Computes the mean change per step of a wheel's damper force after the vehicle has come to rest.
+        // Computes the mean change per step of a damper's force after the vehicle has reached steady cornering.
         let restless = |run: &Run| {
             let force: Vec<f64> = run.samples.iter().rev().take(400).map(|s| s.corner[0].force).collect();
             force.windows(2).map(|w| (w[1] - w[0]).abs()).sum::<f64>() / 399.0

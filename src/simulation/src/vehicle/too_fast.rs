@@ -1,6 +1,6 @@
-//! Search for the cause if a vehicle becomes unstable with a step.
+//! Search for the cause of a vehicle simulation that becomes unstable at its step.
 //!
-//! The cause is a part of the vehicle with too high a frequency for the step, or a damper that is too steep.
+//! The cause is a part of the vehicle with too high a frequency for the step, or a damper whose FV curve is too steep.
 //!
 //! Consider a mass m on a stiffness k in semi-implicit steps h. The force of its damper with slope c is the force of the preceding step.
 //! The motion
@@ -9,9 +9,9 @@
 //! v' = v − (h/m)(k x + c v),   x' = x + h v'
 //! ```
 //!
-//! grows if 2 c h/m + k h²/m > 4. The first term is the contribution of the damper, the second term that of the springs. The longest stable
-//! step is found by simulation of the whole vehicle, because its masses are coupled. The effective mass of each part is smaller than its own
-//! mass.
+//! grows if 2 c h/m + k h²/m > 4. The first term is the contribution of the damper, the second term that of the springs. A simulation of
+//! the whole vehicle finds the longest stable step, because the masses are coupled. Due to the coupling, the effective mass of each part is
+//! smaller than its own mass.
 
 use super::{Body, Car};
 use std::fmt;
@@ -33,11 +33,11 @@ pub enum Blame {
         /// Name in a file and value of the mass that the damper moves.
         mass: (&'static str, f64),
     },
-    /// Neither part nor damper: the motion follows from the vehicle's parameters.
+    /// Neither a part nor the damper. The step is short enough, so the large motion follows from the parameters of the vehicle.
     Neither,
 }
 
-/// Cause of an unstable run, and the steps.
+/// Cause of an unstable run, with its step and the longest stable step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooFast {
     /// Cause of the instability.
@@ -57,7 +57,7 @@ const ROOM: f64 = 0.7;
 /// Shortest allowed step of a vehicle, s.
 pub const SHORTEST_STEP: f64 = 1e-4;
 
-/// Oscillation mode of a vehicle: mass or inertia, stiffness and damper slope that act on it, and its stiffest spring.
+/// Oscillation mode of a vehicle: its mass or inertia, the stiffness and damper slope that act on it, and its stiffest spring.
 struct Way {
     mass: (&'static str, f64),
     stiffness: f64,
@@ -75,7 +75,7 @@ impl Way {
 impl Car {
     /// Returns whether a disturbance grows in steps of this length.
     ///
-    /// `slope` is the derivative of the dampers at the wheel, N s/m. Their force has a zero-order hold over a step.
+    /// `slope` is the derivative of the damper forces with respect to velocity at the wheel, N s/m. The forces are constant over a step.
     fn swings_up(&self, slope: f64, step: f64) -> bool {
         // The disturbance excites all modes. It is so small that every tire stays on the road.
         let mut body = Body { position: [1e-9, 2e-9, 3e-9], wheel: [1e-9, -2e-9, 3e-9, -5e-9], ..Body::default() };
@@ -104,7 +104,7 @@ impl Car {
         };
         let mut ways = Vec::new();
         for axle in 0..2 {
-            // Opposite motions of both wheels of an axle deflect its anti-roll bar twice.
+            // If both wheels of an axle move in opposite directions, the anti-roll bar of the axle deflects twice as much.
             let on: [Spring; 3] = [
                 ("tyre", self.tyre, 1.0),
                 (SPRING[axle], self.spring[axle], 1.0),
@@ -114,7 +114,7 @@ impl Car {
             let stiffness = on.iter().map(|(_, value, times)| value * times).sum();
             ways.push(Way { mass: ("unsprung_mass", self.unsprung_mass), stiffness, slope, spring });
         }
-        // Body modes are heave, roll and pitch. In each, the springs of the corners act at their lever arms.
+        // The modes of the body are heave, roll and pitch. In each of them, the springs of the corners act at their lever arms.
         let arms = |axle: usize| [1.0, 0.5 * self.track, self.axle[axle]];
         let masses =
             [("sprung_mass", self.sprung_mass), ("roll_inertia", self.inertia[0]), ("pitch_inertia", self.inertia[1])];
@@ -139,7 +139,7 @@ impl Car {
 
 /// Finds the cause if a vehicle becomes unstable in steps of this length.
 ///
-/// `slope` is the steepest derivative of the vehicle's dampers at the wheel, N s/m.
+/// `slope` is the largest derivative of the damper forces with respect to velocity at the wheel, N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     if !car.swings_up(slope, step) {
         return TooFast { blame: Blame::Neither, step, longest: step };
@@ -228,9 +228,9 @@ mod tests {
         }
     }
 
-    /// The reported part is the part that the test made too fast.
+    /// Checks that the reported part is the part that the test made too fast.
     ///
-    /// With the reported step, the vehicle is stable. With a slightly longer step, a disturbance grows.
+    /// The vehicle is stable with the reported step. With a slightly longer step, a disturbance grows.
     #[test]
     fn the_part_that_is_too_fast_is_named_with_the_longest_step() {
         let usual = Car::default();
