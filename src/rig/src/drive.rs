@@ -7,7 +7,7 @@ use crate::draw::Draw;
 
 /// Standstill before and after the motion, s.
 const REST_S: f64 = 0.25;
-/// Shortest ramp, s, because an actuator does not reach full amplitude at 25 Hz within one cycle. A ramp has whole cycles.
+/// Shortest ramp, s. It has several cycles at 25 Hz, because an actuator does not reach the amplitude within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
 /// Frequency, Hz, below which a ramp has only half a cycle, because half a cycle takes at least ten seconds.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
@@ -77,8 +77,8 @@ impl Drive {
         self.full.1 + self.ramp + self.rest
     }
 
-    /// Returns the start and end of the whole cycles at full amplitude, s. In a sine test, the displacement is then at its
-    /// mean and increases.
+    /// Returns the start and end of the whole cycles at full amplitude, s. In a sine test, the displacement is then at
+    /// its mean and increases.
     pub fn full_cycles_s(&self) -> (f64, f64) {
         self.full
     }
@@ -136,8 +136,8 @@ impl Road {
             .map(|index| {
                 let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
                 let hz = low * libm::pow(high / low, place);
-                // Displacement amplitudes fall with f^-1.2, so the velocity is nearly constant. They fall faster above 12 Hz,
-                // near the wheel resonance.
+                // Displacement amplitudes fall with f^-1.2, so the velocity is nearly constant. They fall faster above
+                // 12 Hz, near the wheel resonance.
                 let size = libm::pow(hz, -1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
                 [size, TAU * hz, TAU * draw.unit()]
             })

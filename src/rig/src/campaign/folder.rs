@@ -51,9 +51,9 @@ impl Campaign {
     /// Writes the campaign into a folder, which is created if it is missing.
     ///
     /// It writes `<test>.csv` for every test. The header is `time_s,displacement_m,velocity_m_s,force_N`, followed by
-    /// `side_force_N` and `temperature_C` if these channels are recorded. `campaign.toml` describes the execution of the
-    /// campaign. The new campaign replaces an earlier campaign in the folder and its sealed truth. Records are first
-    /// written to a separate folder, so a failure leaves no incomplete record.
+    /// `side_force_N` and `temperature_C` if these channels are recorded. `campaign.toml` describes the execution of
+    /// the campaign. The new campaign replaces an earlier campaign in the folder and its sealed truth. Records are
+    /// first written to a separate folder, so a failure leaves no incomplete record.
     ///
     /// # Errors
     /// [`RigError::Folder`] if the folder is not empty and contains no earlier campaign, or if it contains a CSV file

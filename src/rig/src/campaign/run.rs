@@ -40,8 +40,8 @@ const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate for a test.
 ///
-/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. The lower limit lets a slow test resolve
-/// the break-away, and the upper limit is the rate of a common logger.
+/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. The lower limit lets a slow test
+/// resolve the break-away, and the upper limit is the rate of a common logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)

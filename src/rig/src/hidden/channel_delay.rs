@@ -12,7 +12,8 @@ struct ChannelDelay {
 }
 
 impl ChannelDelay {
-    /// Returns the filter's natural frequency, rad/s. At low frequency the filter lags by `2 zeta / omega`, here `delay_s`.
+    /// Returns the filter's natural frequency, rad/s. At low frequency the filter lags by `2 zeta / omega`, which is
+    /// `delay_s`.
     fn omega(&self) -> f64 {
         2.0 * self.damping / self.delay_s
     }

@@ -41,7 +41,8 @@ impl Hidden for ValveHysteresis {
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {
-            // The play approaches |F| at small forces and `play_n` at large forces, so that the valve closes at zero force.
+            // The play approaches |F| at small forces and `play_n` at large forces, so that the valve closes at zero
+            // force.
             let play = self.play_n * here.oil_n.abs() / (here.oil_n.abs() + self.play_n);
             rates[0] = (lag.abs() - play).max(0.0).copysign(lag) / self.follows_s;
         }

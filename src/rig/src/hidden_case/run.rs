@@ -1,4 +1,5 @@
-//! Execution of a case: all tests on one clock, so that temperatures and other lasting states continue from test to test.
+//! Execution of a case: all tests on one clock, so that temperatures and other lasting states continue from test to
+//! test.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -27,8 +28,8 @@ const RATES_HZ: [f64; 22] = [
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals of the motion, in samples. Without it, the velocity of a sample at a reversal
-/// would be exactly zero.
+/// Offset of the samples from the reversals of the motion, in samples. Without it, the velocity of a sample at a
+/// reversal would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
