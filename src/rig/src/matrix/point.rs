@@ -19,8 +19,8 @@ const FREQUENCY_RANGE_HZ: (f64, f64) = (1e-3, 50.0);
 const SIDE_FORCE_LIMIT_N: f64 = 3000.0;
 /// Largest number of whole cycles of a test.
 const CYCLES_LIMIT: u32 = 1000;
-/// Largest accepted relative difference between the stated peak velocity and 2 pi A f. A matrix file may contain rounded
-/// values.
+/// Largest accepted relative difference between the stated peak velocity and 2 pi A f. A matrix file may contain
+/// rounded values.
 const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 
 /// One test of a matrix: a sine, or a road-like random motion.
