@@ -119,8 +119,8 @@ pub trait EffectModel: Send + Sync {
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// Transforms the force in the channel over time; `time` contains the times of `force`. The number of the test selects
-    /// what is drawn for each test.
+    /// Transforms the force in the channel over time; `time` contains the times of `force`. The number of the test
+    /// selects what is drawn for each test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
     /// Returns the reading of the displacement channel, m.
     fn displacement(&self, x: f64) -> f64 {
