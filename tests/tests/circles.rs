@@ -39,8 +39,8 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 }
 
 impl Reader<'_> {
-    /// Resolves a path from the crate's root. A path of another crate becomes a path below this file. Returns `None` for
-    /// an empty path.
+    /// Resolves a path from the crate's root. A path of another crate becomes a path below this file. Returns `None`
+    /// for an empty path.
     fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
@@ -153,8 +153,8 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Returns `None` for a
-/// name of another crate.
+/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Returns `None` for
+/// a name of another crate.
 fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
     let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
     let (place, room) = rooms.get_key_value(&names[..depth])?;

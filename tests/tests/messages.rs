@@ -17,7 +17,8 @@ const LISTS: [(&str, &[&str], &str); 6] = [
     ("src/gui/src/words/mod.rs", &["gui"], "."),
 ];
 
-/// Returns the names that a list declares: in `phrases!` those before a text, in `interface!` those after the semicolon.
+/// Returns the names that a list declares: in `phrases!` those before a text, in `interface!` those after the
+/// semicolon.
 fn declared(list: &str) -> BTreeSet<&str> {
     let is_name = |name: &&str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let phrases = list.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": \"").map(|(name, _)| name));
