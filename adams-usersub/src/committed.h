@@ -24,7 +24,7 @@ typedef struct {
     double by_displacement;  /* N/m */
     double by_velocity;      /* N s/m */
     double by_side_force;    /* - */
-    double by_setting;       /* N by the unit of the setting; 0 where none was given */
+    double by_setting;       /* N per unit of the setting; 0 if no setting was given */
 } force_answer;
 
 /* Analysis of the solver. STATIC: velocities are zero and the time is constant. LINEAR: the force is that of steady

@@ -14,8 +14,8 @@ enum {
 
 typedef struct {
     dashpot_model model;
-    /* The model without dry friction, for LINEAR analyses, because the stiffness of sticking friction would lock the
-     * damper. It has the same states. */
+    /* The model without dry friction, for LINEAR analyses: the stiffness of sticking friction would lock the damper. It has
+     * the same states. */
     dashpot_model linear;
     unit_scales units;
     /* Number of states that a GSE integrates: two of the internal mass, then the internal states of the model's elements. */

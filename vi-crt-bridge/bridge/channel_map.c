@@ -143,7 +143,7 @@ static int read_line(struct found *found, const char *line, size_t length, uint3
     return 0;
 }
 
-/* Which of two words a choice holds: 0 or 1, the first where it is missing; -1 where it is neither. */
+/* Returns 0 if the value of `key` is the first word or missing, 1 if it is the second word, otherwise -1. */
 static int word(const struct found *found, enum key key, const char *first, const char *second)
 {
     if (!found->seen[key] || !strcmp(found->text[key], first))

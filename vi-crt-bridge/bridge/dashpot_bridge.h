@@ -112,7 +112,7 @@ int32_t dashpot_bridge_step_vector(dashpot_bridge *bridge, double dt, const doub
                                    uint32_t outputs);
 
 /* Stability of an explicit exchange of motion and force, by the ratio a = c h / m. c is the derivative of the damper's
- * force with respect to the rate, m the effective mass (kg) at the host's point, h the host's step. c is
+ * force with respect to the rate. m is the effective mass (kg) at the host's point, h the host's step. During a run c is
  * d_force_d_rate + h d_force_d_jounce of an output, because jounce changes with its rate during a step. For a bound before
  * the run c is dashpot_bridge_max_derivative(). */
 typedef enum dashpot_coupling {

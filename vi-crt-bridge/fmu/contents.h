@@ -12,7 +12,7 @@
 
 /* Kinds of variables. contents.txt uses the same names. */
 #define KINDS(X)                                                                                                       \
-    X(TIME)                  /* value reference 0; then, corner by corner, DISPLACEMENT to SPEED_MARGIN; then all others */ \
+    X(TIME)                  /* value reference 0; then, per corner, DISPLACEMENT to SPEED_MARGIN; then all others */  \
     X(DISPLACEMENT)          /* input, host's unit and sign */                                                         \
     X(VELOCITY)              /* input */                                                                               \
     X(SIDE_FORCE)            /* input, N */                                                                            \
@@ -23,16 +23,16 @@
     X(STATUS)                /* output, integer */                                                                     \
     X(MOTION_SCALE)          /* damper extension per unit of the host's displacement */                                \
     X(FORCE_SCALE)           /* the host's force per N of tension */                                                   \
-    X(POSITION_OFFSET)       /* the damper's extension, from the rig's zero, where the host's displacement is 0, m */  \
+    X(POSITION_OFFSET)       /* the damper's extension, from the rig's zero, at the host's displacement 0, m */        \
     X(HAS_DISPLACEMENT)      /* boolean: the host gives displacement, else it is integrated */                         \
-    X(INITIAL_POSITION)      /* where it is integrated from, m of extension */                                         \
-    X(SPEED_MARGIN)          /* m/s to the end of the identified curve: the event indicator */                         \
-    X(BETWEEN_POINTS)        /* enumeration: how inputs run between two instants at which the host sets them */        \
-    X(SETTING)               /* input of a damper that depends on a setting, in its unit */                            \
-    X(STATE)                 /* continuous state number `index` */                                                     \
-    X(RATE)                  /* its derivative */                                                                      \
-    X(PARAMETER)             /* number `index` of the parameter `name`; -1 where it is a single number */              \
-    X(CHOICE)                /* the choice `name` */
+    X(INITIAL_POSITION)      /* start of the integrated displacement, m of extension */                                \
+    X(SPEED_MARGIN)          /* m/s to the nearer end of the identified curve: the event indicator */                  \
+    X(BETWEEN_POINTS)        /* enumeration: course of inputs between two times at which the host sets them */         \
+    X(SETTING)               /* input of a damper that depends on a setting, in the unit of the setting */             \
+    X(STATE)                 /* continuous state with the number `index` */                                            \
+    X(RATE)                  /* time derivative of the state with the number `index` */                                \
+    X(PARAMETER)             /* value `index` of the list parameter `name`; index -1: a parameter with one value */    \
+    X(CHOICE)                /* option of the choice `name`, by its number */
 
 enum kind {
 #define ONE(name) name,

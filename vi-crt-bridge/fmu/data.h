@@ -12,8 +12,8 @@ enum phase { INSTANTIATED, INITIALIZATION, EVENT, RUNNING, TERMINATED };
 /* Course of the inputs between two times at which the host sets them. AUTOMATIC: EXTRAPOLATE in model exchange, else HOLD. */
 enum between { AUTOMATIC, HOLD, EXTRAPOLATE };
 
-/* States of a corner: values of `index` of a STATE. They are the travel, the deflection of the internal mass relative to the
- * moving end, the velocity of the internal mass, and the internal states of the elements. */
+/* States of a corner: values of `index` of a STATE. They are the travel, deflection (relative to the moving end) and velocity
+ * of the internal mass, and the internal states of the elements. */
 #define TRAVEL 0
 #define DEFLECTION 1
 #define MASS_VELOCITY 2

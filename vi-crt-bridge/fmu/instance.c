@@ -62,8 +62,8 @@ static void find_range(struct part *part)
     }
 }
 
-/* Writes the first two adjacent values of a list that are out of order, as " (fv_force[3] = 5000, fv_force[4] = 400)", if
- * `status` says that the list must increase; otherwise "". A host shows single numbers, not lists. */
+/* Writes the first two adjacent values of a list that are out of order: " (fv_force[3] = 5000, fv_force[4] = 400)". A host
+ * shows single numbers, not lists. If `status` concerns no order of a list, the text is empty. */
 static void neighbours(struct instance *instance, int c, const char *name, int32_t status, char *text, size_t room)
 {
     const struct contents *contents = instance->contents;

@@ -10,8 +10,8 @@
  * MuJoCo applies the callback's forces explicitly with every integrator. It may call the callback several times at the same
  * time (mj_forward, a Jacobian), so the dampers advance only if the time has advanced.
  *
- * A controller writes the setting of each damper (current, clicks, in the unit of its model file) into `userdata` of MuJoCo's
- * data, one number per corner. In a run without a controller the dampers keep their start setting.
+ * A controller writes the setting of each damper into `userdata` of MuJoCo's data, one number per corner. The setting is a
+ * current or clicks, in the unit of the model file. In a run without a controller the dampers keep their start setting.
  *
  * Heights are relative to the static position and gravity is zero, so that the springs need no preload. */
 #include "dashpot_bridge.h"
