@@ -43,7 +43,7 @@ const KNOWN: u32 =
 
 /// Largest accepted sum of the magnitudes of displacement and velocity.
 ///
-/// 1000 m and 1000 m/s are a hundred times the values of any damper, so a host's solver that tries an extreme step still gets an output.
+/// 1000 m and 1000 m/s are a hundred times the values of any damper, so that extreme trial steps of a host's solver still get an output.
 /// Powers of much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
 /// Weight of a newton of side force in the sum that [`LARGEST`] limits. `PER_DEGREE` is the weight of a degree of temperature.

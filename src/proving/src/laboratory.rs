@@ -82,8 +82,8 @@ const PAIRS: usize = 8;
 ///
 /// They contain every known effect that the base model does not absorb, and every unknown effect. For each unknown
 /// effect, there is a case without an effect and with white noise, and one with colored noise and hum. Pairs of effects
-/// follow. Then every effect of the first group, and as many cases without an effect as there are unknown effects,
-/// are repeated with a random laboratory protocol. The kinds of dampers alternate. The suite is repeated `repetitions`
+/// follow. Then every effect of the first group is repeated with a random laboratory protocol, and as many cases
+/// without an effect as there are unknown effects. The kinds of dampers alternate. The suite is repeated `repetitions`
 /// times. Seeds count up from `first_seed + 1`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
