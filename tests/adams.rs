@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Returns the folder of this run's builds, which exists until the process ends.
+/// Returns the folder of this process's builds.
 fn folder() -> &'static Path {
     static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a directory")).path()
 }
 
-/// Returns the path of the library, which its own makefile builds.
+/// Returns the path of the library. The first call builds it with its makefile.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
     LIBRARY.get_or_init(|| built("dashpot_adams.so", "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"))
@@ -124,7 +124,7 @@ pub struct Accepted {
 pub struct Run {
     /// Exit code: 0, or 3 if a routine stopped the run.
     pub code: Option<i32>,
-    /// All lines.
+    /// All lines of the standard output, then those of the standard error.
     pub text: String,
 }
 
@@ -145,7 +145,7 @@ impl Run {
         self.lines_of("request")[0].clone()
     }
 
-    /// Returns displacement and SFORCE of the static equilibrium.
+    /// Returns displacement, mm, and SFORCE, N, of the static equilibrium.
     pub fn statics(&self) -> (f64, f64) {
         let n = &self.lines_of("static")[0];
         (n[0], n[1])
@@ -208,10 +208,10 @@ pub fn run_library(solver: &Path, library: &Path, routine: &str, settings: &[Str
     Run { code: output.status.code(), text: String::from_utf8(output.stdout).expect("text") + &errors }
 }
 
-/// Elements of most dampers.
+/// Model file with the elements of most dampers.
 pub const PLAIN: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
                      \"viscous_friction\", \"parallel_spring\", \"gas_preload\"]\n";
-/// Elements that include private states and a side force.
+/// Model file with elements that have internal states and respond to side force.
 pub const FULL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \
                     \"side_force_friction\", \"gas_preload\", \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\n";
 /// Number of states of [`PLAIN`].

@@ -41,7 +41,8 @@ pub struct Ran {
     pub err: String,
 }
 
-/// Runs the command in `folder`. It must not panic, and must exit with 0, 1 or 2.
+/// Runs the command in `folder`. It must not panic, and must exit with 0 or 2, or with 1 if `--limits` or `--strict` is
+/// among the arguments.
 ///
 /// Code 1 means that a damper violates its limits, or that it chatters in a verb that checks for chatter.
 pub fn run(folder: &Path, args: &[&str]) -> Ran {
@@ -123,7 +124,7 @@ pub fn row(r: [f64; 4]) -> String {
     r.map(|v| format!("{v:.9}")).join(",")
 }
 
-/// Makes a folder with the records of [`small_campaign`] in `records`, which are measured once per program.
+/// Makes a folder with the records of [`small_campaign`] in `records`. They are measured once per process and copied.
 pub fn campaign_folder() -> tempfile::TempDir {
     static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
     let measured = RECORDS.get_or_init(|| {

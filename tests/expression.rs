@@ -1,4 +1,4 @@
-//! Evaluates Adams function expressions; the caller supplies the functions.
+//! Evaluation of Adams function expressions. The caller supplies all functions except SQRT, ABS and SIGN.
 
 /// Callback that returns the value of a function for its arguments.
 pub type Call<'a> = &'a dyn Fn(&str, &[f64]) -> f64;
@@ -26,7 +26,7 @@ impl Expression {
         Self(term)
     }
 
-    /// Evaluates the expression with the functions of `call`.
+    /// Evaluates the expression. `call` evaluates all functions except SQRT, ABS and SIGN.
     pub fn evaluate(&self, call: Call) -> f64 {
         self.0.evaluate(call)
     }

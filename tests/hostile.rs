@@ -23,8 +23,10 @@ pub fn rounds(usual: usize) -> usize {
     usual * std::env::var("DASHPOT_HOSTILE").map_or(1, |times| times.parse().expect("DASHPOT_HOSTILE is a number"))
 }
 
-/// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the variable DASHPOT_SEEDS names. One target
-/// reads all small tables and selects the reader by the first byte.
+/// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the variable DASHPOT_SEEDS names.
+///
+/// One target of the fuzzer reads all small tables and selects the reader by the first byte, so this byte is added.
+/// Without the variable, nothing is stored.
 ///
 /// # Panics
 /// If the folder is not writable.

@@ -43,7 +43,7 @@ int axial_parameters(int element, int npar, const double *par, int iflag, axial_
                               "force unit, time unit] it must be the id of a VARIABLE with the setting", npar, par[npar - 1]);
         return -1;
     }
-    /* Units stand between temperature and variable, or not at all. */
+    /* If the three units are given, they follow the temperature and precede the variable. */
     damper->damper = damper_model_of(element, npar == 7 ? 6 : npar == 4 ? 3 : npar, par, 3, iflag == SOLVER_INITIALISE);
     if (!damper->damper)
         return -1;
@@ -122,7 +122,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     what = axial_begin(kind, element, iflag);
     if (what == AXIAL_DONE)
         return;
-    /* These calls are what the solver records as dependencies: the same on every path. */
+    /* The solver records these calls as dependencies, so they must be the same for every purpose of the call. */
     markers[0] = i;
     markers[1] = j;
     s->sysfnc("DM", markers, 2, &length, &failed);

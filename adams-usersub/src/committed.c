@@ -8,21 +8,21 @@
 
 enum { MOST_DAMPERS = 256, STATE_NUMBERS = sizeof(dashpot_state) / sizeof(double), SAVED_FORMAT = 3 };
 
-/* A trial is solved in steps no longer than this, s: a long step of the solver then costs accuracy of the motion
- * between its ends, not of the damper. */
+/* Longest step of the damper, s. A longer step of the solver is divided, so that only the interpolated motion inside it
+ * is inaccurate, not the damper's response. Above MOST_STEPS divisions the steps become longer. */
 static const double LONGEST_STEP = 2.5e-4;
 enum { MOST_STEPS = 4000 };
 
 typedef struct {
     int kind, element;
-    /* Accepted: instant, state there, and whether it is the beginning of a run. */
+    /* The last committed time and state; is_start: they are the start of a run. */
     int is_set, is_start;
     double time;
     dashpot_state state;
-    /* The last trial after that. */
+    /* The last trial after the committed time. */
     int has_trial;
     request trial;
-    /* The last answer, for requests. */
+    /* The last output and its state, for REQUEST elements. */
     dashpot_output output;
     dashpot_state output_state;
     int has_output;
@@ -51,7 +51,7 @@ static committed *damper_of(int kind, int element)
     return found;
 }
 
-/* Times closer than this are the same instant. */
+/* Returns the difference below which two times count as equal, s. */
 static double same_time(double t) { return 1e-12 * (1.0 + fabs(t)); }
 
 static int refused(int element, int32_t status)
@@ -62,7 +62,8 @@ static int refused(int element, int32_t status)
     return -1;
 }
 
-/* Displacement and velocity at share s of the way from a state to a request, by the cubic through both ends. */
+/* Returns the input at the fraction s of the interval from a state to a request: displacement and velocity by the cubic
+ * Hermite polynomial through both ends, all else as requested. */
 static dashpot_input between(const dashpot_state *from, const dashpot_input *to, double dt, double s)
 {
     dashpot_input input = *to;
@@ -75,7 +76,7 @@ static dashpot_input between(const dashpot_state *from, const dashpot_input *to,
     return input;
 }
 
-/* From a state over dt to a request. */
+/* Integrates the damper from a state over dt to a request. */
 static int32_t advance(const damper_model *damper, const dashpot_state *from, const dashpot_input *to, double dt,
                        dashpot_state *state, dashpot_output *output)
 {
@@ -89,7 +90,8 @@ static int32_t advance(const damper_model *damper, const dashpot_state *from, co
     return status;
 }
 
-/* The state of a damper that has moved steadily: settled springs, the internal mass at the speed of the driven end. */
+/* Computes the state of a damper in steady motion: internal states in equilibrium, the internal mass at the velocity of
+ * the moving end. */
 static int32_t steady(const damper_model *damper, const dashpot_input *input, dashpot_state *state,
                       dashpot_output *output)
 {
@@ -115,7 +117,7 @@ static int32_t steady(const damper_model *damper, const dashpot_input *input, da
     return status;
 }
 
-/* The force at the committed instant itself. */
+/* Computes the force at the committed time, for a requested motion that may differ from the committed one. */
 static int32_t at_once(const damper_model *damper, const dashpot_state *from, const dashpot_input *input,
                        dashpot_state *state, dashpot_output *output)
 {
@@ -126,7 +128,7 @@ static int32_t at_once(const damper_model *damper, const dashpot_state *from, co
     return dashpot_evaluate(&damper->model, state, input, output, &rate);
 }
 
-/* Moves a copy of the damper on to the time the solver has accepted. */
+/* Advances *d to the time that the solver has accepted. *d is unchanged on failure. */
 static int32_t commit(const damper_model *damper, committed *d, double accepted)
 {
     dashpot_state state;
@@ -134,7 +136,7 @@ static int32_t commit(const damper_model *damper, committed *d, double accepted)
     dashpot_input input = d->trial.input;
     double dt = d->trial.time - d->time, wanted = accepted - d->time;
     int32_t status;
-    /* The solver may accept a time short of its last trial, or one past it where it interpolates. */
+    /* The accepted time may be before the last trial, or after it if the solver interpolates. */
     if (fabs(wanted - dt) > same_time(accepted)) {
         if (wanted < dt)
             input = between(&d->state, &d->trial.input, dt, wanted / dt);
@@ -151,7 +153,7 @@ static int32_t commit(const damper_model *damper, committed *d, double accepted)
     return status;
 }
 
-/* Answer to one request from a committed damper. */
+/* Computes the output of one request from the committed state. */
 static int32_t answer_from(const damper_model *damper, const committed *d, const request *asked, dashpot_state *state,
                            dashpot_output *output)
 {
@@ -163,7 +165,7 @@ static int32_t answer_from(const damper_model *damper, const committed *d, const
     return advance(damper, &d->state, &asked->input, dt, state, output);
 }
 
-/* Steps of the differences: displacement m, velocity m/s, side force N. */
+/* Steps of the central differences: displacement m, velocity m/s, side force N. */
 static const double NUDGE[3] = {1e-8, 1e-6, 1e-3};
 
 static double *nudged(dashpot_input *input, int i)
@@ -171,7 +173,8 @@ static double *nudged(dashpot_input *input, int i)
     return i == 0 ? &input->displacement : i == 1 ? &input->velocity : &input->side_force;
 }
 
-/* The force of steady motion without dry friction: a function of the motion alone, whose derivatives are stiffness and damping. */
+/* Computes the force of steady motion without dry friction. It depends on the motion alone, so that its derivatives are
+ * stiffness and damping. */
 static int32_t linear_force(const damper_model *damper, const dashpot_input *input, double *force)
 {
     dashpot_state state;
@@ -184,7 +187,7 @@ static int32_t linear_force(const damper_model *damper, const dashpot_input *inp
     return status;
 }
 
-/* Where the curve has a knee, the mean of both sides. */
+/* Differentiates linear_force() by central differences. At a knee of the force curve they give the mean of both sides. */
 static int32_t linear_partials(const damper_model *damper, const dashpot_input *input, force_answer *answer)
 {
     double *by[3], f[2] = {0.0, 0.0};
@@ -206,7 +209,7 @@ static int32_t linear_partials(const damper_model *damper, const dashpot_input *
     return 0;
 }
 
-/* Step of the difference over the setting, as a part of its size and of 1. */
+/* Step of the central difference with respect to the setting, per (1 + |setting|). */
 static const double SETTING_NUDGE = 1e-6;
 
 static int32_t by_setting(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
@@ -229,7 +232,7 @@ static int32_t by_setting(const damper_model *damper, const committed *d, const 
     return 0;
 }
 
-/* Partials of the whole answer, by differences of what the answer is computed from. */
+/* Computes the partial derivatives of answer_from() by central differences of its inputs. */
 static int32_t partials(const damper_model *damper, const committed *d, const request *asked, force_answer *answer)
 {
     double by[3];
@@ -276,7 +279,7 @@ int committed_force(int kind, int element, const damper_model *damper, const req
             status = linear_partials(damper, &asked->input, answer);
         return refused(element, status);
     }
-    /* A run begins, begins anew, or goes back to where this damper's past is not known. */
+    /* A run starts or restarts, or the solver goes back to a time before the committed state. */
     if (!d.is_set || is_static || accepted < d.time - same_time(accepted)) {
         status = steady(damper, &asked->input, &d.state, &output);
         d.time = accepted;
@@ -287,7 +290,7 @@ int committed_force(int kind, int element, const damper_model *damper, const req
         if (d.has_trial) {
             status = commit(damper, &d, accepted);
         } else {
-            /* Time went on without a call, as in a run where the element was switched off. */
+            /* The accepted time advanced without a call, for example because the element was deactivated. */
             status = steady(damper, &asked->input, &d.state, &output);
             d.time = accepted;
             d.is_start = 1;
@@ -295,7 +298,7 @@ int committed_force(int kind, int element, const damper_model *damper, const req
     }
     if (refused(element, status))
         return -1;
-    /* Until time moves, the beginning is wherever the solver puts the markers. */
+    /* Until the time advances, the solver may still move the markers, so the start state follows each request. */
     if (d.is_start && asked->time <= d.time + same_time(d.time))
         if (refused(element, steady(damper, &asked->input, &d.state, &output)))
             return -1;

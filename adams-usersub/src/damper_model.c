@@ -15,7 +15,7 @@ typedef struct {
     damper_model damper;
 } known_model;
 
-/* One per element, so that every element may state its own units. */
+/* One entry per element, because each element may give its own units. */
 static known_model models[4 * MOST_MODELS];
 static volatile long models_lock;
 
@@ -39,7 +39,7 @@ static int path_of(int element, int string, char *path)
                               "the model file", string);
         return -1;
     }
-    /* Text from a Fortran-minded host may be padded with blanks. */
+    /* The solver may pad the text with blanks, as Fortran does. */
     path[length] = 0;
     while (length > 0 && (path[length - 1] == ' ' || path[length - 1] == '\t'))
         path[--length] = 0;
@@ -51,7 +51,7 @@ static int path_of(int element, int string, char *path)
     return 0;
 }
 
-/* Forces of dry friction; at 0 its elements keep their states and have no force. */
+/* Parameters that scale the dry friction. At 0 the friction elements keep their states but give no force. */
 static const char *const DRY_FRICTION[] = {"coulomb_force", "stribeck_breakaway_force", "stribeck_coulomb_force", "presliding_force",
                                            "side_force_coefficient"};
 
@@ -130,7 +130,8 @@ void damper_model_find_states(damper_model *damper)
     memset(damper->used, 0, sizeof damper->used);
     for (i = 0; i < damper->states && i < MAX_STATES; i++)
         damper->used[i] = 1;
-    /* Without the series compliance the mass moves with the driven end: its velocity is none of its displacement's rate. */
+    /* Without the series compliance the internal mass moves with the moving end, so that its velocity state does not affect
+     * the rate of its displacement. */
     if (dashpot_state_init(&damper->model, 0.0, &state) >= 0 &&
         dashpot_jacobian(&damper->model, &state, &input, &partials) >= 0 && partials.d_rate_d_state[0][1] == 0)
         damper->used[0] = damper->used[1] = 0;
@@ -170,7 +171,7 @@ const damper_model *damper_model_of(int element, int npar, const double *par, in
             place->used = 1;
             answer = damper;
         } else if (place->used) {
-            /* The file has gone bad since: forget it, and ask again at the next call. */
+            /* The file was readable before but no longer is. Drop the entry, so that the next call reads the file again. */
             place->element = -1;
         }
     }

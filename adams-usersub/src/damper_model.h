@@ -1,11 +1,12 @@
-/* Model files that STRING elements name: read once, then only looked at. */
+/* Models from the model files whose paths STRING elements contain. A file is read once per element and run. */
 #ifndef DAMPER_MODEL_H
 #define DAMPER_MODEL_H
 
 #include "dashpot.h"
 #include "units.h"
 
-/* States of the kernel beyond displacement and velocity of the driven end: internal mass, then private ones. */
+/* States of the kernel without displacement and velocity of the moving end: two of the internal mass, then the internal
+ * states of the elements. */
 enum {
     PRIVATE_STATES = sizeof(((dashpot_state *)0)->internal) / sizeof(double),
     MAX_STATES = 2 + PRIVATE_STATES
@@ -13,21 +14,22 @@ enum {
 
 typedef struct {
     dashpot_model model;
-    /* The same without dry friction, for LINEAR: stuck friction is no linear element, and its slope would lock the damper. Same states. */
+    /* The model without dry friction, for LINEAR analyses: the stiffness of sticking friction would lock the damper. It has
+     * the same states. */
     dashpot_model linear;
     unit_scales units;
-    /* States that a GSE integrates: the internal mass and the private states that the model uses. */
+    /* Number of states that a GSE integrates: two of the internal mass, then the internal states of the model's elements. */
     int states;
-    /* Whether state i moves at all; those that do not are held at zero. */
+    /* 1 if the model uses state i. A GSE lets an unused state decay to zero. */
     int used[MAX_STATES];
 } damper_model;
 
-/* The model of an element whose USER values are par. par[0] is the id of the STRING with the path of the model file;
- * units_at is the place of the three values that override the model's units, which may be left out. With `again` the
- * file is read even if it is known. Null after a message. */
+/* Returns the model of an element with the USER values par, or null after a message. par[0] is the id of the STRING with
+ * the path of the model file. units_at is the index of three optional values that override the units of the Adams model.
+ * `again`: the file is read even if the element's model is stored. */
 const damper_model *damper_model_of(int element, int npar, const double *par, int units_at, int again);
 
-/* Finds which states a model uses; for the self-test also without a solver. */
+/* Sets `states` and `used` from damper->model. It needs no solver, so that the self-test can call it. */
 void damper_model_find_states(damper_model *damper);
 
 #endif

@@ -1,6 +1,7 @@
-/* The entry points that Adams Solver calls by name, ROUTINE=dashpot_adams::Dashpot_sfosub and so on.
+/* The entry points that Adams Solver calls by name, for example with ROUTINE=dashpot_adams::Dashpot_sfosub.
  *
- * Names hold both cases: the solver calls an all-lowercase name as Fortran, with pointers where these take values. */
+ * Their names contain a capital letter, because the solver calls an all-lowercase name with the Fortran convention and
+ * passes pointers instead of values. */
 #ifndef ENTRY_H
 #define ENTRY_H
 
@@ -19,7 +20,7 @@ ENTRY_POINT void Dashpot_gse_samp(const adams_gse *, double time, int iflag, dou
 ENTRY_POINT void Dashpot_sfosub(const adams_sforce *, double time, int dflag, int iflag, double *result);
 ENTRY_POINT void Dashpot_gfosub(const adams_gforce *, double time, int dflag, int iflag, double *result);
 ENTRY_POINT void Dashpot_reqsub(const adams_request *, double time, int iflag, double *output);
-/* Answers without a solver: 0 where the library computes as it should; otherwise a number that selftest.c explains. */
+/* Checks the library without a solver. Returns 0 if it computes correctly, otherwise an error number of selftest.c. */
 ENTRY_POINT int dashpot_adams_selftest(void);
 
 #endif

@@ -5,12 +5,13 @@
  *                     [, temperature [, length unit, force unit, time unit] [, id of a VARIABLE with the setting]])\
  *     , ROUTINE=dashpot_adams::Dashpot_gfosub
  *
- * J is the marker at the damper's other end, on the part of JFLOAT. The joint's markers are those of the joint or bushing
- * that guides the rod; 0, 0 where there is none. Its force across the damper's axis is the side force. The result is
- * the force on I in the axes of RM; it points along the line through both ends, so it needs no moment, and the reaction
- * that the solver puts on JFLOAT, at the place of I, lies on that line too.
+ * The j marker is at the damper's other end, on the part of JFLOAT. The joint's markers are those of the joint or bushing
+ * that guides the rod; 0, 0 if there is none. The component of the joint's force across the damper's axis is the side
+ * force. The result is the force on I in the axes of RM. It acts along the line through both ends, so that it needs no
+ * moment. The reaction that the solver applies to JFLOAT, at the position of I, acts along the same line.
  *
- * Partials: 6 by 3, column by column, for each of the three calls whose values the force is a function of. */
+ * The partial derivatives are matrices of 6 rows and 3 columns, stored by columns: one for each of the functions TDISP,
+ * TVEL and TFORCE, on whose values the force depends. */
 #include "axial.h"
 #include "entry.h"
 #include "messages.h"
@@ -24,7 +25,7 @@ static int id_of(double value) { return fabs(value) < 2e9 && value == floor(valu
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Three numbers of the solver. */
+/* Gets the three components of a solver function. Returns 0, or -1 if the solver gives no three numbers. */
 static int ask(const char *name, const int *markers, int count, double values[3])
 {
     int number = 0, failed = 0;
@@ -33,13 +34,15 @@ static int ask(const char *name, const int *markers, int count, double values[3]
     return failed || number != 3 ? -1 : 0;
 }
 
-/* What the force is made of, in model units. `force`: along the axis from J to I, as an SFORCE has it. */
+/* Geometry, motion, side force and result of the line force, in model units. `force` acts on I along the axis from J to
+ * I; as in an SFORCE it is positive if it pushes the markers apart. */
 typedef struct {
     double axis[3], length, velocity[3], speed, guide[3], along, side;
     double force, by_length, by_speed, by_side;
 } line_force;
 
-/* Hands over d(result)/d(what was asked): the force changes with length, speed and side force, and turns with the axis. */
+/* Passes the partial derivatives of the force vector to the solver. Its magnitude depends on length, speed and side
+ * force; its direction turns with the axis. */
 static void give_partials(const line_force *f, const int *ends, const int *joint)
 {
     double by_place[18], by_velocity[18], by_guide[18];
@@ -49,7 +52,8 @@ static void give_partials(const line_force *f, const int *ends, const int *joint
     memset(by_guide, 0, sizeof by_guide);
     for (column = 0; column < 3; column++) {
         double a = f->axis[column];
-        /* Side force: what of the guide's force lies across the axis. Where there is none it grows either way alike. */
+        /* Direction of the side force, which is the component of the guide's force across the axis. At zero side force there
+         * is no direction, and its derivative is set to 0. */
         double across = f->side > 0.0 ? (f->guide[column] - f->along * a) / f->side : 0.0;
         double change = f->by_length * a + f->by_speed * (f->velocity[column] - f->speed * a) / f->length -
                         f->by_side * f->along * across / f->length;
@@ -66,7 +70,7 @@ static void give_partials(const line_force *f, const int *ends, const int *joint
         solver()->syspar("TFORCE", joint, 3, by_guide, 18, &failed);
 }
 
-/* Along the axis: three numbers, as many as the force has components, and no moment. */
+/* Passes d(result)/d(setting) to the solver: three force components along the axis, then three moments of 0. */
 static void give_setting_partial(const line_force *f, int variable, double by_setting)
 {
     double partial[6];
@@ -156,7 +160,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     wanted = axial_wants_partials();
     if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
-    /* Tension pulls I towards J. */
+    /* Tension pulls I toward J. */
     f.force = units_sforce(u, answer.force);
     for (k = 0; k < 3; k++)
         result[k] = f.force * f.axis[k];

@@ -1,24 +1,24 @@
-/* The damper as a GSE: the solver integrates its states, and this file is a pure function of inputs and states.
+/* The damper as a GSE: the solver integrates its states. This file computes rates and outputs from inputs and states and
+ * stores nothing between calls.
  *
  *     USER(string [, length unit, force unit, time unit])
  *
  * inputs  (array U)  displacement, velocity [, side force [, temperature in degrees Celsius [, setting in the unit of the
- *                    model file]]], model units,
- *                    extension positive
- * states  (array X)  1 deflection: internal mass against driven end, model length
+ *                    model file]]], model units, extension positive
+ * states  (array X)  1 deflection: internal mass relative to moving end, model length
  *                    2 velocity of the internal mass, model units
- *                    3... private states of the elements: SI value by the model's length unit in m, so that those that
- *                    are lengths are held to the same tolerance as the first
+ *                    3... internal states of the elements: SI value divided by the model's length unit in m, so that
+ *                    the solver's error tolerance applies to lengths as it does to state 1
  * outputs (array Y)  1 force as an SFORCE takes it: negative where the damper is in tension, as it is in rebound
  *                    2 series deflection  3 velocity of the internal mass
  *                    4 force of the primary damper  5 springs  6 friction  7 gas  8 stops, tension positive
  *                    9 oil temperature, degrees Celsius
  *
- * The first state is relative to the driven end, so that zero is a fair initial value at any damper length and the
- * solver's error tolerance is spent on what makes the force.
+ * State 1 is relative to the moving end. Zero is therefore a suitable initial value at any damper length, and the
+ * solver's error tolerance applies to the deflection that makes the force.
  *
- * In statics the rates lead to where the damper settles: those of dynamics have no unique rest where a state remembers the
- * motion, as in friction before sliding. */
+ * In statics the rates relax the states toward the damper's equilibrium. The dynamic rates have no unique equilibrium,
+ * because presliding friction depends on the past motion. */
 #include "damper_model.h"
 #include "entry.h"
 #include "messages.h"
@@ -28,25 +28,26 @@
 
 enum { FEWEST_INPUTS = 2, MAX_INPUTS = 5, MAX_OUTPUTS = 9, UNITS_AT = 1 };
 
-/* Rate at which a state that the model does not use returns to zero, and in statics any state to where it settles, 1/s. */
+/* Rate, 1/s, at which unused states decay to zero and, in statics, all states relax toward their equilibrium. */
 static const double DECAY = 100.0;
 
 typedef struct {
     const damper_model *damper;
-    const dashpot_model *model; /* the damper's, or that without dry friction */
+    const dashpot_model *model; /* damper->model, or damper->linear in a LINEAR analysis */
     int ns, ni, no, is_static;
     dashpot_input input;
     dashpot_state state;
-    double x[MAX_STATES]; /* as the solver has them */
+    double x[MAX_STATES]; /* the states in the solver's units */
 } instant;
 
-/* Model units per SI unit of state i. */
+/* Returns the model units per SI unit of state i. */
 static double state_scale(const unit_scales *u, int i)
 {
     return i == 1 ? u->time / u->length : 1.0 / u->length;
 }
 
-/* Reads what the solver has; the same calls whatever the call is for. */
+/* Reads inputs and states from the solver. It calls the same solver functions for every iflag, because the solver
+ * records them as dependencies. Returns 0, or -1 after a message. */
 static int read_instant(const adams_gse *gse, int iflag, instant *now)
 {
     const solver_functions *s = solver();
@@ -107,7 +108,8 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
         now->state.internal[i - 2] = x[i] / state_scale(u, i);
     memcpy(now->x, x, sizeof now->x);
     s->getmod(&mode);
-    /* LINEAR: no dry friction, which would lock the damper where it stands. All states stay, and those of friction move nothing. */
+    /* LINEAR: the model without dry friction, which would lock the damper. It has the same states; those of friction have
+     * no effect on the force. */
     now->model = mode == SOLVER_LINEAR ? &now->damper->linear : &now->damper->model;
     now->is_static = mode == SOLVER_STATICS || mode == SOLVER_QUASI_STATICS;
     if (now->is_static) {
@@ -117,7 +119,7 @@ static int read_instant(const adams_gse *gse, int iflag, instant *now)
     return 0;
 }
 
-/* SI per model unit of input i. */
+/* Returns the SI units per model unit of input i: 0 displacement, 1 velocity. */
 static double input_scale(const unit_scales *u, int i) { return i == 0 ? u->length : u->length / u->time; }
 
 static int wants_partials(void)
@@ -129,7 +131,7 @@ static int wants_partials(void)
     return wanted;
 }
 
-/* Where the states settle at a displacement, as the solver has them. */
+/* Computes the equilibrium of the states at a displacement, in the solver's units. */
 static int32_t settled(const instant *now, double displacement, double x[MAX_STATES])
 {
     const unit_scales *u = &now->damper->units;
@@ -153,7 +155,7 @@ static int32_t settled(const instant *now, double displacement, double x[MAX_STA
     return status;
 }
 
-/* Rates in statics, and their partials where they are wanted. */
+/* Computes the rates in statics, and passes their partial derivatives to the solver if `with_partials`. */
 static int32_t static_rates(const instant *now, double *rates, int with_partials)
 {
     const unit_scales *u = &now->damper->units;
@@ -180,7 +182,7 @@ static int32_t static_rates(const instant *now, double *rates, int with_partials
     return status;
 }
 
-/* Partials of the rates, column by column: d(rate i)/d(state j) at i + j ns. */
+/* Passes the partial derivatives of the rates to the solver, stored by columns: d(rate i)/d(state j) at i + j ns. */
 static void give_rate_partials(const instant *now, const dashpot_partials *p)
 {
     const unit_scales *u = &now->damper->units;
@@ -196,11 +198,11 @@ static void give_rate_partials(const instant *now, const dashpot_partials *p)
         }
         for (j = 0; j < now->ns; j++)
             by_x[i + j * now->ns] = p->d_rate_d_state[i][j] * to_model / state_scale(u, j);
-        /* The mass stands at displacement + deflection. */
+        /* The internal mass is at displacement + deflection, so it moves with the displacement. */
         by_u[i] = (p->d_rate_d_input[i][0] + p->d_rate_d_state[i][0]) * to_model * input_scale(u, 0);
         by_u[i + now->ns] = (p->d_rate_d_input[i][1] - (i == 0 ? 1.0 : 0.0)) * to_model * input_scale(u, 1);
     }
-    /* Side force, temperature and setting: by differences. */
+    /* Side force, temperature and setting: by central differences. */
     for (j = 2; j < now->ni; j++) {
         double *member;
         instant other = *now;
@@ -279,7 +281,7 @@ static void outputs_of(const instant *now, const dashpot_output *o, double y[MAX
     y[8] = o->oil_temperature;
 }
 
-/* Moves one input or state of the instant by `by`, in model units. */
+/* Changes one state or one input by `by`, in model units; an index of -1 changes none. */
 static void nudge(instant *now, int state, int input, double by)
 {
     const unit_scales *u = &now->damper->units;
@@ -304,7 +306,8 @@ static void nudge(instant *now, int state, int input, double by)
     }
 }
 
-/* One column of the outputs' partials: the diagnostics by central differences, the force from the kernel's partials. */
+/* Computes one column of the partial derivatives of the outputs. The force uses the kernel's derivatives where it has
+ * them; all else uses central differences. */
 static void output_column(const instant *now, const dashpot_partials *p, int state, int input, double *column)
 {
     const unit_scales *u = &now->damper->units;
@@ -375,7 +378,7 @@ void Dashpot_gse_output(const adams_gse *gse, double time, int dflag, int iflag,
     }
 }
 
-/* The damper has no discrete states; the solver may ask all the same. */
+/* Returns zeros: the damper has no discrete states, but the solver may call this function. */
 void Dashpot_gse_update(const adams_gse *gse, double time, int dflag, int iflag, int n, double *states)
 {
     int i;
@@ -387,7 +390,7 @@ void Dashpot_gse_update(const adams_gse *gse, double time, int dflag, int iflag,
         states[i] = 0.0;
 }
 
-/* An interval that no run is longer than. */
+/* Returns a sampling interval longer than any run, because there are no discrete states to sample. */
 void Dashpot_gse_samp(const adams_gse *gse, double time, int iflag, double *interval)
 {
     (void)gse;

@@ -1,4 +1,4 @@
-/* A lock for the few lines that write what all threads read, and a flag that says that they are written. */
+/* A spin lock for short sections that write data of all threads, and atomic access to a flag (load, store). */
 #ifndef LOCK_H
 #define LOCK_H
 

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* The solver takes up to 1024 characters. */
+/* Longest message. The solver accepts up to 1024 characters. */
 enum { LONGEST = 1000 };
 
 void message_stop(int element, const char *format, ...)

@@ -1,4 +1,4 @@
-/* What the user is told: through the solver where there is one, on standard error otherwise. */
+/* Messages to the user, through the solver. Without a solver, errors go to standard error and information is dropped. */
 #ifndef MESSAGES_H
 #define MESSAGES_H
 
@@ -8,10 +8,10 @@
 #define MESSAGES_PRINTF
 #endif
 
-/* Something that the run cannot go on with; `element` is the id of the Adams element. */
+/* Reports an error and stops the run; `element` is the id of the Adams element. */
 void message_stop(int element, const char *format, ...) MESSAGES_PRINTF;
 
-/* Something worth knowing, once. */
+/* Reports information; the run continues. */
 void message_info(int element, const char *format, ...) MESSAGES_PRINTF;
 
 #endif

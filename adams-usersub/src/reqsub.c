@@ -1,14 +1,14 @@
-/* What goes on inside a damper that is called as a force (a GSE has its outputs for this):
+/* Internal quantities of a damper that is called as a force, as a REQUEST (a GSE has outputs instead):
  *
  *     REQUEST/1, FUNCTION=USER(kind, element [, page [, length unit, force unit, time unit]])\
  *     , ROUTINE=dashpot_adams::Dashpot_reqsub
  *
- * kind 1: SFORCE/element, 2: GFORCE/element. A request has eight results, so there are two pages, tension positive:
+ * kind 1: SFORCE/element, 2: GFORCE/element. A REQUEST has eight results, so there are two pages, tension positive:
  *
  * page 1 (or left out): force, series deflection, velocity of the internal mass, force of the primary damper, springs,
  *     friction (hysteresis included), gas, displacement
- * page 2: force of the stops, oil temperature, displacement and velocity of the driven end, displacement of the
- *     internal mass, first three private states of the elements (what hysteresis remembers; SI)
+ * page 2: force of the stops, oil temperature, displacement and velocity of the moving end, displacement of the
+ *     internal mass, first three internal states of the elements (SI, for example of the hysteresis)
  */
 #include "committed.h"
 #include "entry.h"
@@ -48,7 +48,7 @@ void Dashpot_reqsub(const adams_request *req, double time, int iflag, double *ou
     }
     if (units_read(req->id, req->npar == 6 ? req->par + 3 : NULL, &u))
         return;
-    /* Before the first force there is nothing to tell. */
+    /* Before the first force request no output is stored, and the results stay 0. */
     if (committed_last((int)req->par[0], (int)req->par[1], &o, &state))
         return;
     if (req->npar > 2 && req->par[2] == MOTIONS) {

@@ -1,14 +1,15 @@
-/* A check that needs no solver: dlopen the library, call this, expect 0. */
+/* Self-test without a solver: load the library with dlopen() and call dashpot_adams_selftest(), which returns FINE (0) or
+ * the number of the first failed check. */
 #include "damper_model.h"
 #include "entry.h"
 
 enum {
     FINE = 0,
-    OTHER_INTERFACE = 1, /* built from a header of another version */
-    NO_MODEL = 2,        /* the default damper is refused */
-    NO_FORCE = 3,        /* a step is refused */
+    OTHER_INTERFACE = 1, /* built with dashpot.h of another version */
+    NO_MODEL = 2,        /* the default damper is rejected */
+    NO_FORCE = 3,        /* a step is rejected */
     WRONG_SIGN = 4,      /* rebound does not give a negative SFORCE */
-    WRONG_STATES = 5     /* the internal mass is not found among the states */
+    WRONG_STATES = 5     /* the model does not use the two states of the internal mass */
 };
 
 int dashpot_adams_selftest(void)

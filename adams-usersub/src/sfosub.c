@@ -1,4 +1,4 @@
-/* The damper as an SFORCE, in one line:
+/* The damper as an SFORCE:
  *
  *     SFORCE/1, TRANSLATIONAL, I=11, J=12
  *     , FUNCTION=USER(string, length at zero displacement [, temperature [, length unit, force unit, time unit]

@@ -1,5 +1,5 @@
-/* Finding the solver's utility functions in the process. The library links to none of them, so that it loads outside
- * Adams, fits every release, and can say which one is missing. */
+/* Finds the solver's utility functions in the process. The library links to none of them, so that it loads outside
+ * Adams, works with every release, and can report a missing function. */
 #if !defined(_WIN32) && !defined(_GNU_SOURCE)
 #define _GNU_SOURCE /* RTLD_DEFAULT */
 #endif
@@ -14,7 +14,8 @@
 #include <dlfcn.h>
 #include <link.h>
 #if defined(__GNUC__) && defined(__x86_64__) && defined(__GLIBC__)
-/* The name that older systems have too: a library built on a new one must load on those that Adams supports. */
+/* Binds to the oldest version of the symbols, so that a library built on a new system loads on older systems that Adams
+ * supports. */
 __asm__(".symver dlsym, dlsym@GLIBC_2.2.5");
 __asm__(".symver dlopen, dlopen@GLIBC_2.2.5");
 __asm__(".symver dlclose, dlclose@GLIBC_2.2.5");
@@ -67,7 +68,7 @@ typedef struct {
     void *address;
 } search;
 
-/* One library of the process. */
+/* Searches one library of the process, for dl_iterate_phdr(). Returns 1 if it has the function. */
 static int look_into(struct dl_phdr_info *info, size_t size, void *looked_for)
 {
     search *for_it = (search *)looked_for;
@@ -76,7 +77,7 @@ static int look_into(struct dl_phdr_info *info, size_t size, void *looked_for)
     if (!library)
         return 0;
     for_it->address = dlsym(library, for_it->name);
-    dlclose(library); /* it was there before */
+    dlclose(library); /* the library stays loaded, because the process loaded it before */
     return for_it->address != NULL;
 }
 #endif
@@ -90,7 +91,7 @@ static any_function find(const char *name)
         function = (any_function)GetProcAddress(utilities, name);
 #else
     search for_it = {name, dlsym(RTLD_DEFAULT, name)};
-    /* A host may have loaded the solver for itself alone (RTLD_LOCAL): it is in the process, and not in the global scope. */
+    /* If the host loaded the solver with RTLD_LOCAL, its functions are not in the global scope: search each library. */
     if (!for_it.address)
         dl_iterate_phdr(look_into, &for_it);
     memcpy(&function, &for_it.address, sizeof function);
@@ -98,7 +99,7 @@ static any_function find(const char *name)
     return function;
 }
 
-/* Written once, by whoever comes first. */
+/* The table of functions, filled by the first thread that calls solver(). */
 static solver_functions functions;
 static volatile long found, finding;
 
@@ -107,7 +108,7 @@ const solver_functions *solver(void)
     if (!load(&found)) {
         size_t i;
         lock(&finding);
-        /* Whoever waited for the lock finds the table written, and others may read it. */
+        /* A thread that waited for the lock finds the table filled. It must not write, because other threads may read it. */
         for (i = 0; !load(&found) && i < sizeof ENTRIES / sizeof ENTRIES[0]; i++) {
             any_function function = find(ENTRIES[i].name);
             memcpy((char *)&functions + ENTRIES[i].offset, &function, sizeof function);

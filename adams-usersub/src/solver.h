@@ -1,13 +1,13 @@
-/* The side of Adams Solver that this library sees: element structures and utility functions, in its C interface.
+/* The C interface of Adams Solver as far as this library uses it: element structures and utility functions.
  *
- * Own declarations, so that nothing from an Adams installation is needed to build. Structures are laid out as in Adams
- * 2017.2 and 2023.1; the assertions below stop the build where a compiler disagrees. */
+ * The declarations are our own, so that the build needs no file of an Adams installation. The structures have the layout of
+ * Adams 2017.2 and 2023.1. The assertions below stop the build if a compiler lays them out differently. */
 #ifndef SOLVER_H
 #define SOLVER_H
 
 #include <stddef.h>
 
-/* SFORCE. */
+/* An SFORCE element. */
 typedef struct {
     int id, npar;
     const double *par;
@@ -15,14 +15,14 @@ typedef struct {
     const char *type;
 } adams_sforce;
 
-/* GFORCE. */
+/* A GFORCE element. */
 typedef struct {
     int id, npar;
     const double *par;
     int i, rm, jfloat;
 } adams_gforce;
 
-/* REQUEST. */
+/* A REQUEST element. */
 typedef struct {
     int id, npar;
     const double *par;
@@ -30,7 +30,7 @@ typedef struct {
     const char *title[8];
 } adams_request;
 
-/* GSE, up to the member where the releases part: 2023.1 has one more int after it. */
+/* A GSE element, up to the last member that all releases share. Adams 2023.1 has one more int after it. */
 typedef struct {
     int id, npar;
     const double *par;
@@ -63,7 +63,7 @@ SOLVER_ASSERT(gse_ic, offsetof(adams_gse, ic) == 40);
 SOLVER_ASSERT(gse_static_hold, offsetof(adams_gse, static_hold) == 44);
 SOLVER_ASSERT(gse_implicit, offsetof(adams_gse, implicit) == 48);
 
-/* What a call is for. */
+/* Purposes of a call: values of iflag. */
 enum {
     SOLVER_EVALUATE = 0,
     SOLVER_INITIALISE = 1,
@@ -73,10 +73,11 @@ enum {
     SOLVER_RELOAD = 9
 };
 
-/* Analysis modes, as c_getmod() tells them. */
+/* Analysis modes that c_getmod() returns. */
 enum { SOLVER_STATICS = 5, SOLVER_QUASI_STATICS = 6, SOLVER_LINEAR = 7 };
 
-/* The utility functions, resolved from the process at run time. Those that a caller needs are named to solver_has(). */
+/* The utility functions, found in the process at run time. A caller checks with solver_lacks() that those it needs are
+ * available. */
 typedef struct {
     void (*sysary)(const char *, const int *, int, double *, int *, int *);
     void (*sysfnc)(const char *, const int *, int, double *, int *);
@@ -102,19 +103,19 @@ typedef struct {
     void (*gsepar_u)(const double *, int);
 } solver_functions;
 
-/* The functions that were found; a null member was not. */
+/* Returns the table of functions. A member is null if its function was not found. */
 const solver_functions *solver(void);
 
-/* Which functions a routine needs. */
+/* Groups of utility functions, by the caller that needs them: bits for solver_lacks(). */
 enum {
-    SOLVER_FOR_LINE = 1,     /* a force that asks for distance and speed */
-    SOLVER_FOR_SPACE = 2,    /* a force that asks for positions, velocities and forces in space */
+    SOLVER_FOR_LINE = 1,     /* a force that needs distance and speed (SFORCE) */
+    SOLVER_FOR_SPACE = 2,    /* a force that needs vectors of position, velocity and force (GFORCE) */
     SOLVER_FOR_GSE = 4,
     SOLVER_FOR_REQUESTS = 8,
     SOLVER_FOR_SAVING = 16
 };
 
-/* Name of the first needed function that the process lacks; null where all are there. */
+/* Returns the name of the first function of the groups `needs` that was not found; null if all were found. */
 const char *solver_lacks(int needs);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Order of the scale factors of c_gtunts(). */
+/* Indices of the scale factors that c_gtunts() returns. */
 enum { TIME, LENGTH, FORCE, MASS, SCALES };
 
 int units_read(int element, const double *given, unit_scales *scales)
@@ -34,7 +34,7 @@ int units_read(int element, const double *given, unit_scales *scales)
         scales->force = found[FORCE];
         scales->time = found[TIME];
     }
-    /* Not "<=": a NaN must not pass. */
+    /* The negated form also rejects NaN. */
     if (!(scales->length > 0 && scales->force > 0 && scales->time > 0 && scales->length < 1e9 && scales->force < 1e9 &&
           scales->time < 1e9)) {
         message_stop(element, "units of length %g m, force %g N, time %g s cannot be; give them as the last three USER "

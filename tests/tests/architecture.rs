@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 /// Every crate with the workspace's crates that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns the folder of a package.
+/// Returns the folder of a package below `src`.
 fn folder(package: &str) -> String {
     package.trim_start_matches("dashpot-").replace('-', "_")
 }
@@ -30,7 +30,7 @@ fn of_manifests() -> Uses {
         .collect()
 }
 
-/// Reads the dependencies from the page.
+/// Reads the dependencies from the table of crates in ARCHITECTURE.md.
 fn of_page() -> Uses {
     let page = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let table = page.split("| crate | what it is | uses |").nth(1).expect("the table of crates");

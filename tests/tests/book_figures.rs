@@ -98,7 +98,7 @@ fn model(on: &[&str], set: &[(&str, f64)]) -> Params {
     params
 }
 
-/// Returns a round step that divides a span by three to seven lines.
+/// Returns a round distance of grid lines, with which three or five lines divide a span about zero.
 fn grid(span: f64) -> f64 {
     let rough = span / 5.0;
     let power = 10f64.powf(rough.log10().floor());

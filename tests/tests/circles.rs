@@ -39,7 +39,8 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 }
 
 impl Reader<'_> {
-    /// Resolves a path from the crate's root; `None` for a path outside of the crate.
+    /// Resolves a path from the crate's root. A path of another crate becomes a path below this file. Returns `None`
+    /// for an empty path.
     fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
@@ -152,7 +153,8 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export.
+/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Returns `None` for
+/// a name of another crate.
 fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
     let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
     let (place, room) = rooms.get_key_value(&names[..depth])?;
@@ -211,7 +213,7 @@ fn crates() -> Vec<PathBuf> {
     crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()).collect()
 }
 
-/// Merges the files of each folder to one unit, and omits the crate's root.
+/// Merges the files of each top-level folder to one unit, and omits the crate's root.
 fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     let mut found: BTreeMap<Names, Room> = BTreeMap::new();
     for (name, room) in rooms.iter().filter(|(name, _)| !name.is_empty()) {

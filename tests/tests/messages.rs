@@ -1,10 +1,13 @@
-//! Code uses every message that it declares. That each has a text in every language, and no file another one, the tests of `report` and `gui` see.
+//! Test that code uses every message that it declares.
+//!
+//! The tests of `report` and `gui` check that each message has a text in every language, and that no file of a language
+//! contains another text.
 
 use dashpot_tests::library::root;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Lists of messages: file, crates whose code uses them, and what stands before the name there.
+/// Lists of messages: file, crates whose code uses the messages, and the text before a message's name in that code.
 const LISTS: [(&str, &[&str], &str); 6] = [
     ("src/records/src/messages/phrases.rs", &["records"], "phrases::"),
     ("src/identification/src/phrases.rs", &["identification"], "phrases::"),
@@ -14,7 +17,8 @@ const LISTS: [(&str, &[&str], &str); 6] = [
     ("src/gui/src/words/mod.rs", &["gui"], "."),
 ];
 
-/// The names that a list declares: in `phrases!` those before a text, in `interface!` those behind the semicolon.
+/// Returns the names that a list declares: in `phrases!` those before a text, in `interface!` those after the
+/// semicolon.
 fn declared(list: &str) -> BTreeSet<&str> {
     let is_name = |name: &&str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let phrases = list.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": \"").map(|(name, _)| name));
@@ -23,7 +27,7 @@ fn declared(list: &str) -> BTreeSet<&str> {
     phrases.chain(fields.filter_map(|line| line.trim().split(['(', ',']).next())).filter(is_name).collect()
 }
 
-/// The names that stand behind a text in code.
+/// Returns the names that follow the text `before` in code.
 fn named<'c>(code: &'c str, before: &str) -> BTreeSet<&'c str> {
     let end = |rest: &str| rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
     code.split(before).skip(1).map(|rest| &rest[..end(rest)]).collect()
@@ -47,7 +51,7 @@ fn every_message_is_used() {
     for (list, crates, before) in LISTS {
         let file = root().join(list);
         let text = std::fs::read_to_string(&file).expect(list);
-        // What stands before an interface in its file is code too.
+        // The part of a file before its `interface!` is code too.
         let own = text.split("interface! {").next().filter(|_| before == ".").unwrap_or("");
         let code = crates.iter().map(|name| sources(&root().join(format!("src/{name}/src")), &file));
         let code = code.collect::<String>() + own;

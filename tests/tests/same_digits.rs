@@ -8,7 +8,7 @@ use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
 /// Functions of the standard library that call the system. Square roots, rounding, remainders and fused products are
-/// exact everywhere.
+/// not among them, because they are exact everywhere.
 const SYSTEMS: [&str; 25] = [
     "powf", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "sin", "cos", "tan", "sin_cos", "asin",
     "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",

@@ -1,4 +1,4 @@
-/* Create, init, step, save and restore; and the one place where signs and units change. */
+/* Create, init, step, save and restore, and the conversion between the host's signs and units and the kernel's. */
 #include "bridge.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +43,7 @@ dashpot_bridge *dashpot_bridge_create(uint32_t corners, const char *const *model
 
     if (corners != 1 && corners != DASHPOT_BRIDGE_CORNERS)
         return refused(NULL, fault, "dashpot_bridge_create", 0, "", "a bridge has 1 or 4 corners");
-    /* Zeroed, and touched here rather than in the first step. */
+    /* calloc() zeroes the memory here, so that the first step causes no page fault. */
     bridge = calloc(1, sizeof *bridge);
     if (!bridge)
         return refused(NULL, fault, "dashpot_bridge_create", 0, "", "out of memory");
@@ -147,7 +147,7 @@ void dashpot_bridge_save(const dashpot_bridge *bridge, dashpot_bridge_state *sta
 {
     uint32_t i;
 
-    /* All corners, so that the unused ones of a single-corner bridge are copied as zeros. */
+    /* Copies all corners, so that the saved state of a single-corner bridge has zeros in the unused ones. */
     for (i = 0; i < DASHPOT_BRIDGE_CORNERS; i++)
         state->corner[i] = bridge->corner[i].now;
 }

@@ -5,7 +5,7 @@
 static const char *const CORNERS[4] = {"L1", "R1", "L2", "R2"};
 static const char PLACE[] = "{corner}";
 
-/* The names a map may hold. The first DASHPOT_CHANNELS are channels in the order of enum dashpot_channel. */
+/* The names that a map may contain. The first DASHPOT_CHANNELS are channels, in the order of enum dashpot_channel. */
 enum key {
     MOTION_POSITIVE = DASHPOT_CHANNELS,
     FORCE_POSITIVE,
@@ -55,7 +55,8 @@ void dashpot_channel_map_default(dashpot_channel_map *map)
     strcpy(map->name[DASHPOT_CHANNEL_FORCE], "force_{corner}");
 }
 
-/* A decimal number with sign and exponent, read the same way whatever the locale; returns 0 where it is none. */
+/* Reads a decimal number with optional sign and exponent, independent of the locale. Returns 0 if the text is no number,
+ * has more than 15 digits, or needs a power of ten beyond 10^22. */
 static int number(const char *text, size_t length, double *value)
 {
     double mantissa = 0.0, sign = 1.0, power = 1.0;
@@ -86,7 +87,7 @@ static int number(const char *text, size_t length, double *value)
     exponent = exponent_sign * exponent + shift;
     if (exponent < -22 || exponent > 22)
         return 0;
-    /* Powers of ten up to 22 are exact, and so is a mantissa of 15 digits: one rounding in all. */
+    /* Powers of ten up to 10^22 and mantissas of 15 digits are exact, so that the result is rounded only once. */
     for (i = 0; i < (size_t)(exponent < 0 ? -exponent : exponent); i++)
         power *= 10.0;
     *value = sign * (exponent < 0 ? mantissa / power : mantissa * power);
@@ -98,7 +99,7 @@ static int blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Reads `line` (without its end) into *found. */
+/* Reads `line` (without its newline) into *found. Returns 0, or -1 with the reason in *fault. */
 static int read_line(struct found *found, const char *line, size_t length, uint32_t count,
                      dashpot_channel_map_fault *fault)
 {
@@ -142,7 +143,7 @@ static int read_line(struct found *found, const char *line, size_t length, uint3
     return 0;
 }
 
-/* Which of two words a choice holds: 0 or 1, the first where it is missing; -1 where it is neither. */
+/* Returns 0 if the value of `key` is the first word or missing, 1 if it is the second word, otherwise -1. */
 static int word(const struct found *found, enum key key, const char *first, const char *second)
 {
     if (!found->seen[key] || !strcmp(found->text[key], first))
@@ -205,7 +206,7 @@ int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t 
             found.number[key] = key == POSITION_OFFSET    ? 0.0
                                 : key < POSITION_OFFSET_L1 ? found.number[POSITION_OFFSET]
                                                            : found.number[POSITION_OFFSET_1 + (key - POSITION_OFFSET_L1) / 2];
-        /* A metre is longer than any damper's stroke: such a number is in mm. */
+        /* One meter is longer than any damper's stroke, so a larger number is probably in mm. */
         if (!(found.number[key] >= -1.0 && found.number[key] <= 1.0))
             return refuse(fault, 0, "%s is in m and lies between -1 and 1", NAMES[key]);
     }
@@ -215,7 +216,7 @@ int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t 
         double ratio = found.number[MOTION_RATIO_L1 + corner];
         map->position_offset[corner] = found.number[POSITION_OFFSET_L1 + corner];
         map->motion_scale[corner] = (motion ? 1.0 : -1.0) * metre * ratio;
-        /* The same power on both sides of the lever. */
+        /* The power is equal on both sides of the lever, so the motion ratio scales the force too. */
         map->force_scale[corner] = (force ? 1.0 : -1.0) * newton * ratio;
     }
     map->side_force_scale = 1.0 / newton;

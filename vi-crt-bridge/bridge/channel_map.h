@@ -1,23 +1,23 @@
-/* What a host calls its channels, and how its signs and units relate to the damper's: read from a channel map file.
+/* Channel map: the names of a host's channels, its signs and its units, read from a channel map file.
  *
- * A channel map is text with lines `name = value`, like a model file; # begins a comment. Its names:
+ * A channel map is text with lines `name = value`, like a model file; # begins a comment. It may contain these names:
  *
  *   format = 1
  *   motion_positive = "compression"    direction in which the host's jounce and jounce rate grow, or "extension"
  *   force_positive = "compression"     the host's positive force pushes wheel and body apart; "tension" pulls them together
  *   length_unit = "m"                  of jounce, its rate (per s) and acceleration (per s^2): "m" or "mm"
  *   force_unit = "N"                   "N" or "kN"
- *   motion_ratio_1 = 1.0               damper stroke per unit of the host's stroke, axle 1; 1 where the host gives damper motion
- *   motion_ratio_2 = 1.0               the same, axle 2
- *   motion_ratio_L1 = 1.0              the same, for one corner that differs from its axle; also R1, L2, R2
- *   position_offset = 0.0              damper extension, in m from the rig's zero, where the host's jounce is 0; all corners
- *   position_offset_1 = 0.0            the same, for axle 1; also position_offset_2, and _L1, _R1, _L2, _R2 for one corner
+ *   motion_ratio_1 = 1.0               damper stroke per unit of the host's stroke, axle 1; 1 if the host gives damper motion
+ *   motion_ratio_2 = 1.0               motion ratio of axle 2
+ *   motion_ratio_L1 = 1.0              motion ratio of one corner that differs from its axle; also R1, L2, R2
+ *   position_offset = 0.0              damper extension, in m from the rig's zero, at the host's jounce 0; all corners
+ *   position_offset_1 = 0.0            position offset of axle 1; also position_offset_2, and _L1, _R1, _L2, _R2 for one corner
  *   jounce = "Damper.Jounce.{corner}"  names of the channels; {corner} stands for L1, R1, L2, R2
  *   jounce_rate = "..."                always needed
- *   jounce_acceleration = ""           empty: the host has no such channel
+ *   jounce_acceleration = ""           empty: the host has no such channel (as in the lines below)
  *   side_force = ""
  *   temperature = ""
- *   setting = ""                       of dampers that depend on one (current, clicks), in the unit of their model files
+ *   setting = ""                       setting (current, clicks) of dampers that depend on one, in the model file's unit
  *   force = ""                         the host's input channel that takes the damper force: always needed
  */
 #ifndef DASHPOT_CHANNEL_MAP_H
@@ -28,7 +28,8 @@
 
 #define DASHPOT_CHANNEL_NAME 128
 
-/* Channels of a corner that the host gives, in this order in a flat input vector, and those that it takes. */
+/* Channels of a corner. Those before DASHPOT_CHANNEL_INPUTS are the host's outputs, in the order of a flat input vector.
+ * DASHPOT_CHANNEL_FORCE is the host's input. */
 enum dashpot_channel {
     DASHPOT_CHANNEL_JOUNCE,
     DASHPOT_CHANNEL_JOUNCE_RATE,
@@ -42,32 +43,33 @@ enum dashpot_channel {
 };
 
 typedef struct dashpot_channel_map {
-    /* m of damper extension per unit of the host's motion, for each corner. */
+    /* Damper extension in m per unit of the host's motion, for each corner. */
     double motion_scale[4];
-    /* m of damper extension, from the rig's zero, where the host's jounce is 0. */
+    /* Damper extension in m, from the rig's zero, at the host's jounce 0, for each corner. */
     double position_offset[4];
-    /* Units of the host's force at its own point per N of damper tension, for each corner. */
+    /* The host's force, at the point and in the unit of the host, per N of damper tension, for each corner. */
     double force_scale[4];
-    /* N of side force per unit of the host's. */
+    /* Side force in N per unit of the host's force. */
     double side_force_scale;
-    /* Names with {corner} in them; empty where the host has no such channel. */
+    /* Names that contain {corner}; empty if the host has no such channel. */
     char name[DASHPOT_CHANNELS][DASHPOT_CHANNEL_NAME];
 } dashpot_channel_map;
 
-/* What was wrong in a channel map. */
+/* Error in a channel map. */
 typedef struct dashpot_channel_map_fault {
-    uint32_t line; /* from 1; 0 where a line is missing */
+    uint32_t line; /* from 1; 0 if the error belongs to no line, for example if a name is missing */
     char text[200];
 } dashpot_channel_map_fault;
 
-/* A map for hosts without channel names: SI, compression positive for motion and force, motion ratio 1. */
+/* Sets the map for hosts without a channel map: SI, compression positive for motion and force, motion ratio 1. */
 void dashpot_channel_map_default(dashpot_channel_map *map);
 
-/* Reads a map; 0, or -1 with the reason in *fault and *map untouched. Never reads past text + length. */
+/* Reads a map from `length` characters of text. Returns 0, or -1 with the reason in *fault and *map unchanged. */
 int dashpot_channel_map_read(dashpot_channel_map *map, const char *text, size_t length,
                              dashpot_channel_map_fault *fault);
 
-/* The name of a channel at a corner (0 L1, 1 R1, 2 L2, 3 R2), to `name`; 0, or -1 where it does not fit. */
+/* Writes the name of a channel at a corner (0 L1, 1 R1, 2 L2, 3 R2) to `name`. Returns 0. Returns -1 if the name does not
+ * fit, or if there is no such channel or corner. */
 int dashpot_channel_map_name(const dashpot_channel_map *map, enum dashpot_channel channel, uint32_t corner, char *name,
                              size_t room);
 

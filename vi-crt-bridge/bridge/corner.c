@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Far above any model file: 800 parameters with a page of comment each. */
+/* Longest model file, bytes: enough for 800 parameters with a page of comment each. */
 #define LONGEST_FILE ((size_t)1 << 22)
 
 int32_t dashpot_corner_read(dashpot_corner *corner, const char *text, size_t length, dashpot_fault *fault)
@@ -76,7 +76,7 @@ int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input)
 
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt)
 {
-    /* A refused step leaves state and output as they are: the last force is held by doing nothing. */
+    /* A rejected step changes neither state nor output, so that the last force remains. */
     int32_t status =
         dashpot_step(&corner->model, &corner->now.state, input, dt, &corner->now.state, &corner->now.output);
 

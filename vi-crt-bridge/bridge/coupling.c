@@ -13,7 +13,7 @@ dashpot_coupling dashpot_bridge_coupling(double d_force_d_rate, double effective
         return DASHPOT_COUPLING_CALM;
     if (a <= 1.0)
         return DASHPOT_COUPLING_DELAY_RINGS;
-    /* Written so that a mass of zero or NaN ends here. */
+    /* If the ratio is NaN or infinite (mass 0 or NaN), the comparisons fail and the result is UNSTABLE. */
     return a < 2.0 ? DASHPOT_COUPLING_RINGS : DASHPOT_COUPLING_UNSTABLE;
 }
 
@@ -25,7 +25,7 @@ double dashpot_bridge_max_derivative(const dashpot_bridge *bridge, uint32_t corn
 
     if (corner >= bridge->corners)
         return 0.0;
-    /* Speeds from 0.1 mm/s to 3 m/s both ways: friction is steep near zero, the curve beyond. */
+    /* Speed 0, and 0.13 mm/s to 3.2 m/s in both directions: friction is steep near zero, the force curve beyond. */
     for (k = -45; k <= 45; k++) {
         double speed = k == 0 ? 0.0 : 1e-4 * pow(10.0, (k < 0 ? -k : k) / 10.0);
         dashpot_input input = dashpot_input_velocity(k < 0 ? -speed : speed);

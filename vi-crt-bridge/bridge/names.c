@@ -1,4 +1,4 @@
-/* The names of what flat vectors hold. */
+/* Names and numbers of the entries of the flat vectors. */
 #include "bridge.h"
 
 int dashpot_bridge_name_vectors(dashpot_bridge *bridge)

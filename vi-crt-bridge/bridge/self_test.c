@@ -1,4 +1,4 @@
-/* Whether the damper takes energy out of the host, as the host itself counts force and motion. */
+/* Self-test: checks that each damper dissipates energy in the host's own signs of force and motion. */
 #include "bridge.h"
 #include <math.h>
 
@@ -9,7 +9,7 @@
 int dashpot_bridge_self_test(const dashpot_bridge *bridge, int push_positive, int rate_compresses, double length_unit,
                              double force_unit, dashpot_self_test result[DASHPOT_BRIDGE_CORNERS])
 {
-    /* Energy that wheel and body lose while they approach each other under a force that pushes them apart. */
+    /* Sign of the dissipated power. The power is positive if wheel and body approach under a force that pushes them apart. */
     double sense = (push_positive ? 1.0 : -1.0) * (rate_compresses ? 1.0 : -1.0);
     int all = 1, k;
     uint32_t i;
@@ -34,7 +34,7 @@ int dashpot_bridge_self_test(const dashpot_bridge *bridge, int push_positive, in
             continue;
         }
         rest = force * now.output.force;
-        /* One cycle to swing in, one to measure. */
+        /* One cycle to reach the periodic state, one to measure. */
         for (k = 1; k <= 2000; k++) {
             double phase = TAU * k * STEP, host;
 

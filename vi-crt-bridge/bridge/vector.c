@@ -6,7 +6,7 @@ static const uint32_t KNOWN[DASHPOT_CHANNEL_INPUTS] = {DASHPOT_CORNER_KNOWS_JOUN
                                                        DASHPOT_CORNER_KNOWS_SIDE_FORCE,
                                                        DASHPOT_CORNER_KNOWS_TEMPERATURE, DASHPOT_CORNER_KNOWS_SETTING};
 
-/* The corners' inputs from a flat vector. Every corner has the same number of channels. */
+/* Fills the corners' inputs from a flat vector. Every corner has the same number of channels. */
 static void unpack(const dashpot_bridge *bridge, const double *u, dashpot_corner_input *in)
 {
     uint32_t i, each = bridge->inputs / bridge->corners;

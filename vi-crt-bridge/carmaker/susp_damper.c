@@ -1,25 +1,30 @@
 /* dashpot as an IPG CarMaker damper model: class Susp_Damper (one corner, CarMaker 10 and later) and Susp_DamperSystem
  * (four corners).
  *
- * Built against your own CarMaker headers; none are here. Name the headers that declare the two model classes with
- * DASHPOT_CARMAKER_HEADER, and the generation of the plug-in interface with DASHPOT_CARMAKER_API:
+ * It compiles with the headers of your CarMaker installation; this repository contains none. Define
+ * DASHPOT_CARMAKER_HEADER as the header that declares the two model classes, and DASHPOT_CARMAKER_API as the generation of
+ * the plug-in interface:
  *
  *   gcc -O2 -c -DDASHPOT_CARMAKER_HEADER='"dashpot_carmaker.h"' -DDASHPOT_CARMAKER_API=13 susp_damper.c
  *
- * 13: CarMaker 9 to 13, 15: CarMaker 15. dashpot_carmaker.h is a file of yours that includes CarMaker.h, InfoUtils and the
- * header of the suspension classes. Register both from User_Register() with dashpot_carmaker_register(). What of the interface is
- * used, and where it is public: ../FACTS.md.
+ * 13: CarMaker 9 to 13, 15: CarMaker 15. You write dashpot_carmaker.h; it includes CarMaker.h, InfoUtils and the header of
+ * the suspension classes. Register both classes from User_Register() with dashpot_carmaker_register(). ../FACTS.md lists the
+ * parts of the interface that this file uses, with public sources.
  *
- * Keys of the model, after its kind key: DashpotModel (model file; for the system DashpotModel.FL, .FR, .RL and .RR),
- * DashpotLength (length of the damper at its design position, m; without it, the length of the first call), position_offset
- * (extension of the damper there, from the rig's zero, m; 0 without it). Both with .FL and so on for the system.
+ * Keys of the model, after its kind key; for the system each key ends in .FL, .FR, .RL or .RR:
  *
- * A damper that depends on a setting (current, clicks) takes it from CarMaker's own input for controlled dampers, CtrlIn, where
- * DashpotCtrlIn says how much of the setting, in the unit of the model file, one of CtrlIn is: 1 where a controller of yours
- * writes amperes there. Without that key it stands at DashpotSetting, or at the start setting of the model file.
+ *   DashpotModel     model file
+ *   DashpotLength    length of the damper at its design position, m; without it, the length of the first call
+ *   position_offset  extension of the damper at its design position, from the rig's zero, m; without it, 0
+ *   DashpotCtrlIn    setting per unit of CtrlIn, CarMaker's input for controlled dampers, in the unit of the model file:
+ *                    1 if a controller writes amperes into CtrlIn and the setting is a current in A
+ *   DashpotSetting   constant setting, instead of DashpotCtrlIn
  *
- * CarMaker counts length and velocity positive in extension and force positive where the damper pushes. A call with
- * dt = 0 (preparation, model check) is answered statically and leaves the states. */
+ * The last two are for dampers that depend on a setting (current, clicks). Without both the damper has the start setting of
+ * its model file.
+ *
+ * CarMaker's length and velocity are positive in extension, and its force is positive if the damper pushes. A call with
+ * dt = 0 (preparation, model check) puts the damper at rest at its length and returns the static force. */
 #include DASHPOT_CARMAKER_HEADER
 #include "corner.h"
 #include <math.h>
@@ -31,19 +36,19 @@
 #error "define DASHPOT_CARMAKER_API as 13 (CarMaker 9 to 13) or 15 (CarMaker 15)"
 #endif
 
-/* Of these two models, as the vendor's samples count theirs. */
+/* Version of the two models in this file, as the samples of CarMaker define it. */
 static const int ThisVersionId = 1;
 
-/* The one change of sign: tension to push. */
+/* Factor from dashpot's force (tension positive) to CarMaker's (push positive). */
 #define PUSH (-1.0)
 
 struct damper {
     dashpot_corner corner;
-    double design_length; /* NaN until it is known */
+    double design_length; /* NaN: not given; the first call sets it */
     double position_offset;
-    double per_control; /* setting by CtrlIn; NaN: CtrlIn is none */
-    double setting;     /* NaN: that of the model file */
-    int running; /* a call has settled it */
+    double per_control; /* setting per unit of CtrlIn; NaN: CtrlIn is not used */
+    double setting;     /* NaN: the start setting of the model file */
+    int running; /* 1 after a call has put the damper at rest */
 };
 
 static int load(struct damper *damper, struct tInfos *inf, const char *kind, const char *corner)
@@ -92,7 +97,7 @@ static double force(struct damper *damper, double length, double velocity, doubl
     if (!isnan(setting))
         input = dashpot_input_with_setting(input, setting);
     if (!damper->running || dt == 0.0) {
-        /* Settled at every static call, so that the run starts from the equilibrium that was found. */
+        /* Every static call puts the damper at rest, so that the run starts from the equilibrium that CarMaker found. */
         dashpot_corner_rest_at(&damper->corner, input.displacement, isnan(setting) ? NULL : &setting);
         damper->running = 1;
     }
@@ -203,7 +208,7 @@ static void model_delete(void *model, char const *ident)
 }
 #endif
 
-/* Called before the first instance and for each: there are no quantities of our own in the dictionary. */
+/* CarMaker calls these before the first instance and for each one. They declare no quantities in its dictionary. */
 #if DASHPOT_CARMAKER_API == 13
 static void one_quantities(void *model, int suspension)
 {
@@ -239,7 +244,7 @@ int dashpot_carmaker_register(void)
     description.Susp_Damper.Calc = one_calc;
     description.Susp_Damper.Delete = model_delete;
     description.Susp_Damper.DeclQuants = one_quantities;
-    /* ParamsChanged stays empty: the vendor's ready one is for models that read no files of their own, and these do. */
+    /* ParamsChanged stays empty: ParamsChanged_IgnoreCheck is only for models that read no files of their own. */
     if (Model_Register(ModelClass_Susp_Damper, "dashpot", &description) < 0)
         return -1;
     memset(&description, 0, sizeof description);

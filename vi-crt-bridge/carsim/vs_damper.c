@@ -1,29 +1,29 @@
-/* dashpot as the dampers of a CarSim or TruckSim vehicle, by the VehicleSim API: the imports IMP_FD_L1, IMP_FD_R1,
+/* dashpot as the dampers of a CarSim or TruckSim vehicle, by the VehicleSim (VS) API: the imports IMP_FD_L1, IMP_FD_R1,
  * IMP_FD_L2 and IMP_FD_R2 replace the forces of the solver's own dampers.
  *
- * Built against your own VS headers, named with DASHPOT_VS_HEADER. In the wrapper program, behind vs_get_api(), which fills the
- * API's function pointers, and before vs_run():
+ * It compiles with the VS headers of your installation, which DASHPOT_VS_HEADER names. The wrapper program calls it after
+ * vs_get_api(), which fills the API's function pointers, and before vs_run():
  *
  *     if (vs_get_api(vsDLL, pathDLL)) return 1;
  *     if (dashpot_vs_install("front.toml", "rear.toml", "carsim.toml")) return 1;
  *     vs_run(simfile);
  *     dashpot_vs_end();
  *
- * A wrapper that installs a calc function of its own calls dashpot_vs_calculate() from there, behind dashpot_vs_install(). The
- * map (maps/carsim.toml) holds units, signs and position_offset. Set OPT_IO_SYNC_FM in the vehicle, so that the force belongs
- * to the kinematics of its own step. What of the API is used, and where it is public: ../FACTS.md. */
+ * A wrapper that installs its own calc function after dashpot_vs_install() calls dashpot_vs_calculate() from it. The channel
+ * map (maps/carsim.toml) contains units, signs and position_offset. Set OPT_IO_SYNC_FM in the vehicle, so that the force
+ * belongs to the kinematics of the same step. ../FACTS.md lists the parts of the API that this file uses, with sources. */
 #include DASHPOT_VS_HEADER
 #include "dashpot_bridge.h"
 #include <stdio.h>
 
-/* The VS solver runs one vehicle per process; its call-backs carry no pointer of ours. */
+/* Static variables suffice, because the VS solver runs one vehicle per process. Its call-backs pass no user pointer. */
 static dashpot_bridge *bridge;
 static vs_real *input[DASHPOT_BRIDGE_CORNERS * DASHPOT_CHANNEL_INPUTS];
 static vs_real *output[DASHPOT_BRIDGE_CORNERS];
 static vs_real last_time;
 static int ready;
 
-/* The run ends, and says why. */
+/* Reports an error and stops the run. */
 static void stop(const char *text, const char *name)
 {
     vs_printf_error("dashpot: %s%s\n", text, name);
@@ -32,7 +32,7 @@ static void stop(const char *text, const char *name)
 
 static vs_real *variable(const char *name)
 {
-    /* The API of most releases takes a pointer to char and does not write to it. */
+    /* In most releases vs_get_var_ptr() takes a char * that is not const, although it does not write to it. */
     char copy[DASHPOT_CHANNEL_NAME];
 
     snprintf(copy, sizeof copy, "%s", name);
@@ -50,7 +50,7 @@ static void import_forces(void)
     }
 }
 
-/* 1 where the solver knows every channel. */
+/* Finds the solver's variables of all channels. Returns 1, or 0 after stopping the run if the solver lacks one. */
 static int find_channels(void)
 {
     uint32_t i;
@@ -78,7 +78,7 @@ static void dampers(vs_real time, int first)
     if (first)
         dashpot_bridge_init_vector(bridge, u, inputs, y, outputs);
     else
-        /* The same instant asked for twice is a static answer. */
+        /* A repeated call at the same time is a static evaluation (dt = 0). */
         dashpot_bridge_step_vector(bridge, time > last_time ? time - last_time : 0.0, u, inputs, y, outputs);
     last_time = time;
     for (i = 0; i < outputs; i++)
@@ -113,7 +113,7 @@ int dashpot_vs_install(const char *front, const char *rear, const char *map)
     static dashpot_bridge_fault fault;
 
     ready = 0;
-    /* The API's functions are pointers that vs_get_api() fills. */
+    /* The API's functions are pointers, which are null before vs_get_api(). */
     if (!vs_install_calc_function || !vs_printf_error) {
         fputs("dashpot: call dashpot_vs_install() behind vs_get_api()\n", stderr);
         return -2;

@@ -12,7 +12,7 @@ static const char *const KIND_NAME[] = {
 #undef ONE
 };
 
-/* A double as the sixteen hexadecimal digits of its bits: strtod() would read it by the host's locale. */
+/* Reads a double from the sixteen hexadecimal digits of its bits, because strtod() depends on the host's locale. */
 static double of_bits(const char *text)
 {
     unsigned long long bits = strtoull(text, NULL, 16);
@@ -32,7 +32,7 @@ static int kind_named(const char *name)
     return -1;
 }
 
-/* Bounds of every parameter; the rows of a list lie side by side and share one look-up. */
+/* Sets the bounds of every parameter. The numbers of a list are adjacent and need only one look-up. */
 static void find_bounds(struct contents *contents)
 {
     dashpot_parameter row;
@@ -59,7 +59,7 @@ static void find_bounds(struct contents *contents)
     }
 }
 
-/* One line; 0 where it cannot be. */
+/* Reads one line of contents.txt. Returns 0 if the line is invalid. */
 static int read_line(struct contents *contents, const char *line)
 {
     char word[32], kind[32], name[48], motion[24], force[24], offset[24], start[24];
@@ -70,7 +70,7 @@ static int read_line(struct contents *contents, const char *line)
         return 1;
     if (!strcmp(word, "guid"))
         return sscanf(line, "guid %63s", contents->guid) == 1;
-    /* Once: what was read before it has its place among them. */
+    /* Only once, because the lines after it are checked against the number of corners. */
     if (!strcmp(word, "corners"))
         return !contents->corners && sscanf(line, "corners %d", &contents->corners) == 1 && contents->corners >= 1 &&
                contents->corners <= MAX_CORNERS;
@@ -100,7 +100,7 @@ static int read_line(struct contents *contents, const char *line)
     if (strcmp(word, "variable") || sscanf(line, "variable %31s %d %d %47s", kind, &corner, &index, name) != 4)
         return 0;
     known = kind_named(kind);
-    /* Every place that is looked up by them later: a corner for all but what is of the whole FMU, a state, a number of a list. */
+    /* Corner and index are later used as array indices, so they must be within the arrays. */
     if (known < 0 || (known == TIME || known == BETWEEN_POINTS ? corner != -1 : corner < 0 || corner >= contents->corners) ||
         ((known == STATE || known == RATE) && (index < 0 || index >= MAX_STATES)) ||
         (known == PARAMETER && (index < -1 || index >= LONGEST_LIST)))
@@ -120,7 +120,7 @@ static int read_line(struct contents *contents, const char *line)
     return 1;
 }
 
-/* The fixed part lies where it is looked for without a search. */
+/* Checks that time and the block of each corner are at their fixed positions, where other files access them by index. */
 static int in_order(const struct contents *contents)
 {
     int c, k;
@@ -138,7 +138,8 @@ static int in_order(const struct contents *contents)
     return 1;
 }
 
-/* The next line, closed by a zero, and past it; null at the end. strtok() would be shared between threads. */
+/* Returns the next line, terminated by a zero, and advances *text past it; null at the end. strtok() is not used, because
+ * all threads share its state. */
 static char *next_line(char **text)
 {
     char *line = *text, *end = line;
@@ -165,7 +166,7 @@ static int read_table(struct contents *contents, char *text)
     if (!contents->variable)
         return 0;
     line = next_line(&text);
-    /* The first line names the format: a runtime refuses what a later command has written. */
+    /* The first line names the format, so that this code rejects a file that another version wrote. */
     if (!line || strcmp(line, "dashpot-fmu 3"))
         return 0;
     while ((line = next_line(&text)))
@@ -209,7 +210,7 @@ struct contents *contents_read(const char *resources, char *why, size_t room)
         if (more) {
             contents->text = more;
             memcpy(more + length, text, size);
-            /* The block may move: pointers come when it is whole. */
+            /* realloc() may move the block, so the pointers are set after the last model. */
             start[c] = length;
             length += size;
         }

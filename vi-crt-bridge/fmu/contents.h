@@ -1,5 +1,5 @@
-/* What an FMU is made of: its GUID, its corners, the table of its variables and the text of its models. Read once, when an instance
- * is made: from the FMU's resources, or, in a binary compiled from the FMU's own sources, from what lies in model_data.c. */
+/* Contents of an FMU: its GUID, its corners, the table of its variables and the text of its models. They are read once, when
+ * an instance is made, from the FMU's resources. A binary compiled from the FMU's own sources takes them from model_data.c. */
 #ifndef DASHPOT_FMU_CONTENTS_H
 #define DASHPOT_FMU_CONTENTS_H
 
@@ -7,12 +7,12 @@
 #include <stdint.h>
 
 #define MAX_CORNERS 4
-#define MAX_STATES 11 /* of a corner */
-#define LONGEST_LIST 256 /* numbers of a parameter */
+#define MAX_STATES 11 /* states of a corner */
+#define LONGEST_LIST 256 /* largest number of values of a list parameter */
 
-/* What a variable is. The names are those of the lines of contents.txt. */
+/* Kinds of variables. contents.txt uses the same names. */
 #define KINDS(X)                                                                                                       \
-    X(TIME)                  /* value reference 0; then, corner by corner, DISPLACEMENT to SPEED_MARGIN; then all others */ \
+    X(TIME)                  /* value reference 0; then, per corner, DISPLACEMENT to SPEED_MARGIN; then all others */  \
     X(DISPLACEMENT)          /* input, host's unit and sign */                                                         \
     X(VELOCITY)              /* input */                                                                               \
     X(SIDE_FORCE)            /* input, N */                                                                            \
@@ -23,16 +23,16 @@
     X(STATUS)                /* output, integer */                                                                     \
     X(MOTION_SCALE)          /* damper extension per unit of the host's displacement */                                \
     X(FORCE_SCALE)           /* the host's force per N of tension */                                                   \
-    X(POSITION_OFFSET)       /* the damper's extension, from the rig's zero, where the host's displacement is 0, m */  \
+    X(POSITION_OFFSET)       /* the damper's extension, from the rig's zero, at the host's displacement 0, m */        \
     X(HAS_DISPLACEMENT)      /* boolean: the host gives displacement, else it is integrated */                         \
-    X(INITIAL_POSITION)      /* where it is integrated from, m of extension */                                         \
-    X(SPEED_MARGIN)          /* m/s to the end of the identified curve: the event indicator */                         \
-    X(BETWEEN_POINTS)        /* enumeration: how inputs run between two instants at which the host sets them */        \
-    X(SETTING)               /* input of a damper that depends on a setting, in its unit */                            \
-    X(STATE)                 /* continuous state number `index` */                                                     \
-    X(RATE)                  /* its derivative */                                                                      \
-    X(PARAMETER)             /* number `index` of the parameter `name`; -1 where it is a single number */              \
-    X(CHOICE)                /* the choice `name` */
+    X(INITIAL_POSITION)      /* start of the integrated displacement, m of extension */                                \
+    X(SPEED_MARGIN)          /* m/s to the nearer end of the identified curve: the event indicator */                  \
+    X(BETWEEN_POINTS)        /* enumeration: course of inputs between two times at which the host sets them */         \
+    X(SETTING)               /* input of a damper that depends on a setting, in the unit of the setting */             \
+    X(STATE)                 /* continuous state with the number `index` */                                            \
+    X(RATE)                  /* time derivative of the state with the number `index` */                                \
+    X(PARAMETER)             /* value `index` of the list parameter `name`; index -1: a parameter with one value */    \
+    X(CHOICE)                /* option of the choice `name`, by its number */
 
 enum kind {
 #define ONE(name) name,
@@ -45,7 +45,7 @@ enum kind {
 
 struct variable {
     enum kind kind;
-    int corner; /* -1: of the whole FMU */
+    int corner; /* -1: the variable belongs to the whole FMU */
     int index;
     char name[48];
     /* Bounds of a parameter, from the kernel's table. */
@@ -57,22 +57,23 @@ struct contents {
     int corners;
     double motion_scale, force_scale, position_offset, displacement; /* start values */
     double between_points; /* start value of BETWEEN_POINTS */
-    double explicit_step;  /* longest step, s, of an explicit solver that integrates the states; 0: not known */
-    int states;                       /* of all corners */
-    double nominal[MAX_CORNERS][MAX_STATES]; /* what a state is usually like, for the tolerances of hosts */
+    double explicit_step;  /* longest stable step, s, of an explicit solver that integrates the states; 0: not known */
+    int states;                       /* number of states of all corners */
+    double nominal[MAX_CORNERS][MAX_STATES]; /* nominal values of the states, for the tolerances of hosts */
     uint32_t between;                 /* value reference of BETWEEN_POINTS */
-    uint32_t setting[MAX_CORNERS];   /* of SETTING; 0 where the damper depends on none */
+    uint32_t setting[MAX_CORNERS];   /* value reference of SETTING; 0 if the damper depends on no setting */
     uint32_t variables;
     struct variable *variable;
-    char *text; /* all models, one after the other, each closed by a zero */
+    char *text; /* all models, one after the other, each terminated by a zero */
     const char *model[MAX_CORNERS];
 };
 
-/* Compiled into a binary that was built from one FMU's sources; null in the runtime that serves every FMU. */
+/* Contents and models of one FMU, in a binary built from its sources. Null in the precompiled binary for every FMU. */
 extern const char *const EMBEDDED_CONTENTS;
 extern const char *const EMBEDDED_MODEL[MAX_CORNERS];
 
-/* Null, and the reason in `why`, where there are none. `resources` is what the importer gave: a URI or a path. */
+/* Reads the contents. `resources` is the URI or path that the importer gave. On failure it returns null with the reason in
+ * `why`. */
 struct contents *contents_read(const char *resources, char *why, size_t room);
 void contents_free(struct contents *contents);
 

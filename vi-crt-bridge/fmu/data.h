@@ -1,4 +1,4 @@
-/* What an instance of the damper FMU is made of. */
+/* Data of an instance of the damper FMU. */
 #ifndef DASHPOT_DATA_H
 #define DASHPOT_DATA_H
 
@@ -9,11 +9,11 @@ enum type { REAL, INTEGER, BOOLEAN };
 
 enum phase { INSTANTIATED, INITIALIZATION, EVENT, RUNNING, TERMINATED };
 
-/* How inputs run between two instants at which the host sets them. */
+/* Course of the inputs between two times at which the host sets them. AUTOMATIC: EXTRAPOLATE in model exchange, else HOLD. */
 enum between { AUTOMATIC, HOLD, EXTRAPOLATE };
 
-/* States of a corner, in the order of the value `index` of a STATE: travel, deflection of the internal mass from the driven end, its
- * velocity, and the private states. */
+/* States of a corner: values of `index` of a STATE. They are the travel, deflection (relative to the moving end) and velocity
+ * of the internal mass, and the internal states of the elements. */
 #define TRAVEL 0
 #define DEFLECTION 1
 #define MASS_VELOCITY 2
@@ -21,36 +21,36 @@ enum between { AUTOMATIC, HOLD, EXTRAPOLATE };
 #define STATES_OF_CORNER (FIRST_INTERNAL + (int)(sizeof((dashpot_state *)0)->internal / sizeof(double)))
 typedef char states_as_in_the_table[STATES_OF_CORNER == MAX_STATES ? 1 : -1];
 
-/* What the host has told of one corner's velocity, and when: see inputs.h. */
+/* The last velocities of one corner that the host has set, and their times: see inputs.c. */
 enum { TOLD = 4 };
 struct told {
-    int fresh;   /* set since the last evaluation */
-    double when; /* instant of a fresh one, or NaN where only the next evaluation tells it */
-    double at[TOLD], velocity[TOLD]; /* the last ones, the newest first; NaN: not known */
+    int fresh;   /* 1 if the host has set the motion since the last evaluation */
+    double when; /* time of that setting; NaN: the time of the next evaluation */
+    double at[TOLD], velocity[TOLD]; /* times and velocities, newest first; NaN: not known */
 };
 
-/* The derivative of the setting, behind those of the inputs of a block. */
+/* Index of the setting's time derivative, after those of the four inputs of a block. */
 #define OF_SETTING (TEMPERATURE - DISPLACEMENT + 1)
 
 struct part {
     dashpot_corner corner;
-    dashpot_state from; /* where the last step began: for derivatives by difference */
-    double state[STATES_OF_CORNER]; /* model exchange */
+    dashpot_state from; /* state before the last step: for finite differences */
+    double state[STATES_OF_CORNER]; /* states in model exchange */
     double rate[STATES_OF_CORNER];
     struct told told;
-    double derivative[OF_SETTING + 1]; /* of the inputs, for the next step */
-    uint32_t derivatives;                              /* a bit for each that is given */
-    uint32_t setting;                                  /* value reference of its setting; 0: it depends on none */
-    double low, high;                                  /* speeds that the identified curve covers; equal: all */
+    double derivative[OF_SETTING + 1]; /* time derivatives of the inputs, for the next step */
+    uint32_t derivatives;                              /* a bit for each time derivative that is given */
+    uint32_t setting;                                  /* value reference of the setting; 0: no dependence on a setting */
+    double low, high;                                  /* velocity range of the identified curve; equal: no limits */
     int32_t status;
 };
 
-/* Everything that changes. It holds no pointers: a copy is the FMU state, and its bytes are the serialised one. The values that the
- * host has set, by value reference, follow the last part. */
+/* All data of an instance that change. They contain no pointers, so that a copy is the FMU state and its bytes are the
+ * serialized state. After the last part follow the values that the host has set, by value reference. */
 struct data {
     enum phase phase;
     int corners;
-    int retune; /* parameters were set and the models not yet prepared anew */
+    int retune; /* parameters were set, but the models are not yet prepared with them */
     int stale;  /* outputs and rates are older than inputs and states */
     int moved;  /* the time was set since the last evaluation */
     double dt;  /* length of the last step */
@@ -63,7 +63,7 @@ typedef void instance_log(struct instance *instance, int error, const char *text
 struct instance {
     struct data *data;
     struct contents *contents;
-    int exchange; /* model exchange: the host integrates the states */
+    int exchange; /* 1: model exchange, the host integrates the states; 0: co-simulation */
     int logging;
     instance_log *log;
     void *environment;

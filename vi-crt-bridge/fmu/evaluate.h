@@ -1,13 +1,13 @@
-/* Force and rates of a corner at its inputs and states. */
+/* Evaluation of the force and the state derivatives of a corner, for model exchange. */
 #ifndef DASHPOT_EVALUATE_H
 #define DASHPOT_EVALUATE_H
 
 #include "data.h"
 
-/* 0, or -1 after a word to the log. */
+/* Evaluates force and state derivatives of a corner at its inputs and states. Returns 0, or -1 after a message. */
 int instance_evaluate(struct instance *instance, int corner);
 
-/* Says that the states have left all bounds, and what kind of solver this damper needs; answers -1. */
+/* Reports that the states have left all bounds, and what solver the damper needs. Returns -1. */
 int instance_states_lost(struct instance *instance);
 
 #endif

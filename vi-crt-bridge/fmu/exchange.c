@@ -1,7 +1,7 @@
 /* Model exchange: the host's solver integrates the states.
  *
- * The internal mass is told by its deflection from the driven end. Were it told by its own displacement, then a host that holds its
- * inputs would hold one end of the series spring while the other moves on: 3 MN/m times 0.6 m/s times 1 ms is 1800 N. */
+ * The state of the internal mass is its deflection relative to the moving end. With its displacement as state, a host with
+ * constant inputs would fix one end of the series spring while the other moves: 3 MN/m times 0.6 m/s times 1 ms is 1800 N. */
 #include "evaluate.h"
 #include "instance.h"
 #include <math.h>
@@ -21,7 +21,7 @@ int instance_enter_continuous_time(struct instance *instance)
 {
     if (instance->data->phase != RUNNING && instance->data->phase != EVENT)
         return instance_complain(instance, "continuous-time mode before the end of initialization or after terminate");
-    /* Inputs set in event mode belong to it, whenever they are asked for. */
+    /* Evaluate before the phase changes, because inputs set in event mode count as a jump (instance_input_seen()). */
     if (instance_settle_parameters(instance) || instance_refresh(instance))
         return -1;
     instance->data->phase = RUNNING;
@@ -42,7 +42,7 @@ int instance_set_time(struct instance *instance, double time)
     return 0;
 }
 
-/* The states lie in the table of variables in the host's order. */
+/* Iterates over the states, which have the host's order in the table of variables. */
 #define EACH_STATE(instance, v)                                                                                        \
     for (v = (instance)->contents->variable; v < (instance)->contents->variable + (instance)->contents->variables; v++) \
         if (v->kind == STATE)
@@ -92,8 +92,9 @@ int instance_nominals(struct instance *instance, double *nominals)
     return 0;
 }
 
-/* Where the motion leaves the speeds that the curve was identified for, the status changes, which a host sees at an event alone. It
- * also makes CVODE in FMPy and fmusim set the inputs after each step of its own, and not at communication points only. */
+/* The indicator changes sign where the velocity leaves the range of the identified curve. The status then changes, and a host
+ * reads it only at an event. With event indicators, CVODE in FMPy and fmusim also sets the inputs after each of its steps,
+ * not only at communication points. */
 int instance_indicators(struct instance *instance, double *indicators)
 {
     int c;

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The logger is a function pointer, kept as bytes where the instance keeps an object pointer. It is a copy: not every importer keeps
- * the structure that it hands over. */
+/* The logger is a function pointer. A structure wraps it, because the instance stores an object pointer. It is a copy, because
+ * some importers free the structure of call-backs that they pass. */
 struct logger {
     fmi2CallbackLogger call;
 };
@@ -137,7 +137,7 @@ GET_AND_SET(Real, fmi2Real, REAL)
 GET_AND_SET(Integer, fmi2Integer, INTEGER)
 GET_AND_SET(Boolean, fmi2Boolean, BOOLEAN)
 
-/* There are no strings. */
+/* The damper has no string variables. */
 EXPORT fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference vr[], size_t n, fmi2String value[])
 {
     (void)c;
@@ -246,7 +246,7 @@ EXPORT fmi2Status fmi2CancelStep(fmi2Component c)
     return fmi2Error;
 }
 
-/* Nothing is ever pending: only the time and the end are known. */
+/* No step is ever pending. Only fmi2LastSuccessfulTime and fmi2Terminated have values. */
 EXPORT fmi2Status fmi2GetStatus(fmi2Component c, fmi2StatusKind kind, fmi2Status *value)
 {
     (void)c;

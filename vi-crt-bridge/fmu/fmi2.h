@@ -1,5 +1,5 @@
-/* The part of the FMI 2.0 interface that an FMU exports: declarations of our own after the standard
- * (https://fmi-standard.org), which fixes their names and layout. */
+/* The part of the FMI 2.0 interface that an FMU exports. These declarations are our own; the standard
+ * (https://fmi-standard.org) fixes their names and layout. */
 #ifndef DASHPOT_FMI2_H
 #define DASHPOT_FMI2_H
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The logger is a function pointer, kept as bytes where the instance keeps an object pointer. */
+/* The logger is a function pointer. A structure wraps it, because the instance stores an object pointer. */
 struct logger {
     fmi3LogMessageCallback call;
 };
@@ -166,7 +166,7 @@ GET_AND_SET(Int32, int32_t, INTEGER)
 GET_AND_SET(Int64, int64_t, INTEGER)
 GET_AND_SET(Boolean, bool, BOOLEAN)
 
-/* Types that the damper has no variables of. */
+/* Types of which the damper has no variables. */
 #define NONE(Name, Type)                                                                                               \
     EXPORT fmi3Status fmi3Get##Name(fmi3Instance c, const fmi3ValueReference vr[], size_t n, Type value[],             \
                                     size_t values)                                                                     \
@@ -233,7 +233,7 @@ EXPORT fmi3Status fmi3SetClock(fmi3Instance c, const fmi3ValueReference vr[], si
     return answer(n != 0);
 }
 
-/* Every variable is a scalar that depends on what the model description says. */
+/* Not supported: the model description contains the dependencies of every variable. */
 EXPORT fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance c, fmi3ValueReference vr, size_t *n)
 {
     (void)c;

@@ -1,4 +1,5 @@
-/* The part of the FMI 3.0 interface that an FMU exports: declarations of our own after the standard. */
+/* The part of the FMI 3.0 interface that an FMU exports. These declarations are our own; the standard
+ * (https://fmi-standard.org) fixes their names and layout. */
 #ifndef DASHPOT_FMI3_H
 #define DASHPOT_FMI3_H
 

@@ -1,14 +1,16 @@
-/* What the host tells of the motion, and what it means between the instants at which it tells it.
+/* Inputs of the host, and their course between the times at which the host sets them.
  *
- * Hosts that import for model exchange seldom set inputs in every stage of their integrator: CVODE in FMPy and fmusim sets them
- * where a step has ended and holds them through the next. A velocity that stands still for a millisecond is 2 % to 10 % of the
- * force late. So an instance remembers when the last two velocities were told and runs on along the line through them, until it is
- * told anew and at most for twice the time between the two. A host that sets its inputs in every stage, as one may expect, is not
- * touched by it: no time passes between its inputs and the question. Some of those ask for outputs at an instant that their solver has
- * stepped over, and leave the inputs where they were: what was told leads back to it.
+ * In model exchange few hosts set the inputs in every stage of their integrator: CVODE in FMPy and fmusim sets them at the end
+ * of a step and keeps them constant during the next. A velocity that is constant for a millisecond causes a force error of 2 %
+ * to 10 %. An instance therefore stores the last velocities with their times and extrapolates linearly through the last two.
+ * The extrapolation ends when the host sets the motion again, or after twice the interval of the two velocities.
  *
- * When was an input told? Hosts set time and inputs in either order. Where the time was set since the last evaluation, before the
- * inputs, it is that time; where not, it is the time of the next evaluation, which follows both. */
+ * A host that sets its inputs in every stage is not affected, because no time passes between inputs and evaluation. Some of
+ * these hosts request outputs at a time before the end of the last step and do not change the inputs. The input there is
+ * interpolated from the stored velocities.
+ *
+ * Hosts set time and inputs in either order. If the time was set since the last evaluation, before the inputs, it is the time
+ * of the inputs. Otherwise the time of the inputs is that of the next evaluation, which follows both. */
 #include "inputs.h"
 #include <math.h>
 #include <string.h>
@@ -49,11 +51,11 @@ static enum between between(const struct instance *instance)
 {
     enum between chosen = (enum between)(int)instance_values(instance->data)[instance->contents->between];
 
-    /* A co-simulation host may give the inputs of the step's end, and ours do: held is right there and safe elsewhere. */
+    /* A co-simulation host may set the inputs of the end of a step, as our adapters do. HOLD is then exact, and otherwise safe. */
     return chosen == AUTOMATIC ? (instance->exchange ? EXTRAPOLATE : HOLD) : chosen;
 }
 
-/* Runs a motion on by dt at an acceleration. */
+/* Advances a motion by dt with constant acceleration. */
 static void run_on(dashpot_input *input, double acceleration, double dt)
 {
     if (input->known & DASHPOT_KNOWS_DISPLACEMENT)
@@ -61,10 +63,10 @@ static void run_on(dashpot_input *input, double acceleration, double dt)
     input->velocity += acceleration * dt;
 }
 
-/* The velocity at an instant before the newest one, on the polynomial through those that are known (Newton's form). A chord would do for
- * most dampers; a moving mass asks for the acceleration, and steep dry friction for the instant of the reversal. The displacements that
- * were told would bend it too, but a host's table of both, straight between its rows, has a displacement that is not the integral of its
- * velocity. */
+/* Returns the velocity at a time before the newest one, by the polynomial through the stored velocities (Newton's form).
+ * Linear interpolation suffices for most dampers, but an internal mass needs the acceleration and steep dry friction the time
+ * of the reversal. The displacements are not used: in a host's table, linear between its rows, they are not the integral of
+ * the velocities. */
 static double velocity_at(const struct told *told, double time)
 {
     double difference[TOLD], velocity = told->velocity[0], product = 1.0;
@@ -87,7 +89,7 @@ dashpot_input instance_input_now(const struct instance *instance, int corner)
     dashpot_input input = instance_input(data, corner);
     double now = instance_values(data)[0], since = now - told->at[0], apart = told->at[0] - told->at[1];
 
-    /* NaN, where something is not known, fails every comparison. */
+    /* An unknown time is NaN, for which every comparison is false. */
     if (between(instance) != EXTRAPOLATE || !(apart > 0.0 && fabs(since) < 2.0 * apart))
         return input;
     if (since > 0.0) {
@@ -164,7 +166,7 @@ void instance_input_seen(struct instance *instance, int corner)
     velocity = instance_input(data, corner).velocity;
     told->fresh = 0;
     if (data->phase == EVENT) {
-        /* A jump: the line before it says nothing of what follows. */
+        /* The input may jump at an event, so earlier velocities must not be extrapolated. */
         told->at[1] = NAN;
     } else if (when > told->at[0]) {
         for (i = TOLD - 1; i > 0; i--) {
@@ -172,7 +174,7 @@ void instance_input_seen(struct instance *instance, int corner)
             told->velocity[i] = told->velocity[i - 1];
         }
     } else if (when < told->at[0] && !(told->at[1] < when)) {
-        /* The host has gone back, behind all that is known. */
+        /* The host has gone back to a time that is not after the second newest one. */
         told->at[1] = NAN;
     }
     told->at[0] = when;

@@ -1,4 +1,4 @@
-/* What the host has set, and what it means at an instant. */
+/* Values that the host has set, and the kernel's input at a given time. */
 #ifndef DASHPOT_INPUTS_H
 #define DASHPOT_INPUTS_H
 
@@ -7,11 +7,11 @@
 double *instance_values(const struct data *data);
 double instance_given(const struct data *data, int corner, enum kind kind);
 int instance_displacement_given(const struct data *data, int corner);
-/* The kernel's input, as the host has set it. */
+/* Returns the kernel's input from the values that the host has set last. */
 dashpot_input instance_input(const struct data *data, int corner);
-/* The same as it is now, where the host set it a while ago. */
+/* Returns the kernel's input at the present time, extrapolated or interpolated if the host set it for another time. */
 dashpot_input instance_input_now(const struct instance *instance, int corner);
-/* The same at the end of a step that begins now. */
+/* Returns the kernel's input at the end of a step dt that starts at the present time. */
 dashpot_input instance_input_ahead(const struct instance *instance, int corner, double dt);
 void instance_input_set(struct instance *instance, int corner);
 void instance_input_seen(struct instance *instance, int corner);

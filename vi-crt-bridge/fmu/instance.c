@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The models' own values of the parameters, and the start values of everything else. */
+/* Sets the parameters to the values of the models, and all other variables to their start values. */
 static void start_values(struct instance *instance)
 {
     const struct contents *contents = instance->contents;
@@ -47,7 +47,7 @@ static void start_values(struct instance *instance)
     }
 }
 
-/* The speeds that the identified curve covers, as the kernel's warning has it. */
+/* Sets the velocity range of the identified curve, outside which the kernel gives its warning. Equal ends: no range. */
 static void find_range(struct part *part)
 {
     double speed[256], form = 1.0;
@@ -62,8 +62,8 @@ static void find_range(struct part *part)
     }
 }
 
-/* The two neighbours of a list that are out of order, as " (fv_force[3] = 5000, fv_force[4] = 400)", where it is one whose numbers must rise: a
- * host shows single numbers and not lists. */
+/* Writes the first two adjacent values of a list that are out of order: " (fv_force[3] = 5000, fv_force[4] = 400)". A host
+ * shows single numbers, not lists. If `status` concerns no order of a list, the text is empty. */
 static void neighbours(struct instance *instance, int c, const char *name, int32_t status, char *text, size_t room)
 {
     const struct contents *contents = instance->contents;
@@ -84,7 +84,7 @@ static void neighbours(struct instance *instance, int c, const char *name, int32
     }
 }
 
-/* What a host reads that has set numbers one by one which do not fit together: which parameter, what is wrong, and how to go on. */
+/* Reports that the parameters do not fit together: the parameter, the reason, and the remedy. Returns -1. */
 static int unfit(struct instance *instance, int c, const char *name, int32_t status)
 {
     static const char *const corner[MAX_CORNERS] = {"L1.", "R1.", "L2.", "R2."};
@@ -97,7 +97,7 @@ static int unfit(struct instance *instance, int c, const char *name, int32_t sta
                              instance->data->corners > 1 ? corner[c] : "", name, dashpot_status_text(status), where);
 }
 
-/* The models with the parameters as the host has set them. */
+/* Prepares the model of corner c with the parameters that the host has set. Returns 0, or -1 after a message. */
 static int prepare(struct instance *instance, int c, dashpot_params *params, dashpot_model *model)
 {
     const struct contents *contents = instance->contents;
@@ -131,8 +131,9 @@ static int prepare(struct instance *instance, int c, dashpot_params *params, das
     return status < 0 ? unfit(instance, c, "", status) : 0;
 }
 
-/* Prepares the models with the parameters as set; leaves all as it was where they are refused. A host sets them one by one, so a set may be
- * inconsistent in between: it is judged here, ahead of whatever would move by it, and again until it fits. */
+/* Prepares the models with the parameters that the host has set. If these are rejected, it returns -1 and changes nothing. A
+ * host sets parameters one by one, so that they may be inconsistent in between. The check is therefore made here, before
+ * any evaluation, and repeated until they fit. */
 int instance_settle_parameters(struct instance *instance)
 {
     struct data *data = instance->data;
@@ -212,7 +213,7 @@ struct instance *instance_new(const char *name, const char *token, const char *r
     instance->environment = environment;
     snprintf(instance->name, sizeof instance->name, "%s", name ? name : "");
     instance->contents = contents_read(resources, why, sizeof why);
-    /* Blocks of malloc are aligned as the kernel's structures want it on every 64-bit system. */
+    /* malloc() aligns its blocks sufficiently for the kernel's structures on every 64-bit system. */
     instance->data = instance->contents ? malloc(instance_data_bytes(instance)) : NULL;
     if (!instance->data)
         instance_complain(instance, "%s", why);
@@ -238,7 +239,7 @@ int instance_reset(struct instance *instance)
     return load(instance);
 }
 
-/* As it has long moved with the inputs that the host gives: at rest, or in steady motion. */
+/* Puts every corner into the steady state of its inputs: at rest, or in steady motion. */
 static int begin(struct instance *instance)
 {
     struct data *data = instance->data;
@@ -341,7 +342,7 @@ static double state_of_step(const dashpot_state *state, int index)
     }
 }
 
-/* fmin() would ask for the host's libm, which a compiler that knows nothing but these sources does not link. */
+/* Replaces fmin(), which needs the math library: an importer that compiles these sources may not link it. */
 static double smaller(double a, double b)
 {
     return a < b ? a : b;
@@ -374,7 +375,7 @@ static double read(struct instance *instance, const struct variable *v, double s
     }
 }
 
-/* What read() answers otherwise than by the stored number. */
+/* Returns 1 if read() computes the variable instead of returning the stored value. */
 static int is_calculated(enum kind kind)
 {
     return (kind >= FORCE && kind <= STATUS) || kind == SPEED_MARGIN || kind == STATE || kind == RATE;
@@ -392,7 +393,7 @@ int instance_get(struct instance *instance, uint32_t reference, enum type type, 
 {
     const struct variable *v = variable(instance, reference, type);
 
-    /* What is kept as the host has set it can be read back whatever the rest is. */
+    /* Only computed values need a valid evaluation; a stored value can be read even if parameters are inconsistent. */
     if (!v || (is_calculated(v->kind) && instance_refresh(instance)))
         return -1;
     *value = read(instance, v, instance_values(instance->data)[reference]);
@@ -419,7 +420,7 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
             return instance_complain(instance, "a scale must be finite and not 0");
         goto fixed;
     case POSITION_OFFSET:
-        /* A metre is longer than any damper's stroke: this is one in mm. */
+        /* One meter is longer than any damper's stroke, so a larger number is probably in mm. */
         if (!(fabs(value) <= 1.0))
             return instance_complain(instance, "position_offset is in m and lies between -1 and 1");
         goto fixed;
@@ -452,7 +453,7 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
     if (v->kind >= DISPLACEMENT && v->kind <= TEMPERATURE)
         data->part[v->corner].derivatives &= ~(1u << (v->kind - DISPLACEMENT));
     instance_values(data)[reference] = value;
-    /* Between two steps of a co-simulation the outputs stay those of the last communication point. */
+    /* In co-simulation the outputs remain those of the last communication point until the next step. */
     data->stale |= instance->exchange || data->phase == INITIALIZATION;
     return 0;
 }
@@ -463,7 +464,8 @@ static const char MAGIC[8] = "dashpot";
 #define SUM (sizeof MAGIC + sizeof((struct contents *)0)->guid)
 #define HEAD (SUM + sizeof(uint64_t))
 
-/* FNV-1a. A state that was damaged on its way is refused: it holds counts and choices that the kernel trusts. */
+/* Returns the FNV-1a checksum. A damaged state is rejected, because it contains counts and choices that the kernel does
+ * not check again. */
 static uint64_t sum_of(const unsigned char *bytes, size_t size)
 {
     uint64_t sum = 0xcbf29ce484222325u;

@@ -5,7 +5,7 @@
 #include "complain.h"
 #include "inputs.h"
 
-/* All answer 0, or -1 after a word to the log. */
+/* Functions that return int return 0, or -1 after a message to the log. instance_new() returns null on failure. */
 struct instance *instance_new(const char *name, const char *token, const char *resources, int exchange, int logging,
                               instance_log *log, void *logger, void *environment);
 void instance_free(struct instance *instance);
@@ -19,7 +19,7 @@ int instance_settle_parameters(struct instance *instance);
 /* Brings outputs and rates up to date with inputs and states. */
 int instance_refresh(struct instance *instance);
 
-/* step.c. 1 where an input was refused and the force is held. */
+/* step.c. instance_step() returns 1 if an input was rejected and the last force is kept. */
 int instance_step(struct instance *instance, double time, double dt);
 int instance_set_derivative(struct instance *instance, uint32_t reference, int order, double value);
 
@@ -33,10 +33,10 @@ int instance_rates(struct instance *instance, double *rates);
 int instance_nominals(struct instance *instance, double *nominals);
 int instance_indicators(struct instance *instance, double *indicators);
 
-/* partial.c. d(unknown)/d(known) at the present point. */
+/* partial.c. Computes d(unknown)/d(known) at the present time, inputs and states. */
 int instance_partial(struct instance *instance, uint32_t unknown, uint32_t known, double *partial);
 
-/* FMU state, in one block; and serialised. */
+/* The FMU state as one block of memory, and its serialized form. */
 size_t instance_data_bytes(const struct instance *instance);
 size_t instance_bytes(const struct instance *instance);
 void instance_serialize(const struct instance *instance, const struct data *data, unsigned char *bytes);

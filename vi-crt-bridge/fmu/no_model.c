@@ -1,4 +1,4 @@
-/* In place of model_data.c in the runtime that serves every FMU: contents and models lie in the FMU's resources. */
+/* Replaces model_data.c in the precompiled binary for every FMU, which reads contents and models from the FMU's resources. */
 #include "contents.h"
 
 const char *const EMBEDDED_CONTENTS = NULL;

@@ -1,10 +1,11 @@
-/* Directional derivatives: the kernel's own partials where it has them, differences elsewhere. */
+/* Partial derivatives of the FMU's variables: from the kernel where it has them, otherwise by central differences. */
 #include "instance.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Force and rates by displacement, velocity and states, from the kernel. Returns 1 where it has this one. */
+/* Computes a derivative of force or state derivative with respect to displacement, velocity or a state, from the kernel.
+ * Returns 1, or 0 if the kernel does not have the requested one. */
 static int analytic(struct instance *instance, const struct variable *u, const struct variable *k, double *partial)
 {
     struct data *data = instance->data;
@@ -42,7 +43,7 @@ static int analytic(struct instance *instance, const struct variable *u, const s
     } else if (k->kind == VELOCITY) {
         *partial = u->kind == FORCE ? p.d_force_d_input[1] : p.d_rate_d_input[row][1] - (u->index == DEFLECTION ? 1.0 : 0.0);
     } else {
-        /* The mass stands at displacement + deflection and moves with it; the integrated displacement acts as the given one. */
+        /* The internal mass is at displacement + deflection, so it moves with the displacement, whether given or integrated. */
         *partial = u->kind == FORCE ? p.d_force_d_input[0] + p.d_force_d_state[0]
                                     : p.d_rate_d_input[row][0] + p.d_rate_d_state[row][0];
     }
@@ -50,7 +51,8 @@ static int analytic(struct instance *instance, const struct variable *u, const s
     return 1;
 }
 
-/* Force and rates by the setting, from the kernel: differences would step over the ends of its grid. */
+/* Computes a derivative with respect to the setting from the kernel, because differences would step beyond the ends of the
+ * setting's grid. */
 static int by_setting(struct instance *instance, const struct variable *u, double *partial)
 {
     struct part *part = &instance->data->part[u->corner];
@@ -67,7 +69,8 @@ static int by_setting(struct instance *instance, const struct variable *u, doubl
     return 0;
 }
 
-/* The unknown with the known moved by `by`; in co-simulation the last step is taken again. Works on a copy of all that changes. */
+/* Computes the unknown with the known variable changed by `by`, on a copy of the data. In co-simulation it repeats the last
+ * step. */
 static int moved(struct instance *instance, uint32_t unknown, uint32_t known, double by, double *value)
 {
     const struct variable *k = &instance->contents->variable[known];

@@ -13,7 +13,7 @@
 #include <link.h>
 #endif
 
-/* Far above any model file. */
+/* Longest file, bytes: far above the length of any model file. */
 #define LONGEST ((size_t)1 << 22)
 
 static int digit(char c)
@@ -21,7 +21,8 @@ static int digit(char c)
     return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* The path that a URI means: file:/x, file:///x, file://localhost/x, with %20 and the like. Anything else is a path already. */
+/* Converts a URI to a path: file:/x, file:///x or file://localhost/x, with escapes such as %20. Any other text is copied as a
+ * path. */
 static void path_of(const char *uri, char *path)
 {
     const char *from = uri;
@@ -59,8 +60,8 @@ static void path_of(const char *uri, char *path)
 }
 
 #if defined(_WIN32)
-/* Paths are UTF-8, whatever the code page; one that begins with \\?\ is taken by Windows as it stands, so that it must have no
- * slash. */
+/* Opens a path in UTF-8, independent of the code page. Windows does not convert slashes in a path that begins with \\?\, so
+ * they are converted here. */
 static FILE *open_path(char *path)
 {
     wchar_t *wide;
@@ -84,11 +85,11 @@ static FILE *open_path(char *path)
 }
 #endif
 
-/* Something that lies in this library and in no other. */
+/* An object whose address identifies this library. */
 static const char here = 0;
 
 #if defined(_WIN32)
-/* The path of this library, to free(). */
+/* Returns the path of this library, to be freed by the caller. */
 static char *own_path(void)
 {
     enum { ROOM = 32768 };
@@ -147,7 +148,8 @@ static char *own_path(void)
 }
 #endif
 
-/* The resources of the FMU in which this library lies, as FMU/binaries/PLATFORM/LIBRARY; to free(). Null where that is not known. */
+/* Returns the resources folder of the FMU that contains this library as FMU/binaries/PLATFORM/LIBRARY, to be freed by the
+ * caller. Null if it is not known. */
 static char *own_resources(void)
 {
     char *path = own_path(), *whole;
@@ -159,7 +161,7 @@ static char *own_resources(void)
             end--;
         if (!end && level < 2)
             break;
-        /* The last cut leaves the separator; of a relative path nothing is left. */
+        /* The last iteration keeps the separator. A relative path of three parts becomes empty. */
         end -= level < 2;
     }
     whole = path && level == 3 ? malloc(end + sizeof "resources") : NULL;
@@ -171,7 +173,7 @@ static char *own_resources(void)
     return whole;
 }
 
-/* Opens a file of a folder; its path, to free(), goes to `path` in either case. */
+/* Opens a file of a folder. *path becomes its path, to be freed by the caller even if the file cannot be opened. */
 static FILE *open_in(const char *folder, const char *name, char **path)
 {
     size_t end;
@@ -197,7 +199,7 @@ char *resource(const char *folder, const char *name, char *why, size_t room)
         snprintf(why, room, "the importer names no resources folder, where this FMU keeps its model");
     else if (!file)
         snprintf(why, room, "the FMU's resources lack %.200s", path ? path : name);
-    /* There are importers that name a folder which is not there, or none. */
+    /* Some importers name no folder, or one that does not exist. */
     if (text && !file) {
         char *own = own_resources(), *own_name = NULL;
 

@@ -4,8 +4,9 @@
 
 #include <stddef.h>
 
-/* The text of a file, to free(), or null with the reason in `why`. `folder` is what the importer gave: a URI (FMI 2.0) or a path
- * (FMI 3.0), with or without a separator at its end. Where it lacks the file, the folder beside this library's own binaries is looked into. */
+/* Returns the text of a file, to be freed by the caller, or null with the reason in `why`. `folder` is the URI (FMI 2.0) or path
+ * (FMI 3.0) that the importer gave, with or without a separator at its end. If the file is not there, the resources folder of
+ * the FMU that contains this library is tried. */
 char *resource(const char *folder, const char *name, char *why, size_t room);
 
 #endif

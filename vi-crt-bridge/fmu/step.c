@@ -1,8 +1,8 @@
-/* Co-simulation: the FMU steps by itself. */
+/* Co-simulation: the FMU integrates its own states. */
 #include "instance.h"
 #include <math.h>
 
-/* The longest step of the kernel, s (DASHPOT_BAD_TIME_STEP): longer ones are milliseconds taken for seconds. */
+/* The kernel's longest step, s (DASHPOT_BAD_TIME_STEP). A longer step is probably in milliseconds instead of seconds. */
 static const double LONGEST = 100.0;
 
 int instance_step(struct instance *instance, double time, double dt)
@@ -29,7 +29,7 @@ int instance_step(struct instance *instance, double time, double dt)
         part->from = part->corner.now.state;
         part->status = dashpot_corner_step(&part->corner, &input, dt);
         held |= part->status & DASHPOT_BRIDGE_LAST_FORCE;
-        /* What was given at the beginning of this step: the line through it and the next one is that of `extrapolate`. */
+        /* Store the velocity at the start of this step. With `extrapolate` the next step uses the line through it and its own. */
         part->told.velocity[0] = instance_input(data, c).velocity;
         part->derivatives = 0;
     }

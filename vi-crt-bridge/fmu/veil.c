@@ -2,7 +2,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What a veiled text begins with; then hexadecimal digits, two a byte, and line breaks. */
+/* First line of a veiled text. Two hexadecimal digits per byte follow, with line breaks. */
 static const char MARK[] = "veiled 1\n";
 
 static int digit(char c)
@@ -18,7 +18,8 @@ void unveil(char *text, const char *guid)
 
     if (strncmp(text, MARK, sizeof MARK - 1))
         return;
-    /* FNV-1a of the GUID starts xorshift64* (Vigna 2016), the upper byte of which lies over each byte of the text. */
+    /* The FNV-1a hash of the GUID is the seed of xorshift64* (Vigna 2016). Its upper byte is combined with each byte of the
+     * text by exclusive or. */
     for (; *guid; guid++)
         state = (state ^ (unsigned char)*guid) * 0x100000001b3u;
     if (!state)

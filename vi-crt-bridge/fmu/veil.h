@@ -1,9 +1,9 @@
-/* The model of an FMU exported with --hide-parameters: veiled, so that its numbers cannot be read off the archive. No lock: what opens
- * it lies in the same archive, and this file says how. */
+/* Veiled models of FMUs exported with --hide-parameters: their numbers cannot be read directly in the archive. This is no
+ * encryption, because the archive contains all that is needed to decode them, and veil.c shows how. */
 #ifndef DASHPOT_FMU_VEIL_H
 #define DASHPOT_FMU_VEIL_H
 
-/* Opens a veiled text in place; any other text stays as it is. */
+/* Decodes a veiled text in place; any other text does not change. */
 void unveil(char *text, const char *guid);
 
 #endif

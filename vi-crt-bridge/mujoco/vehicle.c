@@ -7,13 +7,13 @@
  *   ./vehicle damper.toml curve.toml         # the identified model, and an FV curve to compare with
  *   ./vehicle damper.toml curve.toml semi_active.toml   # and a damper over a setting: soft, hard, and under a skyhook controller
  *
- * MuJoCo takes forces of the callback explicitly under every integrator. The callback may be called more than once at one
- * time (mj_forward, a Jacobian): the dampers go on only when the time does.
+ * MuJoCo applies the callback's forces explicitly with every integrator. It may call the callback several times at the same
+ * time (mj_forward, a Jacobian), so the dampers advance only if the time has advanced.
  *
- * The setting of each damper (current, clicks, in the unit of its model file) is what a controller writes into `userdata` of
- * MuJoCo's data, a number for each corner; a model without userdata leaves its dampers at their start setting.
+ * A controller writes the setting of each damper into `userdata` of MuJoCo's data, one number per corner. The setting is a
+ * current or clicks, in the unit of the model file. In a run without a controller the dampers keep their start setting.
  *
- * Heights are from the static position, without gravity, so that the springs need no preload. */
+ * Heights are relative to the static position and gravity is zero, so that the springs need no preload. */
 #include "dashpot_bridge.h"
 #include <math.h>
 #include <mujoco/mujoco.h>
@@ -47,7 +47,7 @@ static const char VEHICLE[] =
     CORNER("L1", "1.2", "0.78") CORNER("R1", "1.2", "-0.78") CORNER("L2", "-1.5", "0.78") CORNER("R2", "-1.5", "-0.78")
     "</body></worldbody></mujoco>";
 
-/* What the callback works on: MuJoCo's callback carries no pointer of ours. */
+/* Data of the callback. They are static, because MuJoCo passes no user pointer to it. */
 static struct {
     dashpot_bridge *bridge;
     int corners, joint[4], body[4];
@@ -56,7 +56,8 @@ static struct {
     int has_setting;
 } car;
 
-/* Both axles over a bump on the left, 40 mm high, passed in 60 ms. */
+/* Returns the road height at a corner, m: a bump 40 mm high on the left and 20 mm on the right, passed in 60 ms. The rear
+ * axle follows the front axle by 324 ms. */
 static double road(int corner, double time)
 {
     double t = time - 0.2 - (corner >= 2 ? 0.324 : 0.0);
@@ -72,7 +73,7 @@ static void dampers(const mjModel *m, mjData *d)
 
     memset(in, 0, sizeof in);
     for (i = 0; i < car.corners; i++) {
-        /* The wheel's joint counts up: compression. */
+        /* The wheel's joint is positive upward, that is, in compression. */
         in[i].jounce = d->qpos[m->jnt_qposadr[car.joint[i]]];
         in[i].jounce_rate = d->qvel[m->jnt_dofadr[car.joint[i]]];
         in[i].known = DASHPOT_CORNER_KNOWS_JOUNCE;
@@ -144,7 +145,8 @@ static mjModel *load(const char *xml)
     return m;
 }
 
-/* The quarter car in MuJoCo against the same one integrated by hand; returns the largest difference of the body, m. */
+/* Compares the quarter car in MuJoCo with the same one integrated in this function. Returns the largest difference of the
+ * body's height divided by its peak. */
 static double quarter(const char *file)
 {
     mjModel *m;
@@ -188,7 +190,8 @@ static double quarter(const char *file)
     return worst / peak;
 }
 
-/* A vehicle over the bump at constant settings and under an on-off skyhook controller in the host's loop. Returns the heave acceleration, m/s^2 rms. */
+/* Runs a vehicle over the bump with an on-off skyhook controller; soft = hard is a constant setting. Returns the heave
+ * acceleration, m/s^2 rms. */
 static double semi_active(const char *file, const char *name, double soft, double hard)
 {
     mjModel *m;
@@ -211,7 +214,8 @@ static double semi_active(const char *file, const char *name, double soft, doubl
         car.rest[i] = car.out[i].force;
     for (k = 0; k < 3000; k++) {
         for (i = 0; i < 4; i++) {
-            /* Where the damper works against the body's motion it is hard: the joint counts compression, so extension is its opposite. */
+            /* The damper is hard if its force opposes the body's motion. The joint is positive in compression, so the sign of its
+             * rate is reversed to get extension. */
             double rate = -d->qvel[m->jnt_dofadr[car.joint[i]]];
 
             d->userdata[i] = d->qvel[0] * rate > 0.0 ? hard : soft;

@@ -5,8 +5,8 @@
  *   force = dashpot_step('damper.toml', displacement, velocity, dt [, setting])
  *
  * runs a damper from rest at displacement(1) through equally spaced samples (m, m/s, extension positive) and returns the
- * force at each (N, tension positive). `setting`: of a damper that depends on one, in the unit of its model file; one number, or one
- * for every sample, that of the step which ends there. */
+ * force at each (N, tension positive). `setting` is for a damper that depends on one, in the unit of its model file. It is one
+ * number, or one per sample; the value of a sample applies to the step that ends there. */
 #include "corner.h"
 #include "mex.h"
 #include <string.h>

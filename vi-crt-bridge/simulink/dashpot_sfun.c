@@ -2,18 +2,18 @@
  *
  *   mex -Iinclude -Ivi-crt-bridge/bridge vi-crt-bridge/simulink/dashpot_sfun.c vi-crt-bridge/bridge/bridge.c ... -Ltarget/release -ldashpot
  *
- * (README of this folder's parent: the whole line.) An S-Function block named dashpot_sfun takes four parameters:
+ * (../README.md contains the whole line.) An S-Function block named dashpot_sfun has four parameters:
  *
- *   1  model files, parted by ';': one (a single corner), two (front and rear axle) or four (L1;R1;L2;R2)
+ *   1  model files, separated by ';': one (a single corner), two (front and rear axle) or four (L1;R1;L2;R2)
  *   2  channel map file, or '' for SI with compression positive
  *   3  sample time, s
- *   4  1: the force of a step leaves the block one step later, which breaks the algebraic loop; 0: at once
+ *   4  1: the block outputs the force one step later, which breaks the algebraic loop; 0: without delay
  *
  * The input vector follows the channels of the map corner by corner (jounce_L1, jounce_rate_L1, jounce_R1, ... without a
  * map), the output vector is the forces L1, R1, L2, R2.
  *
- * All that the block remembers is in its work vectors, so that Simulink's saved operating points hold it. mdlOutputs only
- * tries a step, as often as an algebraic loop asks; mdlUpdate takes it. */
+ * The state of the block is in its work vectors, so that Simulink's saved operating points contain it. mdlOutputs computes
+ * a trial step, as often as an algebraic loop needs it; mdlUpdate commits the step. */
 #define S_FUNCTION_NAME dashpot_sfun
 #define S_FUNCTION_LEVEL 2
 #include "simstruc.h"
@@ -28,7 +28,7 @@ enum work { MEMORY, STARTED, FORCES, WORKS };
 
 static void refuse(SimStruct *S, const char *text)
 {
-    /* Simulink reads it after the call-back has returned. */
+    /* Static, because Simulink reads the text after the call-back has returned. */
     static char kept[700];
 
     snprintf(kept, sizeof kept, "dashpot: %s", text);
@@ -86,7 +86,7 @@ static void mdlInitializeSizes(SimStruct *S)
 
     ssSetNumSFcnParams(S, PARAMETERS);
     if (ssGetNumSFcnParams(S) != ssGetSFcnParamsCount(S))
-        return; /* Simulink says so itself. */
+        return; /* Simulink itself reports the wrong number of parameters. */
     for (i = 0; i < PARAMETERS; i++)
         ssSetSFcnParamTunable(S, i, 0);
     if (!(number(S, SAMPLE_TIME) > 0.0)) {
@@ -133,7 +133,7 @@ static void keep(SimStruct *S)
     memcpy(ssGetDWork(S, MEMORY), &state, sizeof state);
 }
 
-/* From the committed state to the present input; forces to y. */
+/* Steps the bridge from the committed state to the present input and writes the forces to y. */
 static void step(SimStruct *S, double *y)
 {
     dashpot_bridge *bridge = held(S);
@@ -155,7 +155,8 @@ static void mdlStart(SimStruct *S)
     ssSetPWorkValue(S, 0, create(S));
 }
 
-/* Also where an enabled subsystem starts it anew: at rest, at the first input that comes. */
+/* Puts the dampers at rest. The first step after it starts at rest at its input. Simulink also calls this when an enabled
+ * subsystem restarts. */
 #define MDL_INITIALIZE_CONDITIONS
 static void mdlInitializeConditions(SimStruct *S)
 {

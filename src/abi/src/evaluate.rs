@@ -37,7 +37,7 @@ pub unsafe extern "C" fn dashpot_evaluate(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, output, rate);
-        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual (`lib.rs`) guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::evaluate(model, state, input, output, rate) };
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn dashpot_jacobian(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input, partials);
-        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual (`lib.rs`) guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::jacobian(model, state, input, partials, core::ptr::null_mut()) };

@@ -1,5 +1,5 @@
-//! Functions of the C interface for a damper that depends on a setting. They are separate so that the functions of an ordinary damper stay
-//! fast.
+//! Functions of the C interface for a damper that depends on a setting. They are separate so that the functions of a damper without a
+//! setting stay fast.
 
 use dashpot_core::family::Family;
 use dashpot_core::{Input, Output, Partials, State};
@@ -12,12 +12,12 @@ use crate::state::{checked, commands, computed, dashpot_output, dashpot_state, f
 use crate::status::{DASHPOT_BAD_INPUT, DASHPOT_NOT_COMPUTABLE, DASHPOT_OK, DASHPOT_OUTSIDE_SETTING, Rejected};
 use crate::stepping::{checked_step, move_on, range_warning, warnings};
 
-/// Returns the warning for a setting.
+/// Returns `DASHPOT_OUTSIDE_SETTING` for a setting outside the grid of the family, otherwise `DASHPOT_OK`.
 fn setting_warning(family: &Family, setting: Option<f64>) -> i32 {
     if setting.is_some_and(|setting| family.is_outside(setting)) { DASHPOT_OUTSIDE_SETTING } else { DASHPOT_OK }
 }
 
-/// Computes `dashpot_force_with_setting()` of a family.
+/// Computes `dashpot_force()` and `dashpot_force_with_setting()` of a family. Without a setting, the start setting applies.
 ///
 /// # Safety
 /// Each pointer is null or aligned, and belongs to the caller.
@@ -81,7 +81,7 @@ pub(crate) unsafe fn step(
     Ok(warnings(family.model(), input.velocity, dt) | setting_warning(family, setting))
 }
 
-/// Makes one step with checked arguments.
+/// Makes one step of a family with checked arguments. Returns an error if the results are not finite.
 ///
 /// # Safety
 /// The pointers are valid and aligned. `from` and `to` may be equal.
@@ -191,7 +191,7 @@ pub(crate) unsafe fn evaluate(
     Ok(range_warning(family.model(), input.velocity) | setting_warning(family, setting))
 }
 
-/// Computes `dashpot_jacobian()` of a family. If `by_setting` is not null, computes its derivatives with respect to the setting instead.
+/// Computes `dashpot_jacobian()` of a family, or `dashpot_jacobian_setting()` if `by_setting` is not null.
 ///
 /// # Safety
 /// Each pointer is null or aligned, and belongs to the caller.
@@ -210,8 +210,8 @@ pub(crate) unsafe fn jacobian(
     let (input, setting) = unsafe { (input::checked(input)?, input::setting(input)?) };
     let (own, by) = family.partials(&state, &input, setting);
     computed(own.is_finite() && (by.force + by.rate.iter().sum::<f64>()) * 0.0 == 0.0)?;
-    // SAFETY: null is checked. Otherwise the pointer is aligned and the caller's, and both types have the same layout (asserted at their
-    // definitions).
+    // SAFETY: `is_null` and `present` exclude null. Each pointer is aligned and belongs to the caller. Both types have the same layout
+    // (asserted in `partials`).
     unsafe {
         if by_setting.is_null() {
             present(partials)?;

@@ -43,14 +43,16 @@ const KNOWN: u32 =
 
 /// Largest accepted sum of the magnitudes of displacement and velocity.
 ///
-/// 1000 m and 1000 m/s are a hundred times the values of any damper. If a host's solver tries an extreme step, it still gets an output.
+/// 1000 m and 1000 m/s are a hundred times the values of any damper, so that extreme trial steps of a host's solver still get an output.
 /// Powers of much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
-/// Weight of a newton of side force in that sum. `PER_DEGREE` is the weight of a degree. 1e9 N or 1e5 degrees alone reach the limit.
+/// Weight of a newton of side force in the sum that [`LARGEST`] limits. `PER_DEGREE` is the weight of a degree of temperature.
+///
+/// 1e9 N or 1e5 degrees alone reach the limit.
 const PER_NEWTON: f64 = 1e-6;
 const PER_DEGREE: f64 = 1e-2;
 
-/// Returns whether a number lies in the accepted range. Returns false for NaN.
+/// Returns whether the magnitude of a number is at most [`LARGEST`]. Returns false for NaN.
 #[inline(always)]
 pub(crate) fn sane(number: f64) -> bool {
     number.abs() <= LARGEST
@@ -77,7 +79,7 @@ pub(crate) unsafe fn taken(input: *const dashpot_input) -> Input {
     unsafe { &*input }.taken().0
 }
 
-/// Returns the checked setting of the host, or `None` if the host provides no setting.
+/// Returns the setting that the host provides, or `None` if it provides none. Rejects a setting that is not finite.
 ///
 /// # Safety
 /// `input` is valid and aligned.
@@ -116,7 +118,7 @@ impl dashpot_input {
     fn taken(&self) -> (Input, f64) {
         let knows = |bit| self.known & bit != 0;
         let mut input = Input::velocity(self.velocity);
-        // The sum is in range only if every magnitude is in range. A NaN makes the sum NaN.
+        // The sum is at most `LARGEST` only if every magnitude is within its own limit. A NaN makes the sum NaN.
         let mut sum = self.velocity.abs();
         if knows(DASHPOT_KNOWS_DISPLACEMENT) {
             input.displacement = Some(self.displacement);

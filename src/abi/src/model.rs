@@ -24,25 +24,25 @@ pub struct dashpot_model {
     pub opaque: [u64; 6144],
 }
 
-/// Actual contents of the block.
+/// Contents of a [`dashpot_model`] block for a damper without a setting.
 #[repr(C, align(16))]
 pub(crate) struct Prepared {
     magic: u64,
     model: Model,
 }
 
-/// Actual contents of the block for a damper that depends on a setting.
+/// Contents of a [`dashpot_model`] block for a damper that depends on a setting.
 #[repr(C, align(16))]
 struct PreparedFamily {
     magic: u64,
     family: Family,
 }
 
-/// Contents of the block before preparation. All bytes are zero, so that the library needs no table for it.
+/// Model before preparation. All bytes are zero, so that the library's data need no copy of a model.
 // SAFETY: the compiler evaluates this constant, and rejects it if zero bytes are not a valid model.
 const BLANK: Model = unsafe { MaybeUninit::zeroed().assume_init() };
 
-/// Family before preparation.
+/// Family before preparation. All bytes are zero.
 // SAFETY: any bytes, zeros included, are valid numbers of a family.
 const BLANK_FAMILY: Family = unsafe { MaybeUninit::zeroed().assume_init() };
 
@@ -109,7 +109,7 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_states(model: *const dashpot_model) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that `model` is null, misaligned, or a model that nobody writes during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that `model` is null, misaligned, or a model that nobody writes during the call.
         let states = match unsafe { prepared(model) } {
             Ok(model) => model.states(),
             // SAFETY: as above.
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn dashpot_model_state_name(
     name: *mut dashpot_state_name,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let to = unsafe { exclusive(name)? };
         if to.struct_size as usize != size_of::<dashpot_state_name>() {
             return Err(Rejected(DASHPOT_STRUCT_SIZE));
@@ -172,7 +172,7 @@ pub unsafe extern "C" fn dashpot_model_init(model: *mut dashpot_model, params: *
     status((|| {
         usable(model)?;
         let block = model.cast::<Prepared>();
-        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block that nobody writes during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that `params` is null, misaligned, or a block that nobody writes during the call.
         let (params, axis) = unsafe { (values(params)?, axis(params)?) };
         if axis.is_some() {
             Family::check(params, axis)?;

@@ -45,7 +45,7 @@ pub struct dashpot_fault {
     pub parameter: [c_char; 48],
 }
 
-/// Actual contents of the block.
+/// Contents of a [`dashpot_params`] block.
 #[repr(C, align(16))]
 struct Filled {
     struct_size: u32,
@@ -90,7 +90,7 @@ pub(crate) unsafe fn values<'a>(params: *const dashpot_params) -> Result<&'a Par
     if block.magic != MAGIC { Err(Rejected(DASHPOT_NOT_INITIALIZED)) } else { Ok(&block.values) }
 }
 
-/// Returns the setting on which the parameters depend. It has no grid if they depend on no setting.
+/// Returns the setting on which a parameter set depends. Its grid is empty if the set depends on no setting.
 ///
 /// # Safety
 /// The requirements of [`shared`].
@@ -101,7 +101,7 @@ pub(crate) unsafe fn axis<'a>(params: *const dashpot_params) -> Result<&'a Axis,
     Ok(unsafe { &(*params.cast::<Filled>()).axis })
 }
 
-/// Returns mutable access to the axis of parameters.
+/// Returns mutable access to the setting on which a parameter set depends.
 ///
 /// # Safety
 /// `params` is null, misaligned, or a block of the caller that nobody else uses.
@@ -112,7 +112,7 @@ pub(crate) unsafe fn axis_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut
     Ok(unsafe { &mut (*params.cast::<Filled>()).axis })
 }
 
-/// Returns the index of that number of the setting which has this name.
+/// Returns the index in [`ENTRIES`] of the number with this name. These numbers describe the actuator and the start of the setting.
 ///
 /// # Safety
 /// `name` is null or zero-terminated.
@@ -122,7 +122,7 @@ unsafe fn entry(name: *const c_char) -> Result<usize, Rejected> {
     index_of(entry.name.as_bytes()).ok_or(Rejected(DASHPOT_UNKNOWN_NAME))
 }
 
-/// Returns mutable access to the values.
+/// Returns mutable access to the values of a filled block.
 ///
 /// # Safety
 /// The requirements of [`exclusive`].
@@ -133,7 +133,7 @@ unsafe fn values_mut<'a>(params: *mut dashpot_params) -> Result<&'a mut Params, 
     Ok(unsafe { &mut (*params.cast::<Filled>()).values })
 }
 
-/// Returns the row of the parameter with this name.
+/// Returns the row of the parameter table with this name.
 ///
 /// # Safety
 /// The requirements of [`one_of`].
@@ -166,7 +166,7 @@ impl From<Fault> for Rejected {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block of the caller.
+        // SAFETY: the manual (`lib.rs`) guarantees that `params` is null, misaligned, or a block of the caller.
         let block = unsafe { block(params) }?.cast_mut();
         // SAFETY: `block` checked size and alignment. Raw writes come before the first reference.
         unsafe {
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (row, entry) = unsafe { (parameter(name), entry(name)) };
         if let Ok(index) = entry {
@@ -209,10 +209,10 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     count: u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (params, axis, row) = unsafe { (values_mut(params)?, axis_mut(params)?, parameter(name)?) };
-        // SAFETY: the manual guarantees that the pointer is null, misaligned, or that it has `count` numbers.
+        // SAFETY: the manual (`lib.rs`) guarantees that the pointer is null, misaligned, or that it has `count` numbers.
         let values = unsafe { array(values, count as usize) }?;
         let list = row.try_into()?;
         params.set_list(list, values)?;
@@ -231,7 +231,7 @@ pub unsafe extern "C" fn dashpot_params_get(
     value: *mut f64,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (row, entry, value) = unsafe { (parameter(name), entry(name), exclusive(value)?) };
         if let Ok(index) = entry {
@@ -256,7 +256,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
     count: *mut u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (params, row, count) = unsafe { (self::values(params)?, parameter(name)?, exclusive(count)?) };
         let list = params.list(row.try_into()?);
@@ -265,8 +265,8 @@ pub unsafe extern "C" fn dashpot_params_get_list(
             if list.len() > capacity as usize {
                 return Err(Rejected(DASHPOT_BUFFER_TOO_SHORT));
             }
-            // SAFETY: `usable` excludes null and misaligned pointers. The manual guarantees room for `capacity` numbers, which the
-            // comparison above proves sufficient. A list lies inside the parameter set, which the caller's array does not overlap.
+            // SAFETY: `usable` excludes null and misaligned pointers. The manual (`lib.rs`) guarantees room for `capacity` numbers. The
+            // comparison above proves that they suffice. A list lies inside the parameter set, which the caller's array does not overlap.
             unsafe { core::ptr::copy_nonoverlapping(list.as_ptr(), values, list.len()) };
         }
         *count = list.len() as u32;
@@ -278,7 +278,7 @@ pub unsafe extern "C" fn dashpot_params_get_list(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_enable(params: *mut dashpot_params, element: *const c_char, on: u32) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (params, element) = unsafe { (values_mut(params)?, self::element(element)?) };
         params.enable(element, on != 0);
@@ -294,7 +294,7 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     on: *mut u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (params, element, on) = unsafe { (values(params)?, self::element(element)?, exclusive(on)?) };
         *on = params.is_on(element) as u32;
@@ -316,11 +316,12 @@ pub unsafe extern "C" fn dashpot_params_read(
     fault: *mut dashpot_fault,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block of the caller.
+        // SAFETY: the manual (`lib.rs`) guarantees that `params` is null, misaligned, or a block of the caller.
         let block = unsafe { block(params) }?.cast_mut();
-        // SAFETY: the manual guarantees that `text` is null or has `length` bytes.
+        // SAFETY: the manual (`lib.rs`) guarantees that `text` is null or has `length` bytes.
         let text = unsafe { array(text.cast::<u8>(), length) }?;
-        // SAFETY: null is handled first. Otherwise `exclusive` rejects a misaligned pointer, and the manual guarantees exclusive access.
+        // SAFETY: null is handled first. Otherwise `exclusive` rejects a misaligned pointer, and the manual (`lib.rs`) guarantees
+        // exclusive access.
         let report = if fault.is_null() { None } else { Some(unsafe { exclusive(fault) }?) };
         let (line, found) = match model_file::check_family(text) {
             Ok(()) => {
@@ -339,7 +340,7 @@ pub unsafe extern "C" fn dashpot_params_read(
         };
         let code = found.map_or(DASHPOT_OK, |error| Rejected::from(error.problem).0);
         if let Some(report) = report {
-            // An error states an unknown name with the spelling of the file.
+            // For a name that is not in the table, the fault contains the spelling of the file.
             let name = |error: &model_file::ReadError| {
                 parameter_name(error.parameter).map(str::as_bytes).or_else(|| model_file::name_at(text, error))
             };
@@ -353,7 +354,7 @@ pub unsafe extern "C" fn dashpot_params_read(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_check(params: *const dashpot_params, fault: *mut dashpot_fault) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (params, axis, report) = unsafe { (values(params)?, axis(params)?, exclusive(fault)?) };
         let found = if axis.is_some() { Family::check(params, axis) } else { Model::check(params) }.err();

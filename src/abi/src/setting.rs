@@ -62,9 +62,9 @@ pub struct dashpot_setting {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set_grid(params: *mut dashpot_params, grid: *const f64, count: u32) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that `params` is null, misaligned, or a block of the caller.
+        // SAFETY: the manual (`lib.rs`) guarantees that `params` is null, misaligned, or a block of the caller.
         let axis = unsafe { axis_mut(params) }?;
-        // SAFETY: the manual guarantees that the pointer is null, misaligned, or that it has `count` numbers.
+        // SAFETY: the manual (`lib.rs`) guarantees that the pointer is null, misaligned, or that it has `count` numbers.
         let grid = unsafe { array(grid, count as usize) }?;
         if grid.is_empty() {
             axis.clear();
@@ -84,10 +84,10 @@ pub unsafe extern "C" fn dashpot_params_set_over(
     count: u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (axis, row) = unsafe { (axis_mut(params)?, parameter(name)?) };
-        // SAFETY: the manual guarantees that the pointer is null, misaligned, or that it has `count` numbers.
+        // SAFETY: the manual (`lib.rs`) guarantees that the pointer is null, misaligned, or that it has `count` numbers.
         let values = unsafe { array(values, count as usize) }?;
         axis.set_values(row.try_into()?, values)?;
         Ok(DASHPOT_OK)
@@ -104,10 +104,10 @@ pub unsafe extern "C" fn dashpot_params_set_list_over(
     count: u32,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         // Names are zero-terminated.
         let (axis, row) = unsafe { (axis_mut(params)?, parameter(name)?) };
-        // SAFETY: the manual guarantees that the pointer is null, misaligned, or that it has `count` numbers.
+        // SAFETY: the manual (`lib.rs`) guarantees that the pointer is null, misaligned, or that it has `count` numbers.
         let values = unsafe { array(values, count as usize) }?;
         axis.set_list(List::try_from(row)?, index as usize, values)?;
         Ok(DASHPOT_OK)
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn dashpot_params_set_list_over(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_setting(params: *const dashpot_params, setting: *mut dashpot_setting) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let (axis, to) = unsafe { (axis(params)?, exclusive(setting)?) };
         if to.struct_size as usize != size_of::<dashpot_setting>() {
             return Err(Rejected(DASHPOT_STRUCT_SIZE));
@@ -145,14 +145,14 @@ pub unsafe extern "C" fn dashpot_force_with_setting(
     dt: f64,
     force: *mut f64,
 ) -> i32 {
-    // SAFETY: the manual guarantees the requirements of `prepared`.
+    // SAFETY: the manual (`lib.rs`) guarantees the requirements of `prepared`.
     if unsafe { prepared(model) }.is_ok() {
         // SAFETY: as above.
         return unsafe { dashpot_force(model, state, velocity, dt, force) };
     }
     status((|| {
         aligned!(model, state, force);
-        // SAFETY: `aligned!` checked the alignment, and the manual guarantees the rest.
+        // SAFETY: `aligned!` checked the alignment, and the manual (`lib.rs`) guarantees the rest.
         unsafe { over_setting::force(model, state, velocity, Some(setting), dt, force) }
     })())
 }
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn dashpot_actuator_setting(
 ) -> i32 {
     status((|| {
         aligned!(model, state, input);
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let (to, state) = unsafe { (exclusive(setting)?, checked(state)?) };
         // SAFETY: as above.
         unsafe { input::checked(input)? };
@@ -197,7 +197,7 @@ pub unsafe extern "C" fn dashpot_d_force_d_setting(
 ) -> i32 {
     status((|| {
         aligned!(model, from, to_input);
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let (to, state) = unsafe { (exclusive(derivative)?, checked(from)?) };
         // SAFETY: as above.
         let input = unsafe { input::checked(to_input)? };
@@ -231,7 +231,7 @@ pub unsafe extern "C" fn dashpot_jacobian_setting(
     status((|| {
         aligned!(model, state, input);
         usable(by_setting)?;
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         if unsafe { prepared(model) }.is_err() {
             // SAFETY: as above.
             return unsafe { over_setting::jacobian(model, state, input, core::ptr::null_mut(), by_setting) };

@@ -96,10 +96,10 @@ const _: () = {
 
 /// Largest accepted sum of the magnitudes of a state, far beyond the result of any step.
 ///
-/// Its fourth power times any coefficient of the table is finite, so a closed-form step stays finite.
+/// Its fourth power times the largest coefficient that the parameter table allows is finite, so a closed-form step stays finite.
 const LARGEST: f64 = 1e60;
 
-/// Rejects a state that contains NaN, infinity or values that no step produces.
+/// Rejects a state that contains NaN, infinity or values that no step produces. The commands of the dead time are not checked.
 ///
 /// # Safety
 /// `state` is null, or it is aligned and nobody writes it during the call.
@@ -107,14 +107,14 @@ const LARGEST: f64 = 1e60;
 pub(crate) unsafe fn finite(state: *const dashpot_state) -> Result<(), Rejected> {
     present(state)?;
     // Sum the magnitudes in pairs, because processors add both lanes of a vector simultaneously (SIMD).
-    // SAFETY: the caller guarantees validity. A state is fourteen numbers, and seven pairs have the same layout.
+    // SAFETY: the caller guarantees validity. Without its commands a state is fourteen numbers, and seven pairs have the same layout.
     let pairs = unsafe { &*state.cast::<[[f64; 2]; 7]>() };
     let sum = pairs.iter().fold([0.0; 2], |sum, pair| [sum[0] + pair[0].abs(), sum[1] + pair[1].abs()]);
     // The comparison is false for NaN.
     if sum[0] + sum[1] <= LARGEST { Ok(()) } else { Err(Rejected(DASHPOT_BAD_STATE)) }
 }
 
-/// Returns the commands of the last dead time in a state. Only dampers to which they belong read them.
+/// Returns a pointer to the commands of the last dead time in a state. Only dampers that depend on a setting read them.
 ///
 /// # Safety
 /// `state` is aligned, not null, and belongs to the caller.
@@ -123,7 +123,7 @@ pub(crate) unsafe fn commands(state: *mut dashpot_state) -> *mut Delay {
     unsafe { (&raw mut (*state).commands).cast() }
 }
 
-/// Rejects a result that is not finite.
+/// Returns the error `DASHPOT_NOT_COMPUTABLE` unless `numbers` is true. It states whether the results are finite numbers.
 #[inline(always)]
 pub(crate) fn computed(numbers: bool) -> Result<(), Rejected> {
     if numbers { Ok(()) } else { Err(Rejected(DASHPOT_NOT_COMPUTABLE)) }
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn dashpot_state_init(
     state: *mut dashpot_state,
 ) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that each pointer is null, misaligned, or not used elsewhere during the call.
         let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         if !sane(initial_position) {
             return Err(Rejected(DASHPOT_BAD_INPUT));
@@ -198,8 +198,8 @@ pub unsafe extern "C" fn dashpot_state_init_motion(
 ) -> i32 {
     status((|| {
         aligned!(input);
-        // SAFETY: `aligned!` checked the alignment of the input. The manual guarantees that each pointer is null, misaligned, or not used
-        // elsewhere during the call.
+        // SAFETY: `aligned!` checked the alignment of the input. The manual (`lib.rs`) guarantees that each pointer is null, misaligned,
+        // or not used elsewhere during the call.
         let (to, plain) = unsafe { (exclusive(state)?, prepared(model)) };
         // SAFETY: as above.
         let at = unsafe { input::checked(input) }?;

@@ -113,10 +113,10 @@ pub const DASHPOT_SETTING_TOO_MANY: i32 = -42;
 /// A parameter is 0 at one setting and not at another. A state would then exist only at some settings.
 pub const DASHPOT_SETTING_STATES: i32 = -43;
 
-/// Longest text, including the terminating zero.
+/// Length of the array of each text, including at least one terminating zero.
 const LENGTH: usize = 128;
 
-/// Table of all codes and texts.
+/// Table of all statuses and their texts. Combinations of warning bits have texts of their own.
 static TEXTS: [(i32, [u8; LENGTH]); 51] = [
     (DASHPOT_OK, padded("success")),
     (
@@ -209,11 +209,11 @@ pub extern "C" fn dashpot_status_text(status: i32) -> *const c_char {
     TEXTS.iter().find(|(code, _)| *code == status).map_or(&UNKNOWN, |(_, text)| text).as_ptr().cast()
 }
 
-/// Error with a negative status.
+/// Error of a C function: its negative status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rejected(pub i32);
 
-/// Converts a result to the status that a C function returns.
+/// Converts a result to the status that a C function returns: the warnings, or the error.
 #[inline(always)]
 pub(crate) fn status(result: Result<i32, Rejected>) -> i32 {
     match result {
@@ -264,8 +264,8 @@ impl From<Problem> for Rejected {
             Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
             Problem::Parameter(fault) => return fault.reason.into(),
             Problem::Setting(reason) => return reason.into(),
-            // The reader of ordinary dampers rejects the file of a family. This interface accepts both kinds of file, so the case does not
-            // occur.
+            // Only a reader of dampers without a setting reports this problem, for the file of a family. This interface accepts both kinds
+            // of file, so the case does not occur.
             Problem::Family => DASHPOT_SETTING_GRID,
         })
     }

@@ -32,7 +32,7 @@ pub unsafe extern "C" fn dashpot_force(
 ) -> i32 {
     status((|| {
         aligned!(model, state, force);
-        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual (`lib.rs`) guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::force(model, state, velocity, None, dt, force) };
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn dashpot_step(
 ) -> i32 {
     status((|| {
         aligned!(model, from, to_input, to, output);
-        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual guarantees the rest.
+        // SAFETY: `aligned!` checked the alignment, the callee rejects null, and the manual (`lib.rs`) guarantees the rest.
         let Ok(model) = (unsafe { prepared_aligned(model) }) else {
             // SAFETY: as above.
             return unsafe { over_setting::step(model, from, to_input, dt, to, output) };
@@ -116,8 +116,8 @@ pub unsafe extern "C" fn dashpot_step_batch(
         let count = count as usize;
         let mut known: *const dashpot_model = core::ptr::null();
         for i in 0..count {
-            // SAFETY: `aligned!` checked the alignment, and the manual guarantees `count` elements in each array. This loop checks all
-            // arguments before anything is written.
+            // SAFETY: `aligned!` checked the alignment, and the manual (`lib.rs`) guarantees `count` elements in each array. This loop
+            // checks all arguments before anything is written.
             unsafe {
                 let model = *models.add(i);
                 // The corners of a car share one or two models. Consecutive equal models are checked once.
@@ -133,8 +133,8 @@ pub unsafe extern "C" fn dashpot_step_batch(
         }
         let mut status = DASHPOT_OK;
         for i in 0..count {
-            // SAFETY: `aligned!` checked the alignment, and the manual guarantees `count` elements in each array. The first loop checked
-            // all arguments before anything is written.
+            // SAFETY: `aligned!` checked the alignment, and the manual (`lib.rs`) guarantees `count` elements in each array. The first
+            // loop checked all arguments before anything is written.
             unsafe {
                 let model = ready(*models.add(i));
                 let input = input::taken(to_inputs.add(i));

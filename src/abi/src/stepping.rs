@@ -1,4 +1,4 @@
-//! Checks and operations of every step, with or without a setting.
+//! Checks and warnings of every step, and the step of a damper without a setting.
 
 use dashpot_core::step::{LONG_STEP, step_in_place};
 use dashpot_core::{Input, Model, Output, State};
@@ -18,7 +18,7 @@ pub(crate) fn checked_step(dt: f64) -> Result<f64, Rejected> {
     if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Rejected(DASHPOT_BAD_TIME_STEP)) }
 }
 
-/// Returns the warnings for a step.
+/// Returns the warnings for a step: too long, or a velocity outside the FV curve.
 #[inline(always)]
 pub(crate) fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
     if dt > LONG_STEP {
@@ -27,28 +27,30 @@ pub(crate) fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
     range_warning(model, velocity)
 }
 
-/// Returns the warnings for a step that is too long. It is a separate cold function, so that other steps stay fast.
+/// Returns the warnings for a step longer than [`LONG_STEP`]. It is a separate cold function, so that other steps stay fast.
 #[cold]
 #[inline(never)]
 fn long(model: &Model, velocity: f64) -> i32 {
     range_warning(model, velocity) | DASHPOT_LONG_STEP
 }
 
-/// Returns the warning for a velocity.
+/// Returns `DASHPOT_OUTSIDE_RANGE` for a velocity outside the FV curve, otherwise `DASHPOT_OK`.
 #[inline(always)]
 pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
     let (low, high) = model.elements().paths.fv_curve.range();
     if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
 }
 
-/// Returns the warning for a velocity outside the FV curve. It is a separate cold function, so that steps without a warning stay fast.
+/// Returns the warning for a velocity outside the range of the FV table. A form without a table has no range, and gets no warning.
+///
+/// It is a separate cold function, so that steps without a warning stay fast.
 #[cold]
 #[inline(never)]
 fn outside(model: &Model, velocity: f64) -> i32 {
     if model.covers(velocity) { DASHPOT_OK } else { DASHPOT_OUTSIDE_RANGE }
 }
 
-/// Makes one step with checked arguments.
+/// Makes one step with checked arguments. Returns an error if the results are not finite.
 ///
 /// # Safety
 /// The pointers are valid and aligned. `from` and `to` may be equal.

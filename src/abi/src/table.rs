@@ -46,7 +46,7 @@ pub struct dashpot_parameter {
     pub meaning: [c_char; 256],
 }
 
-/// Longest name, including the terminating zero.
+/// Length of the array of a name, including at least one terminating zero.
 pub(crate) const NAME_LENGTH: usize = 48;
 
 const _: () = {
@@ -56,7 +56,7 @@ const _: () = {
         let mut p = 0;
         while p < GROUPS[g].parameters.len() {
             let row = &GROUPS[g].parameters[p];
-            // A part of the array for the meaning is reserved for the words of a choice.
+            // The last 64 bytes of the array for the meaning are reserved for the words of a choice.
             assert!(row.name.len() < NAME_LENGTH && row.unit.len() < 16 && row.meaning.len() < 192);
             p += 1;
         }
@@ -74,7 +74,7 @@ pub extern "C" fn dashpot_parameter_count() -> u32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_parameter) -> i32 {
     status((|| {
-        // SAFETY: the manual guarantees that `info` is null, misaligned, or not used elsewhere during the call.
+        // SAFETY: the manual (`lib.rs`) guarantees that `info` is null, misaligned, or not used elsewhere during the call.
         let info = unsafe { exclusive(info) }?;
         if info.struct_size as usize != size_of::<dashpot_parameter>() {
             return Err(Rejected(DASHPOT_STRUCT_SIZE));
@@ -106,7 +106,7 @@ pub unsafe extern "C" fn dashpot_parameter_info(row: u32, info: *mut dashpot_par
     })())
 }
 
-/// Returns the name of a row of the table.
+/// Returns the name of the parameter in a row of the parameter table, or `None` if the table has no such row.
 pub(crate) fn parameter_name(row: u16) -> Option<&'static str> {
     table().nth(row as usize).map(|row| row.parameter.name)
 }

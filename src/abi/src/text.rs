@@ -2,7 +2,7 @@
 
 use core::ffi::c_char;
 
-/// Pads `text` with at least one zero to the fixed length.
+/// Pads `text` with zeros, at least one, to `N` bytes. Panics if the text does not fit.
 pub(crate) const fn padded<const N: usize>(text: &str) -> [u8; N] {
     let bytes = text.as_bytes();
     assert!(bytes.len() < N, "the text does not fit");
@@ -15,12 +15,12 @@ pub(crate) const fn padded<const N: usize>(text: &str) -> [u8; N] {
     array
 }
 
-/// Writes the pieces consecutively into `to`, truncates them to its length, and fills the rest with zeros.
+/// Writes the pieces consecutively into `to`, truncates them to its length less one, and fills the rest with zeros.
 pub(crate) fn write<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a str>) {
     write_bytes(to, pieces.map(str::as_bytes));
 }
 
-/// Writes byte pieces, such as parts of a file in any encoding.
+/// Writes pieces of bytes like [`write`] writes text. They may be parts of a file in any encoding.
 pub(crate) fn write_bytes<'a>(to: &mut [c_char], pieces: impl Iterator<Item = &'a [u8]>) {
     let (last, to) = match to.split_last_mut() {
         Some(parts) => parts,

@@ -47,14 +47,14 @@ pub extern "C" fn dashpot_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// Returns a number that identifies an initialized block. Builds with different blocks have different numbers.
+/// Returns a number that identifies an initialized block. It depends on the kind of block, the library version and the size.
 pub(crate) const fn magic(kind: &str, size: usize) -> u64 {
     let mut hash = fold(0xcbf2_9ce4_8422_2325, kind.as_bytes());
     hash = fold(hash, env!("CARGO_PKG_VERSION").as_bytes());
     fold(hash, &(size as u64).to_le_bytes())
 }
 
-/// Continues an FNV-1a hash.
+/// Continues an FNV-1a hash with more bytes.
 const fn fold(mut hash: u64, bytes: &[u8]) -> u64 {
     let mut i = 0;
     while i < bytes.len() {

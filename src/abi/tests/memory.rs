@@ -1,4 +1,6 @@
-//! Calls of the whole interface with uninitialized blocks. Each has exactly the size in the header and a separate heap allocation.
+//! Tests that call the functions for dampers without a setting, with uninitialized blocks.
+//!
+//! Each block has exactly the size in the header and a separate heap allocation.
 //!
 //! Tools that check every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools, the
 //! tests still check that the functions accept everything that the header allows.
@@ -119,7 +121,7 @@ fn copy(state: &dashpot_state) -> dashpot_state {
     unsafe { std::ptr::read(state) }
 }
 
-/// Calls all functions that a host uses with a model.
+/// Calls the functions that a host uses with a model without a setting.
 fn run(model: &dashpot_model, what: &str) {
     // SAFETY: an initialized model.
     let states = unsafe { dashpot_model_states(model) };
@@ -162,7 +164,7 @@ fn run(model: &dashpot_model, what: &str) {
     four_corners(model, &state, what);
 }
 
-/// Steps arrays that end with their last element. First `from` and `to` are separate, then equal.
+/// Steps four dampers in arrays of exactly four elements. First `from` and `to` are separate, then equal.
 fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
     let models: Box<[*const dashpot_model]> = vec![std::ptr::from_ref(model); 4].into();
     let mut from: Box<[dashpot_state]> = (0..4).map(|_| copy(state)).collect();
@@ -187,7 +189,7 @@ fn four_corners(model: &dashpot_model, state: &dashpot_state, what: &str) {
 fn every_element_alone_and_all_together_run_in_blocks_of_exactly_their_size() {
     let mut together = vec!["fv_curve", "series_compliance"];
     if cfg!(miri) {
-        // No element has its own unsafe code, and all elements take minutes under Miri.
+        // Two elements suffice under Miri, where all elements take minutes, because no element has unsafe code of its own.
         together.extend(["presliding_friction", "oil_compressibility"]);
     } else {
         for element in names() {

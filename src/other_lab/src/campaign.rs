@@ -23,7 +23,7 @@ pub struct Campaign {
     pub truth: Truth,
 }
 
-/// One test.
+/// Measured channels of one test.
 #[derive(Debug, Clone)]
 pub struct TestRecord {
     /// Name.
@@ -90,7 +90,7 @@ const CAPACITY: f64 = 700.0;
 const COOLING: f64 = 4.0;
 /// Pause between two tests, s.
 const PAUSE_S: f64 = 25.0;
-/// Oil temperature above which the rig waits before the next test, °C.
+/// Upper limit of the oil temperature, °C, as on a rig that lets hot oil cool.
 const HOTTEST_C: f64 = 85.0;
 
 struct Simulated {
@@ -208,7 +208,7 @@ impl Case {
         rest
     }
 
-    /// Computes the times of the samples.
+    /// Computes the times of the samples since the start of the test, s.
     fn samples(&self, test: &Test, seconds: f64) -> Vec<f64> {
         let p = &self.protocol;
         let all = seconds * p.sample_rate_hz;

@@ -76,7 +76,7 @@ impl Integrator {
     /// Integrates from `start` to `end`, and calls `each` with the time, inputs and states at the end of every accepted
     /// step.
     ///
-    /// Returns false if the states are not finite.
+    /// Returns false if even the shortest step gives no finite states.
     pub fn run<E: Equations>(
         &mut self,
         equations: &E,
@@ -138,7 +138,7 @@ impl Integrator {
         }
     }
 
-    /// Attempts one step into `trial`. Returns the error relative to the tolerance.
+    /// Attempts one step into `trial`. Returns the error relative to the tolerance, or infinity for a singular matrix.
     fn attempt<E: Equations>(&mut self, e: &E, drive_end: &E::Drive, y: &[f64], h: f64, steps: &Steps) -> f64 {
         let n = self.n;
         for (i, (m, j)) in self.matrix.iter_mut().zip(&self.jacobian).enumerate() {
@@ -226,8 +226,8 @@ fn solve(m: &[f64], pivots: &[usize], b: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Prothero and Robinson's problem: y follows cos t at any stiffness. An additional stiff pair of states rotates
-    /// and decays.
+    /// Prothero and Robinson's problem: the first state follows cos t at any stiffness. Two more states are an undamped
+    /// nonlinear oscillator that the first state drives.
     struct Stiff(Vec<f64>);
 
     impl Equations for Stiff {

@@ -119,7 +119,7 @@ impl<'a> Machine<'a> {
         force
     }
 
-    /// Computes the rate of the mount's force, and the forces in parallel with the mount.
+    /// Computes the rate of the mount's force, N/s, and the forces in parallel with the mount, N.
     fn series(&self, here: &mut Here, at: &Instant, y: &[f64]) -> (f64, f64) {
         let mount = &self.plant.mount;
         let own = mount.compliance(y[MOUNT]);
@@ -164,8 +164,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Limits the step, because friction reverses within about 1 mm/s. If friction is parallel to the mount, no state
-    /// resolves its reversal.
+    /// Limits the step near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
+    /// with the mount, error control does not resolve its reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

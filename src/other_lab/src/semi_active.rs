@@ -155,8 +155,8 @@ impl SemiActivePlant {
         y
     }
 
-    /// Computes the position of the main stage, m, as a function of increasing current, A, for the valve in equilibrium
-    /// without flow.
+    /// Computes pairs of the main stage's position, m, and the current, A, at increasing currents. The valve is in
+    /// equilibrium without flow.
     pub fn stage_map(&self) -> Vec<[f64; 2]> {
         const CURRENTS: u32 = 64;
         let mut y = vec![0.0; solenoid_valve::STATES];
@@ -187,8 +187,8 @@ impl SemiActivePlant {
         (y[OIL] * self.annulus() - y[OIL + 1] * self.piston + self.rod) * BAR
     }
 
-    /// Runs a test with the sensors of a protocol. The largest force of the campaign, N, determines the range of the
-    /// load cell.
+    /// Runs a test with the sensors of a protocol. The largest force of the test determines the range of the force
+    /// converter.
     ///
     /// # Errors
     /// [`LabError::NoNumbers`] if the simulation has no finite force.
@@ -450,7 +450,7 @@ pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTes
     }
 }
 
-/// Returns the campaign: sines at each current, steps, and a left-out test with random current.
+/// Returns the tests of the campaign: sines at each current, steps, and a left-out test with random current.
 pub fn protocol(seed: u64, most: f64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&CURRENTS);
     tests.extend(steps(seed));

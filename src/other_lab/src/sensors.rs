@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Noise of the load cell's amplifier, N, in addition to the noise relative to the test's force.
 pub const LEAST_NOISE_N: f64 = 0.5;
-/// Noise of the displacement transducer, m: an LVDT of 100 mm.
+/// Noise of the displacement transducer, standard deviation, m: an LVDT with a range of 100 mm.
 const DISPLACEMENT_M: f64 = 2e-6;
 /// Noise of the velocity channel, relative to its largest value.
 const VELOCITY_SHARE: f64 = 1.5e-3;

@@ -1,6 +1,8 @@
 //! Interpolation of a quantity with unequal time steps.
 
-/// Interpolates `values` at `time`s to `t` by Hermite's cubic. Outside, the result is constant.
+/// Interpolates `values`, which belong to the times `time`, to the time `t` by Hermite's cubic.
+///
+/// Outside the range of times, the result is the first or the last value.
 ///
 /// The slope at each point is that of the parabola through three points.
 pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {

@@ -1,5 +1,5 @@
-//! The laboratory as a whole: dampers dissipate energy, the integrator converges, and every law has its described
-//! effect.
+//! Tests of the laboratory as a whole: dampers dissipate energy, the integrator converges, and the influence of every
+//! law grows with its strength.
 
 use dashpot_other_lab::{
     Accuracy, Campaign, Case, Kind, LEFT_OUT_PREFIX, LabError, Plan, Protocol, TRUTH_FILE, effects,
@@ -69,10 +69,9 @@ fn peak_forces_are_those_of_car_dampers() {
     }
 }
 
-/// Every run tests one law of this number.
+/// An ordinary run tests one law in this many.
 ///
-/// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored` tests all of them in a
-/// minute.
+/// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored` tests all laws in a minute.
 const ONE_IN: usize = 4;
 
 fn some(i: usize) -> bool {

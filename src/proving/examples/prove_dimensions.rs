@@ -3,8 +3,8 @@
 //! `cargo run --release -p dashpot-proving --example prove_dimensions -- COUNT FIRST_SEED [without=WAY] [only=DAMPER]`.
 //!
 //! Each damper is diagnosed without a drawing (`none`) and with a drawing of chambers, oil and gas (`chambers`). In the
-//! third case, the drawing also contains the eyes (`eyes`). `without` omits one of these three cases. `split=calibrate`
-//! or `split=check` may replace the first seed.
+//! third case, the drawing also contains the eyes (`eyes`). `without=WAY,...` omits some of these three cases.
+//! `split=calibrate` or `split=check` may replace the first seed.
 
 use dashpot_diagnosis::Options;
 use dashpot_dimensions::{Entry, forward};

@@ -81,8 +81,8 @@ impl Drawing {
         }
     }
 
-    /// Makes the drawing with some of its entries, each with an error within its tolerance. The tubes of the laboratory
-    /// are rigid.
+    /// Makes the drawing with some of its entries. Each has a random error, which is within its tolerance in 95 % of
+    /// the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
     ///
     /// # Panics
     /// If the reader of dimensions rejects the drawing.
@@ -98,8 +98,8 @@ impl Drawing {
         read::parse(&text, Path::new("drawing.toml")).expect("a drawing of the laboratory")
     }
 
-    /// Returns the true value of a quantity of an explanation, in its unit. `force` is the largest force of the FV
-    /// table on its stroke.
+    /// Returns the true value of a quantity of an explanation, in the unit of the explanation. `force` is the largest
+    /// force of the FV table in the stroke of the quantity. Returns `None` for an unknown quantity.
     pub fn truth(&self, quantity: &str, force: f64) -> Option<f64> {
         let built = &self.built;
         let stroke = usize::from(quantity.starts_with("compression"));

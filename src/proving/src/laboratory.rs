@@ -14,11 +14,11 @@ use dashpot_severity::case::{Measured, model_of};
 use dashpot_severity::measured::{base_model, write_and_read};
 use std::collections::BTreeMap;
 
-/// Largest logarithmic deviation from the requested severity.
+/// Logarithmic deviation from the requested severity below which the search for a strength ends.
 const NEAR: f64 = 0.1;
 /// Largest number of trial strengths.
 const TRIES: usize = 8;
-/// Range of strengths of a case. Beyond it, no damper has such an effect.
+/// Smallest and largest strength that the search tries. No damper has a stronger effect.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
@@ -32,7 +32,7 @@ pub struct Way {
     pub whole_fit: bool,
 }
 
-/// Measures the campaign of a case in the form for the diagnosis. The numbers of the case are strengths.
+/// Measures the campaign of a case in the form for the diagnosis. The numbers in `case.effects` are strengths.
 ///
 /// # Errors
 /// Errors of laboratory, reader or fit.
@@ -70,8 +70,8 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError
     Ok(measured)
 }
 
-/// Effects that a free FV curve, the friction of the base or its springs absorb almost completely. No strength of these
-/// effects gives a measurable severity.
+/// Effects that the FV curve, the friction or the springs of the base model absorb almost completely. No strength of
+/// these effects gives a measurable severity.
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
@@ -80,10 +80,11 @@ const PAIRS: usize = 8;
 
 /// Returns cases of the second laboratory at typical strengths.
 ///
-/// They contain every visible effect, every effect outside the vocabulary, and an equal number of cases without an
-/// effect. These have white noise, or colored noise with hum. Pairs of effects follow. Then every visible effect is
-/// repeated with a random laboratory protocol. The kinds of dampers alternate. The suite is repeated `repetitions`
-/// times. The first seed is `first_seed`.
+/// They contain every known effect that the base model does not absorb, and every unknown effect. For each unknown
+/// effect, there is a case without an effect and with white noise, and one with colored noise and hum. Pairs of effects
+/// follow. Then every effect of the first group is repeated with a random laboratory protocol, and as many cases
+/// without an effect as there are unknown effects. The kinds of dampers alternate. The suite is repeated `repetitions`
+/// times. Seeds count up from `first_seed + 1`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
     let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
@@ -171,7 +172,7 @@ fn base_of(case: &Case, records: &[&Record]) -> Result<Params, EvaluationError> 
 struct SeverityContext {
     base: Params,
     noise: Vec<f64>,
-    /// Residual of the base model for that campaign, relative to the noise.
+    /// Residual of the base model for the neutral damper's campaign, relative to the noise.
     own: Vec<f64>,
 }
 

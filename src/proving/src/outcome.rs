@@ -17,7 +17,7 @@ pub struct Outcome {
     pub seed: u64,
     /// Injected effects with their severities.
     pub injected: Vec<(String, f64)>,
-    /// Forms of the injected effects that the rig selected.
+    /// Physical forms that the rig selected for the injected effects.
     pub forms: Vec<String>,
     /// Verdict of the diagnosis.
     pub verdict: Verdict,
@@ -171,8 +171,8 @@ fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<Stri
     (with_first, with_all)
 }
 
-/// Returns the first name after tests beyond the plan were added. Empty if no effect is named, `None` if there are no
-/// such tests.
+/// Returns the first name after tests beyond the plan were added. It is empty if no effect is named. Returns `None` if
+/// there are no such tests, or if measurement or diagnosis fails.
 fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
     if more.is_empty() {
         return None;

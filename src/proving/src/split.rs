@@ -24,7 +24,7 @@ const OPENING: u64 = 10_000;
 const OLD: u64 = SIZE;
 
 impl Split {
-    /// Returns the split with a name.
+    /// Returns the split with a name, or `None` if no split has this name.
     pub fn named(name: &str) -> Option<Split> {
         match name {
             "calibrate" => Some(Split::Calibrate),

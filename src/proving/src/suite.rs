@@ -22,13 +22,13 @@ const FITTED: [&str; 2] = ["stribeck_friction", "side_force_friction"];
 /// Numbers of cases of each kind.
 #[derive(Debug, Clone, Copy)]
 pub struct Size {
-    /// Seeds per effect and severity.
+    /// Number of seeds per effect and severity.
     pub seeds: u64,
     /// Severities of single effects.
     pub severities: &'static [f64],
-    /// Cases of each kind without injected effects.
+    /// Number of cases of each kind without injected effects.
     pub nothing: u64,
-    /// Seeds per unknown effect and severity.
+    /// Number of seeds per unknown effect and severity.
     pub unknown: u64,
     /// Number of pairs of effects.
     pub pairs: u64,
@@ -65,7 +65,7 @@ impl Size {
         Size { seeds: 1, severities: &[1.5], nothing: 4, unknown: 1, pairs: 4, poor: 4, whole_fit: &[] };
 }
 
-/// Returns all cases of a size, beginning with a first seed. Each case has a separate seed.
+/// Returns all cases of a size. Each case has a separate seed, and seeds count up from `first_seed + 1`.
 pub fn suite(size: Size, first_seed: u64) -> Vec<Entry> {
     let mut seed = first_seed;
     let mut next = || {

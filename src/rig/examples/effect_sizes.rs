@@ -1,4 +1,5 @@
-//! Prints the force of every injected effect at strength 1, for several dampers and for every drawn physical form.
+//! Prints the force of every injected effect at one strength (default 1), for several dampers and the drawn physical
+//! forms.
 //!
 //! `cargo run --release -p dashpot-rig --example effect_sizes [SEEDS] [STRENGTH]`
 

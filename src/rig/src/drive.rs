@@ -7,11 +7,11 @@ use crate::draw::Draw;
 
 /// Standstill before and after the motion, s.
 const REST_S: f64 = 0.25;
-/// Shortest ramp, s. A ramp has whole cycles, because an actuator does not reach 25 Hz within one cycle.
+/// Shortest ramp, s. It has several cycles at 25 Hz, because an actuator does not reach the amplitude within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
 /// Frequency, Hz, below which a ramp has only half a cycle, because half a cycle takes at least ten seconds.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
-/// Limits of the standstill in a brief test, s. Within the limits, it is a quarter cycle.
+/// Shortest and longest standstill in a brief test, s. Within these limits, the standstill is a quarter cycle.
 const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
 const BRIEF_RAMP_S: f64 = 0.08;
 
@@ -47,7 +47,7 @@ impl Drive {
         Self::with(point, REST_S, ramp)
     }
 
-    /// Makes a test with the shortest standstills and ramps, for short campaigns.
+    /// Makes the motion of a test with short standstills and ramps, for short campaigns.
     pub fn brief(point: &TestPoint) -> Self {
         let period = 1.0 / point.frequency_hz;
         let ramp = if point.frequency_hz < 2.0 * SLOW_FREQUENCY_HZ {
@@ -72,13 +72,13 @@ impl Drive {
         }
     }
 
-    /// Returns the time at which the final standstill begins, s.
+    /// Returns the duration of the test, s, including both standstills.
     pub fn duration_s(&self) -> f64 {
         self.full.1 + self.ramp + self.rest
     }
 
-    /// Returns the start and end of the whole cycles at full amplitude, s. Both are at the mean displacement during
-    /// extension.
+    /// Returns the start and end of the whole cycles at full amplitude, s. In a sine test, the displacement is then at
+    /// its mean and increases.
     pub fn full_cycles_s(&self) -> (f64, f64) {
         self.full
     }
@@ -136,7 +136,8 @@ impl Road {
             .map(|index| {
                 let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
                 let hz = low * libm::pow(high / low, place);
-                // The spectrum has the body mode, then constant velocity up to the wheel's resonance, then a roll-off.
+                // Displacement amplitudes fall with f^-1.2, so the velocity is nearly constant. They fall faster above
+                // 12 Hz, near the wheel resonance.
                 let size = libm::pow(hz, -1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
                 [size, TAU * hz, TAU * draw.unit()]
             })

@@ -57,7 +57,7 @@ pub enum RigError {
         /// Reason for which the solver stopped.
         problem: String,
     },
-    /// The output folder contains other files than an earlier campaign.
+    /// The output folder contains files that do not belong to an earlier campaign, and could be mistaken for records.
     #[error("{}: {problem}", folder.display())]
     Folder {
         /// The output folder.

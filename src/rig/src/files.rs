@@ -1,4 +1,4 @@
-//! Writes files completely or not at all, and reads regular files of limited size.
+//! Functions that write files, replace files atomically, and read regular files of limited size.
 
 use std::fs;
 use std::io::{self, BufWriter, Read, Write};
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::RigError;
 
-/// Size limit of a table, bytes.
+/// Largest accepted size of a table, bytes.
 const LARGEST: u64 = 16 << 20;
 
 /// Reads a table. Rejects a pipe, which would block forever, and a device, which never ends.
@@ -22,7 +22,7 @@ pub(crate) fn read_table(path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// Writes a file completely and flushes it to the disk.
+/// Writes a file and flushes it to the disk. After an error, the file may be incomplete.
 pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), RigError> {
     let write = || {
         let mut out = BufWriter::with_capacity(1 << 16, fs::File::create(path)?);

@@ -52,8 +52,8 @@ impl<'a> Sensors<'a> {
         Self { options, test }
     }
 
-    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the first sample, at time `start_s`.
-    /// `peak_n` is the largest force of the campaign.
+    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the start of the test, which is at
+    /// `start_s`. `peak_n` is the largest noise-free force of the campaign.
     pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
         let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
         self.disturb_force(rms_n, &mut record.force_n);
@@ -134,8 +134,8 @@ fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
 }
 
 impl Record {
-    /// Computes the rms of the noise-free force over the cycles at full amplitude, N, without standstill and ramps. For
-    /// a test without such cycles, it includes all samples.
+    /// Computes the rms of the noise-free force over the cycles at full amplitude, N, without standstill and ramps.
+    /// Returns 0 if no sample lies in these cycles.
     pub(crate) fn rms_n(&self, (start, end): (f64, f64)) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for (time, force) in self.time_s.iter().zip(&self.clean_force_n) {

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// A folder in memory, if the system has one.
+/// Folder for the files that the targets read. It is in memory if the system has such a folder.
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
     let made = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir());
     made.expect("a folder for the files that are read")

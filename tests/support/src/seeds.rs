@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::{fs, io};
 
-/// The variable, named by proptest, that sets the seed to repeat a run or to select other cases.
+/// Environment variable, with the name from proptest, that sets the seed to repeat a run or to select other cases.
 const VARIABLE: &str = "PROPTEST_RNG_SEED";
 
 /// Inputs of the seed's hash: the sources of all crates and tests.
 const SOURCES: [&str; 2] = ["../../src", "../../tests"];
 
-/// Returns the settings of a property test with `cases` cases. Its seed is a hash of the sources, and is printed for
-/// reproduction.
+/// Returns the settings of a property test with `cases` cases. Its seed is a hash of the sources, unless [`VARIABLE`]
+/// sets another seed. The seed is printed for reproduction.
 ///
 /// Changed code thus gets new cases, and unchanged code always gets the same cases. Nightly runs set the variable.
 ///

@@ -46,7 +46,7 @@ fn the_reference_itself_has_converged() {
         let (coarse, fine) = (of(4), of(12));
         let top = fine.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         let off = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        // The reference's error is a tenth of the smallest error measured with it.
+        // The reference's error must be at most a tenth of the smallest limit above.
         assert!(off <= 1e-5 * top, "{off} of {top}");
     }
 }

@@ -15,8 +15,8 @@ fn tests() -> Vec<Sine> {
     with_others(strokes_and_speeds())
 }
 
-/// Returns every second stroke and velocity. They take half the time and suffice if a test does not verify the
-/// magnitude of effects.
+/// Returns the tests with only every second stroke and velocity. They take half the time, and suffice if a test does
+/// not verify the magnitude of effects.
 fn fewer_tests() -> Vec<Sine> {
     with_others(strokes_and_speeds().into_iter().skip(1).step_by(2).collect())
 }

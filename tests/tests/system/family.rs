@@ -95,7 +95,7 @@ fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
     found.dependences.iter().find(|of| of.name == name).map(|of| of.varies)
 }
 
-/// Counts two numbers for a family: the intervals that contain the true value, and all intervals.
+/// Returns the number of a family's intervals that contain the true value, and the number of all its intervals.
 fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     let (mut held, mut all) = (0, 0);
     for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
@@ -214,7 +214,7 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     let wrong = records.iter_mut().rfind(is_fast).unwrap();
     wrong.setting.as_mut().unwrap().value = 0.0;
     let of_hard = wrong.name.clone();
-    // A slip makes a setting of its own, which is fitted to this test alone.
+    // A wrong current that no other test states becomes a separate setting, which is fitted to this test alone.
     let slipped = records.iter_mut().find(is_fast).unwrap();
     slipped.setting.as_mut().unwrap().value = 4.0;
     let of_soft = slipped.name.clone();

@@ -65,8 +65,8 @@ fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
     );
 }
 
-/// Checks a wheel like an installer. The list of the wheel must contain every file with its checksum, and no other
-/// file.
+/// Python program that checks a wheel like an installer. The list of the wheel must contain every file with its
+/// checksum, and no other file.
 const INSTALLS: &str = r#"
 import base64, csv, hashlib, io, sys, zipfile
 wheel = zipfile.ZipFile(sys.argv[1])

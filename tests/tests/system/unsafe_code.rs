@@ -67,7 +67,7 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// unsafe { in words }").is_empty());
 }
 
-/// Runs the tests of the whole interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which memory checks
+/// Runs the tests of the C interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which memory checks
 /// require.
 ///
 /// Returns `None` if the compiler lacks a component in `asks_for`.

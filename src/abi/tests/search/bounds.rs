@@ -1,4 +1,4 @@
-//! Bounds of the force of a case: the forces of its elements along its motion, and the forces in short steps.
+//! Bounds of the force of a case: the sum of the forces of its elements along its motion, and the forces in short steps.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
 use dashpot_core::parameter::Number;
@@ -6,11 +6,11 @@ use dashpot_core::parameter::Number;
 /// Bounds with which a force is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Against {
-    /// The elements along the motion, and short steps. A force that exceeds both bounds is an error.
+    /// The elements' forces along the motion, and the forces in short steps. A force that exceeds both bounds is an error.
     Possible,
-    /// Short steps alone, if the force exceeds the elements' force in one stroke.
+    /// The forces in short steps alone. Forces below the sum of the single elements' forces are not compared.
     ///
-    /// This bound detects a mass that a method synchronizes with the drive, although short steps do not.
+    /// This bound detects a mass whose natural frequency long steps shift to the frequency of the drive.
     ShortSteps,
 }
 
@@ -30,13 +30,13 @@ const BESIDE: [&str; 12] = [
     "rebound_stop",
 ];
 
-/// Tried numbers of substeps of implicit Euler if its steps of 1/32 do not explain a force.
+/// Numbers of substeps with which implicit Euler is tried if a force exceeds the bound from its steps of 1/32.
 ///
 /// Implicit Euler dissipates the energy of every oscillation, and less with shorter steps. For a mass in a gap, short steps of all other
 /// methods gave 24 kN. Implicit Euler gave 1 kN in steps of 1/32 and 20 kN in steps of 1/2048.
 const FINEST: [usize; 2] = [512, 2048];
 
-/// Largest allowed ratio of a run's force to the force in short steps. A fifth of the elements' force is allowed in addition.
+/// Largest ratio of a run's force to the force in short steps that passes. A fifth of the elements' force is allowed in addition.
 const SHORT_STEPS: f64 = 1.5;
 
 fn largest(forces: &[f64]) -> f64 {
@@ -72,7 +72,7 @@ fn fastest(case: &Case) -> f64 {
 /// They multiply the force of a cold damper by up to twenty. Without them, this force would count as a force that no element makes.
 const SCALING: [&str; 2] = ["temperature_fade", "position_dependent_damping"];
 
-/// Returns the largest force of the FV curve at a speed, in both directions, at the positions and temperatures of the run.
+/// Returns the largest force of the FV curve at a speed, in both directions and at rest, at the positions and temperatures of the run.
 fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
     alone.on.retain(|name| *name == "fv_curve" || SCALING.contains(name));
@@ -82,10 +82,10 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// Friction elements, and other elements that respond to the velocity instantaneously.
+/// Friction elements whose force depends on the instantaneous velocity.
 const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
 
-/// Returns the largest friction behind the series spring up to a velocity.
+/// Returns the largest friction behind the series spring up to a velocity, or 0 if the friction does not act there.
 ///
 /// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and the given velocity.
 /// Friction that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and
@@ -114,7 +114,9 @@ fn number(case: &Case, name: &str) -> f64 {
     set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
 }
 
-/// Returns the force of the series spring that stops the internal mass from a speed, including the mass that moves with the internal mass.
+/// Returns the force of the series spring and its damper that stops the internal mass from a speed.
+///
+/// The mass includes the moving mass if that is attached to the internal mass.
 fn caught(case: &Case, speed: f64) -> f64 {
     if !case.on.contains(&"series_compliance") {
         return 0.0;
@@ -137,7 +139,7 @@ fn turned(case: &Case) -> f64 {
     finer(case, 8).motion.iter().fold(0.0, |sum, g| sum + (g.v - std::mem::replace(&mut last, g.v)).abs())
 }
 
-/// Returns the force of the series path if it stores all energy that the drive can supply to the mass.
+/// Returns the force of the series path if its spring stores all energy that the drive can supply to the mass.
 ///
 /// Relative to the moving end, the mass gains at most the velocity change of that end, whatever the spring. The estimate assumes no
 /// damping.
@@ -163,7 +165,7 @@ const SHUT: f64 = 100.0;
 /// It assumes that no damper absorbs the energy of the mass. It also assumes that a valve with an internal state is closed at the highest
 /// speed of the piston.
 ///
-/// The sum is doubled, as in [`check`]. Forces of several elements add up, and the mass may be twice as fast as the moving end.
+/// As in [`check`], the sum is doubled, because the mass may be twice as fast as the moving end and the forces of elements add up.
 fn most(case: &Case, found: &Run) -> f64 {
     let speed = fastest(case);
     let late = case.on.contains(&"valve_hysteresis") && number(case, "valve_form") > 0.0;
@@ -191,7 +193,7 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
     other
 }
 
-/// Describes the similar damper with the largest force.
+/// Describes the first similar damper whose force in short steps would explain the case, or else the one with the largest force.
 ///
 /// A method shifts the frequency of a mass that its steps hardly resolve. A heavier mass or a softer spring may have, in short steps, the
 /// force of the case in long steps. Then the case shows only this shift of a resonance.
@@ -205,8 +207,7 @@ fn nearby(fine: &Case, top: f64) -> String {
         }
         run(&other).map_or(0.0, |run| largest(&run.forces))
     };
-    // Try quarter octaves up to a factor of eight, because a step size of a third of the period shifts a frequency by that much. Report the
-    // first damper that would pass, or else the damper with the closest force.
+    // Try quarter octaves up to a factor of eight, because a step size of a third of the period shifts a frequency by that much.
     let mut best = (0.0, String::new());
     for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
         for (what, changes) in [
@@ -222,16 +223,14 @@ fn nearby(fine: &Case, top: f64) -> String {
     format!("; with {} these come to {:.2} of it", best.1, best.0 / top)
 }
 
-/// Returns whether a force exceeds the bounds from the elements and from short steps.
+/// Returns whether the force `top` exceeds the bound from short steps (`same`) or the bound from implicit Euler in short steps.
 fn is_beyond(top: f64, same: f64, euler: f64, elements: f64) -> bool {
     top > SHORT_STEPS * same + 0.2 * elements || top > 10.0 * euler + elements
 }
 
-/// Compares the forces of a run with the sum of the single elements' forces.
+/// Compares the forces of a run with the sum of the single elements' forces, and larger forces with the forces in short steps.
 ///
-/// Larger forces are compared with the result of short steps.
-///
-/// Unless `thorough` is set, omits the shortest steps and the similar dampers, which take a thousand times as long as the run.
+/// Unless `thorough` is set, omits [`FINEST`] and the similar dampers, which take a thousand times as long as the run.
 pub fn check(case: &Case, found: &Run, against: Against, thorough: bool) -> Result<(), Failure> {
     let top = largest(&found.forces);
     let speed = fastest(case);

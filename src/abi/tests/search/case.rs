@@ -1,4 +1,4 @@
-//! Cases: a parameter set and a motion, which run through the C interface.
+//! Cases of the search. A case is a parameter set and a motion, and runs through the C interface.
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{
@@ -47,12 +47,12 @@ pub struct Case {
 #[derive(Clone, Debug)]
 pub struct Failure {
     pub step: usize,
-    /// Ratio of the result to its limit.
+    /// Ratio of the force to its limit; infinity for any other failure.
     pub by: f64,
     pub what: String,
 }
 
-/// Forces of a run.
+/// Forces and displacements of the successful steps of a run, and the number of rejected calls.
 pub struct Run {
     pub forces: Vec<f64>,
     pub places: Vec<f64>,
@@ -202,7 +202,7 @@ impl Case {
     }
 }
 
-/// Draws a number of the table: anywhere in its range, most often with a uniform logarithm, sometimes at an end or at the default.
+/// Draws a parameter's value in its range, most often with a uniform logarithm, sometimes at an end or at the default.
 fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     match r.one_of(8) {
         0 => low,
@@ -290,7 +290,7 @@ impl Case {
             values.push(("spring_displacement", x));
             values.push(("spring_force", f));
         }
-        // A separate generator draws the size. Thus, a seed gives the same cases as before the introduction of sizes.
+        // A separate generator draws the size, so that the other draws of a seed do not depend on it.
         let mut sizes = Random(r.0 ^ 0x73_69_7a_65);
         if sizes.chance(0.3) {
             grow(&mut values, &on, sizes.decade(SIZES.0, SIZES.1));
@@ -298,7 +298,7 @@ impl Case {
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }
 
-    /// Draws a case with all default elements, or with some of them, and with `more`.
+    /// Draws a case with `more` and all elements that are on by default, or only the FV curve and the series compliance of those.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
         let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {

@@ -1,4 +1,4 @@
-//! Cases that failed in the past.
+//! Cases that failed in the past. The comment of a test describes the failure.
 
 use crate::bounds::Against;
 use crate::broken;
@@ -31,7 +31,8 @@ fn holds(case: &Case) {
     }
 }
 
-/// A jump that once gave 9 GN is rejected. The steepest accepted curve gives moderate forces, regardless of the position of the jump.
+/// A jump of the FV curve once gave 9 GN, and is now rejected. The steepest accepted curve gives moderate forces, wherever its steep
+/// segment lies.
 #[test]
 fn a_curve_that_nearly_jumps_behind_rubber_air_and_a_void() {
     let on = ["bushing", "aeration", "cavitation"];
@@ -142,7 +143,7 @@ fn a_lag_that_changes_with_speed_stays_between_its_targets() {
 /// The fourth-order method combines its last stage from the earlier stages. It once opened a blow-off valve to two and a half times its
 /// maximum.
 ///
-/// The valve's force then decreased with the flow, and the third step gave 1e22 N.
+/// The force of the valve then decreased with the flow, and the third step gave 1e22 N.
 #[test]
 fn a_valve_opens_no_further_than_open() {
     let mut case = millimetre(
@@ -162,7 +163,7 @@ fn a_valve_opens_no_further_than_open() {
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
 
-/// The spring was linearized at the predicted position, although the mass passes dozens of table segments in a step of 10 ms.
+/// The parallel spring was linearized at the predicted position, although the mass passes several table segments in a step of 10 ms.
 ///
 /// The force was 74 kN, but the elements make only 4 kN.
 #[test]
@@ -223,9 +224,9 @@ fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     assert_eq!(checked, 100);
 }
 
-/// With friction that decreases with velocity, the equation of a stage has no useful derivative.
+/// If friction decreases with velocity, the residual of the stage equation may decrease. The solver then uses substitute derivatives.
 ///
-/// The Newton step with a substitute derivative accelerated the mass to 3 km/s, and the force was 3 MN.
+/// A Newton step with a substitute derivative accelerated the mass to 3 km/s, and the force was 3 MN.
 #[test]
 fn no_straight_step_by_slopes_that_stand_in() {
     let mut case = millimetre(
@@ -306,10 +307,10 @@ fn no_straight_step_by_slopes_that_stand_in() {
     assert!(run.forces.iter().all(|f| f.abs() < 5e3), "{:?}", run.forces);
 }
 
-/// In a cold damper the oil is twenty times as viscous, which the elements' force bound once ignored.
+/// In a cold damper the oil is twenty times as viscous, which the bound from the elements' forces once ignored.
 ///
-/// The moving end accelerates to 1.5 m/s within one step. `euler` uses the velocity at the end of a substep for the whole substep. Curve
-/// and fade then make 692 kN. The stroke, part of which air absorbs, gives only 65 kN.
+/// The moving end accelerates to 1.5 m/s within one step. The method `euler` uses the velocity at the end of a substep for the whole
+/// substep. FV curve and temperature fade then make 692 kN. The stroke, part of which air absorbs, gives only 65 kN.
 #[test]
 fn euler_behind_air_in_cold_oil_makes_what_the_elements_do() {
     let mut case = millimetre(
@@ -387,7 +388,7 @@ fn a_spool_that_turns_inside_a_step() {
     holds(&case);
 }
 
-/// A segment of the FV curve is horizontal at one end. On average it is a thousand times steeper than the response of soft oil and mass.
+/// One half of the FV curve is horizontal. The other is a thousand times steeper than the response of soft oil and mass.
 ///
 /// All midpoints of the bracket lay at one end, and the stage ended without a root. A force of 37 N accelerated half a kilogram to 0.16 m/s
 /// in 10 µs (seed 503, case 3947).
@@ -479,7 +480,7 @@ fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[
     }
 }
 
-/// The curve has no damping below 0.3 m/s.
+/// The FV curve has no damping below a speed of 0.3 m/s in compression.
 ///
 /// With the mean derivative over the whole range, the method used one substep for the mass. The numerical frequency of the mass then
 /// equaled the frequency of the drive, with three times the force.
@@ -491,7 +492,7 @@ fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_da
     holds(&to_and_fro(5.06e-3, 36, 940.0, &["fv_curve", "viscous_friction"], curve));
 }
 
-/// A method that the user chose evaluates the damping of the mass like the automatic choice.
+/// A method that the user chose uses as many substeps for an undamped mass as the automatic choice of method.
 #[test]
 fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
     for method in [1.0, 3.0, 4.0, 5.0] {
@@ -516,8 +517,8 @@ fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
 
 /// The drive gives a mass on hardening rubber large deflections.
 ///
-/// At these deflections its frequency is too high for the substeps of undeflected rubber. The force is up to ten times the force of short
-/// steps. One in a hundred of these cases failed, with a chosen method and without.
+/// At these deflections the natural frequency of the mass is too high for the substeps of undeflected rubber. The force was up to ten times
+/// the force of short steps. One in a hundred of these cases failed, with a chosen method and without.
 #[test]
 fn substeps_that_do_not_follow_a_mass_in_hard_rubber_take_its_energy() {
     let mut r = Random(7);

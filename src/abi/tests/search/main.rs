@@ -1,11 +1,13 @@
 //! Searches for parameter sets and motions that violate the guarantees of the interface.
 //!
 //! Every result of a successful call must be finite, and an error must leave the state unchanged. The elements must be able to make the
-//! force along the motion. The seed of this search differs in every nightly run. In the test suite, the seed depends on the sources. Any
-//! change of the code draws new cases, and unchanged code repeats its cases.
+//! force along the motion. In the test suite, the seed of this search depends on the sources. Any change of the code draws new cases, and
+//! unchanged code repeats its cases.
 //!
-//! A stricter search compares the force with the force of short steps, whatever force the elements could make. The book (step.md) lists the
-//! failures that it still finds, so its seed is fixed.
+//! A stricter search compares the force with the force of short steps, whatever force the elements could make. Its seed in the test suite
+//! is fixed, because it still finds failures, which the book (step.md) lists.
+//!
+//! Nightly runs take the seeds of both searches from the clock.
 //!
 //! The search prints its seeds. `DASHPOT_SEARCH_SEED=<n>` runs another seed or repeats one. `DASHPOT_SEARCH_STEPS=<n>` sets the number of
 //! steps. A failing case is minimized and printed as code for `known.rs`.
@@ -54,7 +56,7 @@ fn search(steps: u64, length: usize, seed: u64, against: Against) {
     let (mut done, mut cases, mut accepted) = (0, 0u64, 0u64);
     let mut failures = Vec::new();
     while done < steps {
-        // Each case has a separate seed.
+        // Each case has a separate seed, so that its draws do not depend on the cases before it.
         let mut r = Random(seed.wrapping_add(cases.wrapping_mul(0x2545_f491_4f6c_dd1d)));
         let case = match cases % 2 {
             0 => Case::with(&mut r, &pairs[(cases / 2) as usize % pairs.len()]),
@@ -141,11 +143,13 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
-/// At a knee of the force, a step returns the derivative of one side or a value between both (step.md). The book states the
-/// fraction of comparisons in which the derivative fits neither side (step-evidence.md).
+/// Compares derivatives of steps with finite differences, and limits the fraction of failures to 1 in 250.
 ///
-/// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 5, 6 and 7 had 43 of 40351, 62 of 41656 and 51 of 41410
-/// failures.
+/// At a knee of the force, a step returns the derivative of one side or a value between both (step.md of the book). A derivative that fits
+/// neither side is a failure. The book states the fraction of failures (step-evidence.md).
+///
+/// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 5, 6 and 7 had 43 failures in 40351 comparisons, 62 in
+/// 41656 and 51 in 41410.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());

@@ -16,11 +16,11 @@ const WIDTHS: [[f64; 7]; 2] =
 const NEAR: f64 = 0.02;
 /// Rounding error of a difference, relative to the forces.
 const ROUNDING: f64 = 1e-13;
-/// Shifts that measure the noise of the force, relative to the narrowest width. With a shift, an iteration may end one iteration earlier or
+/// Shifts that measure the noise of the force, relative to the narrowest width. A shift may end the solver's iteration one step earlier or
 /// later.
 const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
 
-/// One comparison that failed.
+/// A comparison that failed: its step and a description.
 pub struct Off {
     pub step: usize,
     pub what: String,
@@ -35,9 +35,9 @@ fn one_step(model: &dashpot_model, from: &dashpot_state, given: &Given) -> Optio
     (status >= 0).then_some((to, output))
 }
 
-/// Returns whether a derivative agrees with a difference of one width. It may equal a one-sided difference or lie between both.
+/// Returns whether a derivative agrees with the differences of at least one width. It may equal a one-sided difference or lie between both.
 ///
-/// Returns `None` if the noise is too large at every width.
+/// Returns `None` if a force cannot be computed or its noise is too large, at every width.
 fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -> Option<Result<(), String>> {
     let at = force(0.0)?;
     let narrowest = widths.iter().fold(f64::MAX, |a, b| a.min(*b));
@@ -64,7 +64,7 @@ fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -
     (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
 }
 
-/// Compares both derivatives at some steps of a case. Returns the number of comparisons and the failures.
+/// Compares both derivatives at a fraction `share` of the steps of a case. Returns the number of comparisons and the failures.
 pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
     let (mut count, mut off) = (0, Vec::new());
     let Some(model) = prepare(case) else { return (0, off) };

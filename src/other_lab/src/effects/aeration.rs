@@ -23,7 +23,7 @@ impl EffectModel for Henry {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is the dissolved fraction: 0 in equilibrium.
+        // The state is the dissolved fraction of the bubbles: 0 in equilibrium without hydraulic force.
         let target = libm::tanh(here.hydraulic.abs() / self.dissolved);
         let short = target - s[0];
         let quick = 0.5 * (1.0 + libm::tanh(short / 0.05));

@@ -11,8 +11,8 @@ const BRANCHES: usize = 5;
 
 /// A fractional derivative of the deflection in parallel with a softer spring.
 ///
-/// Five relaxing branches with time constants a decade apart approximate the derivative (Sjöberg & Kari, Veh. Syst.
-/// Dyn. 37, 2002; Oustaloup's approximation).
+/// Five relaxing branches with time constants a factor of eight apart approximate the derivative (Sjöberg & Kari, Veh.
+/// Syst. Dyn. 37, 2002; Oustaloup's approximation).
 struct Fractional {
     compliance: f64,
     stiffness: [f64; BRANCHES],

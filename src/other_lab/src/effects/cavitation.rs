@@ -28,7 +28,7 @@ impl GasRelease {
         let beyond = (-here.hydraulic - self.onset) / self.width;
         let void = s[0].max(0.0);
         let releases = self.rate * softplus(beyond) * self.width / self.onset;
-        // Pressure above the onset compresses the gas, and the remaining gas dissolves.
+        // A pressure above the threshold compresses the gas, and the remaining gas dissolves.
         let closes =
             (softplus(-beyond) * self.width / self.onset * self.rate + void / self.back) * void / (void + CLOSED);
         releases - closes

@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "free_play", laws: &[("worn_eye", worn_eye as Make), ("offset_gap", offset_gap)] };
 
-/// A gap with contact closing by a hyperbolic tangent: x − d(F) = g tanh(F/F_0).
+/// A gap that closes gradually: the deflection of the gap at the force F is g tanh(F/F_0).
 ///
 /// (Kogan, free-play smoothing; Kim, Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances.)
 struct WornEye {

@@ -37,7 +37,7 @@ impl EffectModel for TravellingPiston {
         r[0] = self.moves(here, s) / self.travel;
     }
     fn taken(&self, here: &Here, s: &[f64]) -> f64 {
-        // The velocity is already that of the damper.
+        // `moves` returns the piston's flow as a velocity of the damper.
         self.moves(here, s)
     }
 }

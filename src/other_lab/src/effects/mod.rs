@@ -79,7 +79,7 @@ pub struct Reading {
     pub peak: f64,
 }
 
-/// An effect. An effect overrides the functions of the quantities that it influences.
+/// An effect that can be injected. It overrides the functions of the quantities that it influences.
 pub trait EffectModel: Send + Sync {
     /// Returns the error tolerances of the effect's states, one per state.
     fn tolerances(&self) -> &[f64] {
@@ -119,7 +119,8 @@ pub trait EffectModel: Send + Sync {
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// Transforms the force in the channel over time; `time` contains the times of `force`.
+    /// Transforms the force in the channel over time; `time` contains the times of `force`. The number of the test
+    /// selects what is drawn for each test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
     /// Returns the reading of the displacement channel, m.
     fn displacement(&self, x: f64) -> f64 {
@@ -178,7 +179,7 @@ pub const KNOWN: &[Effect] = &[
 /// Effects to which the diagnosis should not assign the name of a known effect.
 pub const UNKNOWN: &[Unknown] = unknown::ALL;
 
-/// Finds an effect by name, known or unknown.
+/// Finds an effect by name, known or unknown. Returns `None` for any other name.
 pub fn find(name: &str) -> Option<&'static Effect> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).find(|e| e.name == name)
 }
@@ -188,7 +189,7 @@ fn soft_sign(v: f64, within: f64) -> f64 {
     v / (v * v + within * within).sqrt()
 }
 
-/// Returns all names.
+/// Returns the names of all effects, known and unknown.
 pub fn names() -> impl Iterator<Item = &'static str> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).map(|e| e.name)
 }

@@ -1,4 +1,5 @@
-//! A dissipative spring in parallel with the damper. Any force that depends only on position would be a lookup spring.
+//! A dissipative spring in parallel with the damper. A force without dissipation would depend only on position, and a
+//! table of the spring force would represent it completely.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;

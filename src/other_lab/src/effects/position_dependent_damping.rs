@@ -32,7 +32,7 @@ impl EffectModel for TaperedGroove {
 }
 
 fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
-    // At the deepest point and the damper's force at 0.5 m/s, the flow is about 0.5 m/s.
+    // At the deepest point and the damper's force at 0.5 m/s, the flow is `area` times 0.5 m/s.
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
     Box::new(TaperedGroove {
         area: strength * d.between(0.5, 1.1),

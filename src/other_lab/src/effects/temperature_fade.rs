@@ -30,8 +30,8 @@ fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
 
 /// A leak past the piston, with a gap that widens by the thermal expansion of aluminum (Poiseuille; Merritt 1967).
 ///
-/// The flow is proportional to the cube of the gap and inversely proportional to the viscosity. At the reference
-/// temperature the leak is zero.
+/// The flow is proportional to the cube of the gap and inversely proportional to the viscosity. The effect is the
+/// change of this leak, which is zero at the reference temperature.
 struct GrowingClearance {
     per_force: f64,
     widens: f64,
@@ -43,7 +43,8 @@ impl EffectModel for GrowingClearance {
         let warmer = here.oil_c - REFERENCE_C;
         let gap = (1.0 + self.widens * warmer).max(0.1);
         let leak = gap.powi(3) * (1.0 + self.thins * warmer).max(0.1) - 1.0;
-        // The damper already contains the leak at the reference temperature. In a colder damper, the leak is smaller.
+        // The damper already contains the leak at the reference temperature. In a colder damper, the change is
+        // negative.
         self.per_force * leak.max(-1.0) * here.hydraulic
     }
 }

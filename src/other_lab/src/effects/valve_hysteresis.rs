@@ -11,7 +11,7 @@ pub(super) const EFFECT: Effect = Effect {
 
 /// A poppet with a pressure area that grows after lift, so that it opens suddenly and closes at a lower pressure.
 ///
-/// It is in parallel with the valves of its stroke (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on direct spring
+/// It is in parallel with the valves of one stroke (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on direct spring
 /// operated relief valves).
 struct PoppingPoppet {
     opens: f64,

@@ -59,8 +59,8 @@ impl Part {
     }
 }
 
-/// Stiffness factor for the removal of a compliance. With a smaller factor, the compliance is visible. A larger factor
-/// only costs steps.
+/// Factor on a stiffness that removes the compliance. With a smaller factor, the compliance would remain visible. A
+/// larger factor would only cost steps.
 pub(super) const STIFFER: f64 = 100.0;
 
 impl Plant {

@@ -31,7 +31,7 @@ pub enum Valves {
     },
     /// Inverse of `F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
     Sum {
-        /// Forces and inverse slopes over a grid of velocities up to the largest one.
+        /// Forces and inverse slopes over a grid of velocities up to 4 m/s.
         table: Vec<[f64; 2]>,
     },
     /// Bleed orifice, laminar and turbulent, in parallel with a spring-loaded shim.

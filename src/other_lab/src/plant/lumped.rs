@@ -46,7 +46,7 @@ impl Oil for Lumped {
     }
 }
 
-/// Draws one of two families of laws, in the range of passenger car dampers.
+/// Draws a damper in the range of passenger cars, with one of two families of valve laws.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let make = if d.choice(2) == 0 { Valves::power_and_blow_off } else { Valves::sum };

@@ -65,7 +65,7 @@ pub trait Oil: Send + Sync {
     fn states(&self) -> usize;
     /// Computes the equilibrium states at a displacement.
     fn rest(&self, x: f64, states: &mut [f64]);
-    /// Returns the tolerances of the states.
+    /// Writes the error tolerances of the states.
     fn tolerances(&self, tolerances: &mut [f64]);
     /// Computes the hydraulic force from the pressure differences, without the gas, N.
     fn hydraulic(&self, states: &[f64]) -> f64;
@@ -136,7 +136,7 @@ impl Built {
     }
 }
 
-/// A damper.
+/// A damper: its mount, mass, friction and oil, with small deviations from an ideal damper.
 pub struct Plant {
     /// Kind.
     pub kind: Kind,

@@ -5,6 +5,9 @@ use super::{Built, Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Sligh
 use crate::draw::Draw;
 
 /// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
+///
+/// β is the bulk modulus, β_o that of the oil alone, and α the ratio of air to oil volume at p_0 = 1 bar. The
+/// polytropic exponent n is 1.3.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fluid {
     /// 1/β_o, 1/bar.

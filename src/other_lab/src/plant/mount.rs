@@ -2,7 +2,9 @@
 
 use crate::draw::Draw;
 
-/// Deflection `d(F) = (F/k) · asinh(F/F_h)/(F/F_h)`: linear at first, stiffer beyond F_h. A damper acts in parallel.
+/// A mount with the deflection `d(F) = (F/k) · asinh(F/F_h)/(F/F_h)`: linear at first, stiffer beyond F_h.
+///
+/// A linear damper acts in parallel.
 #[derive(Debug, Clone)]
 pub struct Mount {
     /// Stiffness at zero force, N/m.
@@ -21,7 +23,7 @@ impl Mount {
         Mount { stiffness, hardens: d.scale(hardens.0, hardens.1), damping: stiffness * d.between(1e-4, 5e-4) }
     }
 
-    /// Computes dd/dF.
+    /// Computes the compliance dd/dF at a force, m/N.
     pub fn compliance(&self, force: f64) -> f64 {
         let r = force / self.hardens;
         1.0 / (self.stiffness * (1.0 + r * r).sqrt())

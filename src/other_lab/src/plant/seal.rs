@@ -2,7 +2,9 @@
 
 use crate::draw::Draw;
 
-/// `dz/dt = v − |v| z/g(v)`, F = σ_0 z + σ_1 dz/dt, `g = (F_c + (F_b − F_c) exp(−(v/v_s)²))/σ_0`.
+/// Friction `F = σ_0 z + σ_1 dz/dt` of bristles with the deflection z, m, at the sliding velocity v, m/s.
+///
+/// `dz/dt = v − |v| z/g(v)`, `g = (F_c + (F_b − F_c) exp(−(v/v_s)²))/σ_0`.
 #[derive(Debug, Clone)]
 pub struct Seal {
     /// σ_0, N/m.
@@ -36,7 +38,7 @@ impl Seal {
         self.sliding / self.stiffness
     }
 
-    /// Computes dz/dt.
+    /// Computes the rate dz/dt of the bristles' deflection, m/s.
     pub fn rate(&self, v: f64, z: f64) -> f64 {
         let level = self.sliding + (self.breakaway - self.sliding) * libm::exp(-(v / self.stribeck).powi(2));
         v - v.abs() * z * self.stiffness / level

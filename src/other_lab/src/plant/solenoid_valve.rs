@@ -1,8 +1,8 @@
 //! A solenoid valve: driver, coil, magnet, pilot spool and the main stage, which is an orifice of variable opening.
 //!
-//! The driver is a current controller on a battery, and only a diode reduces the current. Because of eddy currents, the
-//! flux lags the current. The magnetic force saturates. A spring, the flow force and bristle friction act on the spool.
-//! The main stage follows the spool as oil fills its chamber through an orifice.
+//! The driver is a current controller on a battery. It can reduce the current only with the voltage of a diode. Because
+//! of eddy currents, the flux lags the current. The magnetic force saturates. A spring, the flow force and bristle
+//! friction act on the spool. The main stage follows the spool as oil fills its chamber through an orifice.
 
 use crate::draw::Draw;
 
@@ -29,7 +29,7 @@ const DENSITY: f64 = 850.0;
 const DISCHARGE: f64 = 0.65;
 /// Hydraulic force at the transition from laminar to turbulent flow, N.
 const TRANSITION: f64 = 15.0;
-/// cos of the jet's angle of 69° at a sharp metering edge (Merritt, Hydraulic Control Systems, 1967).
+/// Cosine of the jet's angle of 69° at a sharp metering edge (Merritt, Hydraulic Control Systems, 1967).
 const JET: f64 = 0.36;
 
 /// A solenoid valve.

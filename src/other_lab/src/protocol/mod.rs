@@ -74,8 +74,8 @@ impl Default for Protocol {
 impl Protocol {
     /// Draws a random laboratory protocol.
     ///
-    /// The protocol has a rate of 100 Hz to 5 kHz, 3 to 30 cycles, 12 to 16 bits, white or colored noise, and hum.
-    /// Channels for velocity and temperature are optional. Delay and offset are separate options.
+    /// The protocol has a rate of 100 Hz to 5 kHz and 3 to 30 cycles. It has 12 to 16 bits or no rounding, and white or
+    /// colored noise. Some draws have hum, a velocity channel or a temperature channel. Delays and offsets are zero.
     pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
         let mut d = Draw::new(seed, "laboratory");
         let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];

@@ -80,7 +80,7 @@ impl Motion {
         }
     }
 
-    /// Returns the duration of the fade-in before the full motion, s.
+    /// Returns the duration of the fade-in before the full motion, s: one cycle of a sine or triangle, otherwise 0.
     pub fn run_up(&self) -> f64 {
         match self {
             Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => 1.0 / frequency,

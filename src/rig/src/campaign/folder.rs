@@ -15,12 +15,14 @@ use crate::hidden_case::SEALED_FOLDER;
 
 /// File name of the description, which identifies a folder as a campaign.
 pub const CAMPAIGN_FILE: &str = "campaign.toml";
-/// First entry of the description.
+/// Value of `format`, the first entry of [`CAMPAIGN_FILE`].
 const FORMAT: &str = "dashpot rig campaign 1";
 /// Folder in which records are written before they move to their final folder.
 const UNFINISHED: &str = ".unfinished-campaign";
 
-/// Contents of [`CAMPAIGN_FILE`]. It describes the execution of the campaign and contains no data of the damper.
+/// Contents of [`CAMPAIGN_FILE`]: the execution of the campaign, without parameters of the damper.
+///
+/// The seed, which determines these parameters, is omitted if the truth is sealed.
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
@@ -48,14 +50,15 @@ struct Test {
 impl Campaign {
     /// Writes the campaign into a folder, which is created if it is missing.
     ///
-    /// It writes `<test>.csv` for every test (header `time_s,displacement_m,velocity_m_s,force_N`, and `side_force_N`
-    /// if any test has side force). `campaign.toml` describes the execution of the campaign. The new campaign replaces
-    /// an earlier campaign in the folder. Records are first written to a separate folder, so a failure leaves no
-    /// incomplete record.
+    /// It writes `<test>.csv` for every test. The header is `time_s,displacement_m,velocity_m_s,force_N`, followed by
+    /// `side_force_N` and `temperature_C` if these channels are recorded. `campaign.toml` describes the execution of
+    /// the campaign. The new campaign replaces an earlier campaign in the folder and its sealed truth. Records are
+    /// first written to a separate folder, so a failure leaves no incomplete record.
     ///
     /// # Errors
-    /// [`RigError::Folder`] if the folder contains other files than an earlier campaign; the folder then stays
-    /// unchanged. [`RigError::Io`] if a file is not writable.
+    /// [`RigError::Folder`] if the folder is not empty and contains no earlier campaign, or if it contains a CSV file
+    /// that is no record of the earlier campaign. The folder then stays unchanged. [`RigError::Io`] if a file is not
+    /// writable.
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         let earlier = earlier_records(folder)?;
         fs::create_dir_all(folder).map_err(RigError::io("make the folder", folder))?;
@@ -79,7 +82,8 @@ impl Campaign {
             .collect();
         written.into_iter().collect::<Result<(), _>>()?;
 
-        // From this point, the description lists all records in the folder, even after a failure.
+        // Remove records that the new campaign does not contain, and replace the description before the records. So the
+        // description lists every record in the folder, even after a failure.
         for file in earlier.iter().filter(|file| !files.contains(file)) {
             let path = folder.join(file);
             match fs::remove_file(&path) {
@@ -164,6 +168,8 @@ impl Record {
 }
 
 /// Lists the records of the earlier campaign in the folder. The list is empty if the folder is empty or missing.
+///
+/// Returns an error if the folder is not empty and contains no earlier campaign, or contains another CSV file.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),

@@ -39,7 +39,7 @@ pub struct Options {
     /// Initial temperature of the damper, °C; `None` means the laboratory temperature. Only campaigns with injected
     /// effects use this value.
     pub start_temperature_c: Option<f64>,
-    /// Seed for shuffling a plan; `None` uses `seed`.
+    /// Seed that shuffles the order of a plan's tests; `None` uses `seed`.
     pub order: Option<u64>,
     /// Number of worker threads; `None` uses all processors. The result does not depend on this number.
     pub threads: Option<usize>,
@@ -63,14 +63,14 @@ impl Default for Options {
     }
 }
 
-/// Records of all tests.
+/// A measured campaign: its options and the records of all tests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campaign {
     /// Options of the run.
     pub options: Options,
     /// One record per test, in the order of the matrix.
     pub records: Vec<Record>,
-    /// Whether the description omits the seed, because the truth is sealed.
+    /// Whether `campaign.toml` omits the seed, because the truth is sealed.
     pub sealed: bool,
 }
 
@@ -89,7 +89,7 @@ pub struct Record {
     pub velocity_m_s: Vec<f64>,
     /// Force, tension positive, N.
     pub force_n: Vec<f64>,
-    /// Side force on the rod, N; `None` if no test of the campaign has a side force.
+    /// Side force on the rod, N; `None` if no test of the campaign has a side force, or if it is not recorded.
     pub side_force_n: Option<Vec<f64>>,
     /// Temperature of the damper's body, °C, if recorded.
     pub temperature_c: Option<Vec<f64>>,

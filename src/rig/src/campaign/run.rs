@@ -1,4 +1,4 @@
-//! Runs the tests of a matrix.
+//! Execution of the tests of a matrix on one damper, with checks of the options.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -11,7 +11,7 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Matrix, RigError, TestPoint};
 
-/// Default target of samples per cycle.
+/// Number of samples per cycle at which the default sample rate aims.
 pub const SAMPLES_PER_CYCLE: f64 = 400.0;
 /// Highest sample rate chosen by default, Hz.
 pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;
@@ -20,28 +20,28 @@ pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
 
 /// Default sample rates, Hz. Their sample times are whole microseconds, and thus exact in a file with six decimals.
 const RATES_HZ: [f64; 13] = [20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0];
-/// Range of sample rates of the data logger, Hz.
+/// Lowest and highest accepted sample rate, Hz.
 const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
-/// Largest number of samples of a record; a longer record indicates an error in the options.
+/// Largest accepted number of samples of a record. A longer record indicates an error in the options.
 const LONGEST_RECORD: f64 = 5e6;
-/// Smallest number of samples per cycle that represents a sine.
+/// Smallest accepted number of samples per cycle. With fewer samples a record does not represent a sine.
 const LEAST_PER_CYCLE: f64 = 8.0;
-/// Largest noise, percent, at which the signal is still measurable.
+/// Largest accepted noise, percent of the test's rms force.
 const NOISE_LIMIT_PERCENT: f64 = 100.0;
 
-/// Largest correlation between successive samples of colored noise.
+/// Largest accepted correlation between successive samples of colored noise.
 const COLOUR_LIMIT: f64 = 0.99;
-/// Largest hum, N.
+/// Largest accepted amplitude of mains hum, N.
 const HUM_LIMIT_N: f64 = 1000.0;
-/// Resolutions of a force channel.
+/// Accepted numbers of bits of the force channel's converter.
 const BITS: std::ops::RangeInclusive<u32> = 8..=24;
-/// Temperatures at which a damper is tested, °C.
+/// Accepted initial temperatures of a damper, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate for a test.
 ///
-/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. A slow test thus resolves the
-/// break-away, and a fast test has the rate of a common logger.
+/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. The lower limit lets a slow test
+/// resolve the break-away, and the upper limit is the rate of a common logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
@@ -114,7 +114,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
         return fail("noise", format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"));
     }
     if i64::try_from(options.seed).is_err() {
-        // The description is in TOML, in which this is the largest integer.
+        // `campaign.toml` contains the seed, and the largest integer of TOML is that of `i64`.
         return fail("seed", format!("{}; give 0 to {}", options.seed, i64::MAX));
     }
     if options.threads == Some(0) {

@@ -8,7 +8,9 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{ATMOSPHERE_PA, Damper};
 
-/// Highest velocity of the thesis's matrix (50 mm at 5 Hz), m/s, at which a drawn damper must be plausible.
+/// Highest velocity of the tests of `Matrix::thesis` (50 mm at 5 Hz), m/s.
+///
+/// The forces of a drawn damper must be plausible at this velocity.
 const TOP_VELOCITY_M_S: f64 = TAU * 0.05 * 5.0;
 /// Smallest plausible absolute pressure in the rebound chamber in compression, Pa: a healthy damper does not cavitate.
 const LEAST_PRESSURE_PA: f64 = 4.0e5;

@@ -31,8 +31,8 @@ pub struct Excitation {
 }
 
 impl Damper {
-    /// Returns the tolerance per step: 2e-7 of each state, plus an absolute tolerance equivalent to a thousandth of a
-    /// newton.
+    /// Returns the solver's tolerance per step: 2e-7 of each state, plus an absolute tolerance equivalent to a
+    /// thousandth of a newton.
     pub(crate) fn tolerance() -> Tolerance<STATES> {
         Tolerance { absolute: [1.0, 1.0, 2e-9, 1e-10, 5e-7], relative: 2e-7 }
     }
@@ -68,7 +68,7 @@ impl Damper {
         }
     }
 
-    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles.
+    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass of mid-stroke.
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
@@ -100,7 +100,8 @@ impl Damper {
             + self.seal.force_n(state[BRISTLE])
     }
 
-    /// Computes the volume of the oil of both chambers at atmospheric pressure, m³. It is constant, like the mass.
+    /// Computes the volume that the oil of both chambers has at atmospheric pressure, m³. It is constant, like the
+    /// oil's mass.
     fn oil_volume(&self, state: &State, displacement_m: f64) -> f64 {
         let chambers = self.chambers(state, &Excitation { displacement_m, velocity_m_s: 0.0, side_force_n: 0.0 });
         [chambers.rebound, chambers.compression].iter().map(|chamber| chamber.volume / chamber.specific_volume).sum()

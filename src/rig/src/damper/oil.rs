@@ -1,7 +1,7 @@
 //! Compressible oil with entrained air.
 //!
 //! The model conserves mass by construction. The specific volume is an explicit function of pressure, and the bulk
-//! modulus is its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
+//! modulus follows from its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
 
 use super::ATMOSPHERE_PA;
 
@@ -37,7 +37,7 @@ impl Oil {
     /// Computes the state of the mixture at an absolute pressure. The stiffness approaches zero at zero pressure, so
     /// that no chamber reaches a vacuum.
     pub fn compress(&self, pressure_pa: f64) -> Compression {
-        // Solver iterations may evaluate negative pressures. The rates must then only increase the pressure.
+        // The solver may evaluate negative pressures. The rates must increase such a pressure.
         let pressure = pressure_pa.max(1.0);
         let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
         let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);

@@ -54,7 +54,7 @@ impl PistonValves {
     }
 }
 
-/// Constant passage: a laminar and an orifice resistance in series.
+/// Passage of constant area: a laminar and an orifice resistance in series.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bleed {
     /// Area of the orifice, m².

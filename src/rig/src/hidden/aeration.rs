@@ -29,7 +29,7 @@ impl Hidden for Aeration {
         if self.form == 1 { &[1e-5] } else { &[] }
     }
 
-    /// Leaves the foam state of the preceding test unchanged. The foam decays during the pause.
+    /// Leaves the foam state of the preceding test unchanged, because foam decays only during the pause.
     fn begin(&self, _rest: &crate::neutral::Rest, _states: &mut [f64]) {}
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {

@@ -4,7 +4,7 @@ use super::{Hidden, Recipe};
 use crate::neutral::{Here, Mount};
 
 const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
-/// Velocity of the rebound force that defines the working deflection, m/s.
+/// Velocity whose rebound force defines the working deflection, m/s.
 const WORKING_M_S: f64 = 0.5;
 
 struct Bushing {

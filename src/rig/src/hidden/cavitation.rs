@@ -1,5 +1,5 @@
-//! The pressure cannot fall below vapor pressure: a void opens and limits the force, which returns only after the void
-//! closes.
+//! Cavitation: the pressure cannot fall below vapor pressure, so a void opens and limits the force. The force returns
+//! only after the void has closed.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -67,7 +67,8 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        // The root places the onset near strength 1. A limit above all forces would have no effect.
+        // The force limit varies only with the root of the strength, because a limit above all forces would have no
+        // effect.
         let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
         Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {

@@ -12,7 +12,8 @@ struct ChannelDelay {
 }
 
 impl ChannelDelay {
-    /// Returns the natural frequency: the filter lags by `2 zeta / omega` at low frequency.
+    /// Returns the filter's natural frequency, rad/s. At low frequency the filter lags by `2 zeta / omega`, which is
+    /// `delay_s`.
     fn omega(&self) -> f64 {
         2.0 * self.damping / self.delay_s
     }
@@ -44,7 +45,7 @@ impl Hidden for ChannelDelay {
     }
 
     fn cell_n(&self, force_n: f64, here: &Here, states: &[f64]) -> f64 {
-        // The contributions of other errors of the cell stay unchanged.
+        // Only the true force is filtered. Contributions of other measurement errors stay in `force_n`.
         if self.form == 1 { force_n - here.rod_n + states[0] } else { force_n }
     }
 }

@@ -7,7 +7,7 @@ const FORMS: &[&str] = &["filling_chamber", "cross_fade"];
 
 struct FrequencySelective {
     form: usize,
-    /// Flow of the open bypass at the reference force, m/s.
+    /// Flow of the open bypass at the reference force `scale_n`, as a piston velocity, m/s.
     flow_m_s: f64,
     scale_n: f64,
     /// Time constant of filling or closing, s. `opening_s` is the time constant of reopening.

@@ -22,7 +22,7 @@ struct GasSpring {
 }
 
 impl GasSpring {
-    /// Computes the volume relative to mid-stroke; extension increases it.
+    /// Computes the volume of the gas relative to mid-stroke; extension increases it.
     fn volume(&self, displacement_m: f64) -> f64 {
         (1.0 + displacement_m / self.column_m).max(0.05)
     }
@@ -30,7 +30,7 @@ impl GasSpring {
 
 impl Hidden for GasSpring {
     fn tolerances(&self) -> &[f64] {
-        // The state is the absolute temperature of the gas, relative to the wall.
+        // The state is T / T_wall - 1, with the absolute temperatures of gas and wall.
         if self.form == 1 { &[1e-6] } else { &[] }
     }
 

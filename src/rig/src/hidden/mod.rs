@@ -58,7 +58,7 @@ pub const EFFECTS: [&str; 19] = [
     "force_drift",
 ];
 
-/// Names of effects outside of all catalogs: the correct diagnosis is "none of these".
+/// Names of effects that no catalog of damper models contains: the correct diagnosis is "none of these".
 pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_shear_softening",
     "unknown_rig_resonance",
@@ -73,10 +73,10 @@ pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_self_pumping",
 ];
 
-/// Name of the neutral damper.
+/// Name that requests the neutral damper, without injected effects.
 pub const NOTHING: &str = "nothing";
 
-/// A drawn effect and its data for the truth.
+/// A drawn effect and the data that [`crate::Truth`] states about it.
 pub(crate) struct Drawn {
     pub name: &'static str,
     pub form: &'static str,
@@ -117,7 +117,7 @@ impl Recipe<'_> {
     }
 }
 
-/// Splits `name:form`. Rejects names that are in neither list.
+/// Splits `name:form`. Rejects names that are in neither [`EFFECTS`] nor [`UNKNOWN_EFFECTS`].
 pub(crate) fn split_name(text: &str) -> Result<(&'static str, Option<&str>), RigError> {
     let (name, form) = text.split_once(':').map_or((text, None), |(name, form)| (name, Some(form)));
     match EFFECTS.iter().chain(&UNKNOWN_EFFECTS).find(|known| **known == name) {
@@ -133,7 +133,7 @@ pub(crate) fn split_name(text: &str) -> Result<(&'static str, Option<&str>), Rig
     }
 }
 
-/// Draws an effect.
+/// Draws the effect that `text` requests as `name` or `name:form`. Rejects unknown names and forms.
 pub(crate) fn draw(
     text: &str,
     strength: f64,

@@ -12,7 +12,7 @@ struct Compressibility {
     /// Length of the rebound chamber at mid-stroke, m. `compression_m` is that of the compression chamber.
     rebound_m: f64,
     compression_m: f64,
-    /// Relative increase of the bulk modulus per newton of pressure force on the piston.
+    /// Pressure force on the piston at which the bulk modulus has doubled, N.
     stiffening_n: f64,
     /// Fraction of the compliance that is due to the wall and constant.
     wall: f64,

@@ -7,7 +7,7 @@ const FORMS: &[&str] = &["groove", "one_sided_groove", "bell"];
 
 struct Groove {
     form: usize,
-    /// Flow past the piston at the reference force and the largest groove area, m/s.
+    /// Flow past the piston at the reference force `scale_n` and the largest groove area, as a piston velocity, m/s.
     flow_m_s: f64,
     scale_n: f64,
     centre_m: f64,
@@ -16,7 +16,7 @@ struct Groove {
 }
 
 impl Groove {
-    /// Computes the area relative to its largest value.
+    /// Computes the area of the groove at a position, relative to its largest value.
     fn area(&self, position_m: f64) -> f64 {
         let from_centre = position_m - self.centre_m;
         match self.form {

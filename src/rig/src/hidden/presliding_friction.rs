@@ -6,8 +6,9 @@ use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Reduction of the creep at standstill if bristles are soft. The smoothing velocity of the neutral friction is divided
-/// by `1 + CREEP_FADES * strength`.
+/// Rate at which the strength, and thus the softness of the bristles, reduces creep at standstill.
+///
+/// The smoothing velocity of the neutral friction is divided by `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {

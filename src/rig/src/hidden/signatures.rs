@@ -1,4 +1,4 @@
-//! Tests that each effect has its characteristic signature in the force.
+//! Tests of the characteristic signatures of effects in the force.
 
 use std::f64::consts::TAU;
 
@@ -72,7 +72,7 @@ fn presliding_turns_over_a_distance_at_any_frequency() {
     let distances: Vec<f64> = traces(&points, "presliding_friction:maxwell_slip")
         .iter()
         .map(|(record, trace)| {
-            // Start at the outer reversal and continue until half of the friction difference has built up.
+            // Start at the outer reversal and continue until the force difference has fallen to half of its peak.
             let from = record.time_s.len() / 3;
             let x = &record.displacement_m;
             let turn = (from..x.len() - 1).find(|i| x[*i] >= x[i - 1] && x[*i] > x[i + 1]).unwrap();

@@ -9,7 +9,7 @@ pub(super) struct Stop {
     form: usize,
     /// +1 at full extension, -1 at full compression.
     side: f64,
-    /// Displacement at which the stop makes contact, m.
+    /// Displacement toward the stop at which it makes contact, m.
     touched_m: f64,
     /// F1 of the rubber force `F1 (exp(d / d1) - 1)`, N.
     force_n: f64,
@@ -61,8 +61,8 @@ impl Hidden for Stop {
         } else {
             let speed = (self.side * here.line.velocity_m_s).max(0.0);
             let left = (1.0 - depth / self.closing_m).max(0.12);
-            // The laminar part depends on the cube of the gap, the orifice part on its square. Both depend on the
-            // covered length.
+            // The laminar part is inversely proportional to the cube of the gap, the orifice part to its square. Both
+            // increase with the covered length.
             let covered = depth / (depth + 2e-3);
             self.resistance_n * covered * (0.3 * speed / left.powi(3) + 0.7 * speed * speed / left.powi(2))
         };

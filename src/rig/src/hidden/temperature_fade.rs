@@ -17,9 +17,11 @@ const MOST_VISCOSITY: f64 = 50.0;
 struct Fade {
     form: usize,
     strength: f64,
-    /// Vogel: `ln mu = B / (T + C)`, K and °C.
+    /// B, K, and C, °C, of Vogel's law `ln mu = B / (T + C)`.
     vogel: (f64, f64),
-    /// Walther (ASTM D341): `lg lg (nu + 0.7) = A - M lg T`, from the viscosities at 40 and 100 °C, mm²/s.
+    /// A and M of Walther's law (ASTM D341), `lg lg (nu + 0.7) = A - M lg T`.
+    ///
+    /// They follow from the viscosities at 40 and 100 °C, mm²/s.
     walther: (f64, f64),
     /// Force at which half of the pressure drop is laminar, N.
     half_n: f64,
@@ -41,7 +43,7 @@ impl Hidden for Fade {
         // The strength is an exponent: twice the strength doubles the effect of temperature on the logarithm of the
         // viscosity.
         let viscosity = libm::pow(self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C), self.strength);
-        // Below a fiftieth of the viscosity, the laminar part would become turbulent.
+        // The bound is a fiftieth of the viscosity, below which the laminar part would become turbulent.
         let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);
         let density = libm::exp(-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C));
         let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);

@@ -4,7 +4,7 @@ use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest, ValveLaw};
 
 const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
-/// Velocity up to which the open passage has the valve law, m/s. Beyond it, the passage is an orifice.
+/// Velocity up to which the bleed, which is always open, has the valve law, m/s. Beyond it, the bleed is an orifice.
 const BLEED_M_S: f64 = 0.05;
 
 struct ValveHysteresis {
@@ -16,7 +16,7 @@ struct ValveHysteresis {
     /// Play between pressure and valve, expressed as a force, N, and time constant of the valve beyond the play, s.
     play_n: f64,
     follows_s: f64,
-    /// Force at the end of the open passage's law, rebound and compression, N.
+    /// Force at [`BLEED_M_S`] in rebound and compression, N.
     bleed_n: [f64; 2],
     tolerances: Vec<f64>,
 }
@@ -41,7 +41,8 @@ impl Hidden for ValveHysteresis {
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {
-            // The play is relative to the force, so that opening and closing differ by a ratio.
+            // The play approaches |F| at small forces and `play_n` at large forces, so that the valve closes at zero
+            // force.
             let play = self.play_n * here.oil_n.abs() / (here.oil_n.abs() + self.play_n);
             rates[0] = (lag.abs() - play).max(0.0).copysign(lag) / self.follows_s;
         }

@@ -56,6 +56,6 @@ pub struct InjectedEffect {
     pub form: String,
     /// Strength.
     pub strength: f64,
-    /// Shape parameters drawn from the seed, at strength 1; the names end with the unit. Names of fractions have none.
+    /// Shape parameters drawn from the seed, at strength 1. The names end with the unit, except those of pure numbers.
     pub shapes: BTreeMap<String, f64>,
 }

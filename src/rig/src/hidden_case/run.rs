@@ -1,4 +1,5 @@
-//! Runs a case: all tests on one clock, so that temperatures and other lasting states continue from test to test.
+//! Execution of a case: all tests on one clock, so that temperatures and other lasting states continue from test to
+//! test.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -14,7 +15,9 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Target of samples per cycle. It is lower than on a common rig, but sufficient for 25 Hz, and files are short.
+/// Number of samples per cycle at which the sample rate aims.
+///
+/// It is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
 /// Sample rates with sample times in whole microseconds, Hz.
 const RATES_HZ: [f64; 22] = [
@@ -25,7 +28,8 @@ const RATES_HZ: [f64; 22] = [
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals, in samples. At a reversal, the velocity would be exactly zero.
+/// Offset of the samples from the reversals of the motion, in samples. Without it, the velocity of a sample at a
+/// reversal would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
@@ -74,7 +78,7 @@ impl InjectedCase {
             drawn.push(effect);
         }
         let truth = truth(seed, &drawn, draw.values);
-        // An effect of strength 0 is omitted completely.
+        // An effect of strength 0 is omitted, so that the result equals the neutral damper to the bit.
         let hidden: Vec<Box<dyn Hidden>> =
             drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|drawn| drawn.effect).collect();
 

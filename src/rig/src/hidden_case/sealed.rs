@@ -12,7 +12,7 @@ use crate::files::replace_file;
 pub const SEALED_FOLDER: &str = "sealed";
 /// File of the injected effects.
 pub const TRUTH_FILE: &str = "truth.toml";
-/// File of the forces without noise: one line per sample, records in the order of their names.
+/// File of the forces without noise: one line per sample, records in the order of measurement.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
 impl InjectedCampaign {

@@ -19,10 +19,11 @@ const FREQUENCY_RANGE_HZ: (f64, f64) = (1e-3, 50.0);
 const SIDE_FORCE_LIMIT_N: f64 = 3000.0;
 /// Largest number of whole cycles of a test.
 const CYCLES_LIMIT: u32 = 1000;
-/// Largest relative difference between the stated peak velocity and 2 pi A f, for rounded values in a matrix file.
+/// Largest accepted relative difference between the stated peak velocity and 2 pi A f. A matrix file may contain
+/// rounded values.
 const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 
-/// One test.
+/// One test of a matrix: a sine, or a road-like random motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TestPoint {
     /// Name, unique in the matrix. It is also the file name of the record without `.csv`.

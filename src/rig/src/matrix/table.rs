@@ -1,4 +1,4 @@
-//! The test matrix as a CSV file in millimeters, the unit of test engineers. Only this file converts units.
+//! The test matrix as a CSV file. The file is in millimeters, the unit of test engineers, and the matrix in SI units.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -8,7 +8,7 @@ use super::{Matrix, TestPoint};
 use crate::RigError;
 use crate::files::{read_table, replace_file};
 
-/// The columns, in the order of writing.
+/// Names of the columns of a matrix file, in the order of writing.
 const COLUMNS: [&str; 7] =
     ["name", "amplitude_mm", "frequency_hz", "peak_velocity_mm_s", "mean_displacement_mm", "side_force_n", "cycles"];
 const NAME: usize = 0;
@@ -134,7 +134,7 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
     Matrix::new(points)
 }
 
-/// Positions of the known columns in the file.
+/// Positions of the known columns in the file, and the number of its columns.
 struct Header {
     places: [Option<usize>; COLUMNS.len()],
     width: usize,

@@ -23,7 +23,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn friction_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a replacement of the smooth sign of friction, -1..1.
+    /// Returns a replacement of the smooth sign of friction, -1..1, or `None` to keep that sign.
     fn friction_direction(&self, _here: &Here, _states: &[f64]) -> Option<f64> {
         None
     }
@@ -31,7 +31,8 @@ pub(crate) trait Hidden: Send + Sync {
     fn beside_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns the remaining deflection of the series element, m, and the engaged fraction of the parallel damper.
+    /// Returns the deflection of the series element without its play, m, and the engaged fraction of its damper. `None`
+    /// means no play.
     fn gap(&self, _deflection_m: f64) -> Option<(f64, f64)> {
         None
     }

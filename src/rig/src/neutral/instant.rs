@@ -26,9 +26,9 @@ pub(crate) struct Here {
     /// Deflection of the series spring (m) and its rate.
     pub deflection_m: f64,
     pub deflection_m_s: f64,
-    /// Force of the oil, N.
+    /// Force of the oil on the mass, N.
     pub oil_n: f64,
-    /// Force on the rod at the moving end, N; valid for rates and sensors, zero in earlier calls.
+    /// Force on the rod at the moving end, N. It is zero in the methods of an effect from which it is computed.
     pub rod_n: f64,
 }
 

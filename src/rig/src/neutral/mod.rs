@@ -1,4 +1,5 @@
-//! The neutral damper: the thesis's topology with its own force laws, for the injection of effects.
+//! The neutral damper, into which effects are injected: the topology of the thesis (Jonnalagadda & Vyas 2020) with
+//! other force laws.
 //!
 //! From the moving end inward, it has a series spring and damper, a small mass, and the valves in parallel with a weak
 //! linear spring. Friction and a constant gas preload act in parallel with all of these. Without an injected effect,

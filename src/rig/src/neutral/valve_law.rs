@@ -4,7 +4,7 @@
 
 use crate::draw::Draw;
 
-/// Highest velocity of a drawn law, m/s.
+/// Velocity near the last knot of a drawn curve, m/s.
 const TOP_M_S: f64 = 1.6;
 
 /// The law of both directions.
@@ -144,7 +144,7 @@ fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
 }
 
 impl Knots {
-    /// Draws knots near a curve: velocities with equal ratios from about 10 mm/s, forces with deviations of some
+    /// Draws knots near a curve: velocities with nearly equal ratios from about 12 mm/s, forces with deviations of some
     /// percent.
     fn on(draw: &mut Draw, curve: &OneWay, count: usize) -> Self {
         let law = ValveLaw { rebound: curve.clone(), compression: curve.clone() };

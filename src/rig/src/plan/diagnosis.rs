@@ -66,7 +66,7 @@ const CHECKS: [Row; 11] = [
     (20.0, 0.8, 0.0, 750.0),
 ];
 
-/// Limits of displacement (mm) and velocity (m/s), mean displacement (mm), side force (N).
+/// Road-like tests: limits of displacement (mm) and velocity (m/s), mean displacement (mm), side force (N).
 const ROADS: [Row; 3] = [(18.0, 0.5, 0.0, 0.0), (30.0, 1.1, 8.0, 0.0), (14.0, 0.8, -12.0, 300.0)];
 /// Duration of a road, s.
 const ROAD_S: f64 = 4.0;
@@ -94,7 +94,7 @@ pub(super) fn tests() -> Vec<TestPoint> {
     tests
 }
 
-/// Makes three cycles of a sine.
+/// Makes a test with three cycles of a sine.
 pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> TestPoint {
     let amplitude_m = amplitude_mm * 1e-3;
     let mut name = format!("a{amplitude_mm}mm_f{frequency_hz}hz");

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use tempfile::TempDir;
 
-/// Shared results, computed once.
+/// Results that the tests of this file share, computed once.
 ///
 /// `records` is a campaign of the virtual rig's monotube, and `plain.toml` its model without dry friction. The output
 /// of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
@@ -177,7 +177,7 @@ fn the_json_is_what_scripts_were_promised() {
         let name = word(test, "test");
         assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
-    // These figures and the definition of the closed gap give the reported value.
+    // The errors of the left-out tests and the definition of the closed gap give the reported value.
     let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
@@ -199,7 +199,7 @@ fn threads_and_repetition_change_no_byte() {
     for file in ["better.toml", "d.json", "d.html"] {
         std::fs::remove_file(dir.join(file)).unwrap();
     }
-    // The first run used as many threads as cores.
+    // The shared diagnosis used as many threads as cores.
     let ran = run_with(dir, &DIAGNOSE, &[("RAYON_NUM_THREADS", "1")]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     // Progress appears only on terminals.

@@ -18,7 +18,7 @@ pub fn column(sheet: &Range<Data>, heading: &str) -> Vec<Data> {
     sheet.rows().skip(1).map(|row| row[place].clone()).collect()
 }
 
-/// Returns one sheet.
+/// Returns the sheet with this name.
 pub fn sheet<'a>(all: &'a [(String, Range<Data>)], name: &str) -> &'a Range<Data> {
     let found = all.iter().find(|(n, _)| n == name);
     &found.unwrap_or_else(|| panic!("no sheet {name} in {:?}", all.iter().map(|s| &s.0).collect::<Vec<_>>())).1
@@ -87,7 +87,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let diagnosed = sheets(&dir.join("d.xlsx"));
     let found = json(&dir.join("d.json"));
     let rows = |list: &serde_json::Value| list.as_array().expect("a list").len();
-    // The findings come first.
+    // The sheet lists the findings first, then the candidates of the first iteration.
     let tried = rows(&found["findings"]) + rows(&found["iterations"][0]);
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
     assert_inventory(&diagnosed, &json(&dir.join("d.json")));

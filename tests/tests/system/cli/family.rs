@@ -443,7 +443,7 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
         let forces = one.params.list(list!("fv_force"));
         assert_eq!((forces.first(), forces.last()), (Some(&compression), Some(&rebound)));
     }
-    // Speeds that scatter, as a dyno measures them, lose no point.
+    // If measured velocities differ slightly between clicks, as on a dyno, the table loses no point.
     let mut scattered = String::from("Clicks,Comp Vel [m/s],Comp Force [N],Reb Vel [m/s],Reb Force [N]\n");
     let rows =
         [[0.05, 200.0, 300.0, 100.0, 150.0], [0.1, 300.0, 500.0, 160.0, 260.0], [0.5, 700.0, 1300.0, 420.0, 700.0]];
@@ -461,7 +461,7 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
     std::fs::write(dir.join("three.csv"), three).unwrap();
     let printed = done(dir, &["import", "peaks", "three.csv", "-o", "three.toml", "--clicks", "family"]);
     assert!(printed.contains("with 8 and 16 exchanged"), "{printed}");
-    // A click that ends early would end all of them.
+    // A click whose forces end at a lower velocity would shorten the tables of all clicks, so it is an error.
     std::fs::write(dir.join("short.csv"), table.replace("0.5,700,420,1300,700\n", "0.5,700,,1300,\n")).unwrap();
     let message = refused(dir, &["import", "peaks", "short.csv", "-o", "other.toml", "--clicks", "family"]);
     assert!(message.contains("click 8 has forces up to 300 mm/s"), "{message}");

@@ -4,12 +4,12 @@ use dashpot_tests::cli::{campaign_folder, done, json, refused, run};
 use std::fs;
 use std::path::Path;
 
-/// Fits a fast model to the records.
+/// Fits the FV curve alone to the records, which is fast.
 fn model(dir: &Path) {
     done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
 }
 
-/// Returns the measured peak force nearest to a velocity, from the figures.
+/// Returns velocity and measured force of the peak nearest to a velocity, from `v.json`.
 fn peak(dir: &Path, velocity: f64) -> [f64; 2] {
     let figures = json(&dir.join("v.json"));
     let peaks = figures["tests"].as_array().unwrap().iter().flat_map(|t| t["peaks"].as_array().unwrap().clone());

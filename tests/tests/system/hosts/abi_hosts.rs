@@ -12,7 +12,7 @@ use dashpot_tests::library::{Language, Linkage, host, succeed};
 
 const SANITIZERS: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"];
 
-/// A model with the features that the default lacks: private states, side force, piecewise curve.
+/// A model with the features that the default lacks: internal states, side force, piecewise curve.
 const MODEL: &str = r#"
 format = 1
 elements = ["fv_curve", "series_compliance", "stribeck_friction", "side_force_friction", "gas_preload", "lagged_polynomial"]
@@ -119,7 +119,7 @@ fn agrees(source: &str, language: Language, linkage: Linkage, flags: &[&str]) {
             ("step", sine(0.025, 20.0, 5e-4, everything)),
             ("step", sine(0.02, 8.0, 1e-3, velocity_alone)),
             ("force", sine(0.02, 8.0, 1e-3, velocity_alone)),
-            // The steps are too long.
+            // The steps are longer than 0.01 s, so each returns a warning.
             ("force", sine(0.05, 1.0, 0.0125, velocity_alone)),
         ];
         for (mode, samples) in runs {

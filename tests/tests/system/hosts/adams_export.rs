@@ -300,7 +300,7 @@ fn a_property_file_holds_the_plain_curve_of_the_fit() {
     assert_eq!(at("run/damper.toml"), format!("{MODEL}{FIT}"));
 }
 
-/// A newly identified damper replaces its own property file. A vendor's file with the same beginning stays.
+/// A newly identified damper replaces its own property file. Another program's file with the same beginning stays.
 #[test]
 fn a_property_file_replaces_its_own_older_version_alone() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,7 @@
 //! FMUs in importers with unusual behavior.
 //!
-//! The resources folder is wrong or missing, a logger disappears, or start values are not set. Or importers request
-//! outputs at earlier times, or call functions out of order.
+//! They give a wrong resources folder or none, remove the logger, or set no start values. They also request outputs at
+//! earlier times, or call functions out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;
@@ -45,7 +45,7 @@ fn it_is_a_controlled_damper_of_carmaker() {
     }
 }
 
-/// With an accompanying file in the form of the vendor's templates, the FMU equals the library's damper.
+/// With an accompanying file in the form of CarMaker's templates, the FMU equals the library's damper.
 #[test]
 fn it_is_a_damper_of_carmaker() {
     for fmi in ["2", "3"] {

@@ -1,4 +1,4 @@
-//! Directional derivatives of an FMU whose dampers have private states, compared with finite differences in FMPy.
+//! Directional derivatives of an FMU whose dampers have internal states, compared with finite differences in FMPy.
 
 use dashpot_tests::cli::done;
 use dashpot_tests::fmu::runtimes;
@@ -6,7 +6,7 @@ use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// Elements in addition to curve and series spring, further lines, and the number of private states.
+/// Elements in addition to curve and series spring, further lines, and the number of internal states.
 const DAMPERS: [(&str, &str, u32); 16] = [
     ("oil_compressibility", "", 1),
     ("valve_hysteresis", "", 1),

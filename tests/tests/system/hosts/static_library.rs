@@ -6,7 +6,7 @@ use dashpot_tests::library::{directory, pack, root, static_library, succeed};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Calls functions of compilers and C libraries that Rust's compiler library also defines.
+/// Program that calls functions of compilers and C libraries that Rust's compiler library also defines.
 const PROGRAM: &str = r#"
 #include "dashpot.h"
 #include <math.h>
@@ -38,7 +38,7 @@ int main(int argc, char **argv)
 }
 "#;
 
-/// Names that the library must not define: names of a C library, and names that Rust programs define.
+/// Program with names that the library must not define: names of a C library, and names that Rust programs define.
 const NAMESAKES: &str = r#"
 #include "dashpot.h"
 #include <stdio.h>

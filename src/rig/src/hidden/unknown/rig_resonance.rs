@@ -22,7 +22,7 @@ impl Hidden for Resonance {
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
-        // Only oil and series force since the start of the test excite the frame; the preload does not excite it.
+        // Only the oil force, which is zero at the start of a test, excites the frame. The preload does not excite it.
         rates[0] = states[1];
         rates[1] = self.omega * (self.omega * (here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
     }

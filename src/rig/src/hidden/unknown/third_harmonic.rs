@@ -11,7 +11,7 @@ struct Crosstalk {
 
 impl Hidden for Crosstalk {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
-        // cos 3a = 4 cos³ a - 3 cos a, where the relative velocity is the cosine.
+        // cos 3a = 4 cos³ a - 3 cos a, where the velocity relative to its peak is cos a.
         let peak = here.line.peak_velocity_m_s;
         let cos = (here.line.velocity_m_s / peak).clamp(-1.2, 1.2);
         force_n + self.per_m_s_n * peak * (4.0 * cos * cos * cos - 3.0 * cos)
