@@ -15,7 +15,7 @@ use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
 use dashpot_messages::Sentence;
-use dashpot_records::Record;
+use dashpot_records::{Record, is_same_setting};
 use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
@@ -120,7 +120,8 @@ pub fn identify_actuator(
 fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
     let errors = InterpolationError::new(damper);
     let difference = |place: usize| {
-        let report = reports.get(place)?;
+        let setting = damper.axis.grid().get(place)?;
+        let report = reports.iter().find(|report| is_same_setting(report.setting, *setting))?;
         let squared = report.left_out?.error_percent.powi(2) - report.family.error_percent.powi(2);
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };

@@ -117,15 +117,16 @@ pub fn judge_over_settings(
             checked.push(judge_time(limit, responses));
             continue;
         }
-        let Some(setting) = at(limit) else { continue };
-        let own: Vec<usize> =
-            (0..records.len()).filter(|k| settings[*k].is_some_and(|own| is_same_setting(own, setting))).collect();
+        // A limit without a setting is not tested if the setting changes in every record.
+        let setting = at(limit);
+        let is_own = |k: &usize| settings[*k].zip(setting).is_some_and(|(own, wanted)| is_same_setting(own, wanted));
+        let own: Vec<usize> = (0..records.len()).filter(is_own).collect();
         let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
         let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
         let found =
             Figures::measure(&of, None).judge(std::slice::from_ref(limit), Some(&Figures::measure(&of, Some(&forces))));
         checked.extend(found.limits);
-        if !judged.iter().any(|known| is_same_setting(*known, setting)) {
+        if let Some(setting) = setting.filter(|own| !judged.iter().any(|known| is_same_setting(*known, *own))) {
             judged.push(setting);
             peaks.extend(found.peaks);
         }
@@ -238,6 +239,20 @@ mod tests {
             }
         };
         vec![of(0.0, 1.6, 0.012), of(0.0, 0.8, 0.009), of(1.6, 0.0, 0.020)]
+    }
+
+    #[test]
+    fn a_limit_is_not_tested_where_the_setting_changes_in_every_record() {
+        let all = [test("road", 1000.0)];
+        let found = judge_over_settings(
+            &parse("l.csv".as_ref(), "quantity,velocity_m_s,high\nforce,0.5,900\n").unwrap(),
+            (&[&all[0]], &[None]),
+            &[all[0].force.as_slice()],
+            &[],
+        )
+        .unwrap();
+        assert_eq!(found.limits.iter().map(|l| l.verdict).collect::<Vec<_>>(), [Verdict::NotTested]);
+        assert!(!found.passed);
     }
 
     #[test]
