@@ -120,7 +120,7 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
 /// Damages words or lines of a text in one to three positions.
 ///
 /// Unexpected numbers replace others, words are exchanged, and lines are repeated, removed or exchanged. The result
-/// still resembles a valid file. It therefore reaches more code of a reader than damaged bytes.
+/// still resembles a valid file. The result still resembles a valid file, so it gets further through a parser than a file with damaged bytes.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",

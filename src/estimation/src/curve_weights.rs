@@ -18,7 +18,7 @@ const REACH: usize = 5;
 /// Largest number of points that affect a value. The slope at zero depends on two neighbors, both on the side of the
 /// evaluated piece.
 const POINTS: usize = 4;
-/// Index of a point's own force among the forces of its slope.
+/// Index of the point itself among the [`REACH`] points that affect its slope.
 const OWN: usize = 2;
 
 impl CurveWeights {

@@ -167,7 +167,8 @@ impl Hypothesis {
         }
     }
 
-    /// Returns the segment of the damper's inputs at the time of the measured forces.
+    /// Returns the test's segment with the inputs that caused the measured forces. They precede the force samples by the delay
+    /// of the force channel.
     ///
     /// Its temperatures include self-heating if `place` is the index of the test. The inputs are earlier by the delay
     /// of the force channel. The steps are finer if the channel is filtered.

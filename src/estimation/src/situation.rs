@@ -16,7 +16,7 @@ use dashpot_records::restrict;
 pub struct Situation {
     /// The base model.
     pub base: Params,
-    /// Size of the damper relative to that of a car damper.
+    /// Strength of the damper relative to that of a passenger car's damper; 1 within the range of cars.
     pub scale: Scale,
     /// Coulomb level of the model's friction elements, N.
     pub friction: f64,

@@ -260,7 +260,7 @@ pub(crate) mod file_units {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const OFF: f64 = 1.25;
 
-    /// Ratio of two units above which no damper causes the difference. The force of an adjustable damper changes by a
+    /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force of an adjustable damper changes by a
     /// factor of up to 15.
     ///
     /// Test: none.
@@ -740,7 +740,7 @@ pub(crate) mod gaps {
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;
 
-    /// Number of steps on each side for the comparison.
+    /// Number of time steps before and after a candidate gap. The candidate is compared with the median of each side.
     ///
     /// Test: none.
     pub(crate) const AROUND: usize = 15;

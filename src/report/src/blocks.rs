@@ -61,7 +61,7 @@ pub struct Figure {
 /// A table.
 #[derive(Debug, Clone)]
 pub struct Table {
-    /// Meaning and calculation of the table's figures.
+    /// What the numbers of the table mean, and how they are calculated.
     pub caption: String,
     /// Columns.
     pub columns: Vec<Column>,

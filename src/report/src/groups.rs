@@ -179,7 +179,7 @@ fn numbers(answers: &GroupResults, words: &Words) -> Table {
     }
 }
 
-/// A report over groups: one HTML page, or a workbook of its tables.
+/// A report on groups: one HTML page, or a workbook of its tables.
 pub struct Page {
     subtitle: String,
     sections: Vec<Section>,

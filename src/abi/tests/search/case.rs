@@ -235,7 +235,7 @@ fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     }
     let (span, top) = (x[n - 1], f[n - 1].max(1e-9));
     let off = if r.chance(0.7) { r.between(-1.0, 1.0) } else { 0.0 };
-    // Most dampers have a curve through the origin.
+    // With probability 0.6, one point of the table lies at the origin, as for most dampers.
     let through = r.chance(0.6).then(|| r.one_of(n));
     let (x0, f0) = through.map_or((0.5 * span, 0.5 * top + off * top), |i| (x[i], f[i]));
     (x.iter().map(|x| (x - x0) / span * width).collect(), f.iter().map(|f| (f - f0) / top * height).collect())

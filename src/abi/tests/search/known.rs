@@ -515,7 +515,7 @@ fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     }
 }
 
-/// The drive gives a mass on hardening rubber large deflections.
+/// The imposed velocity causes large deflections of the hardening bushing that carries the internal mass.
 ///
 /// At these deflections the natural frequency of the mass is too high for the substeps of undeflected rubber. The force was up to ten times
 /// the force of short steps. One in a hundred of these cases failed, with a chosen method and without.

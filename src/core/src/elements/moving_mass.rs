@@ -68,7 +68,8 @@ impl MovingMass {
         }
     }
 
-    /// Returns the velocity over a step as p_0 + p_1 θ + p_2 θ² between the host's velocities at both ends.
+    /// Returns the coefficients of the velocity p_0 + p_1 θ + p_2 θ² over the fraction θ of a step. The velocity at both ends
+    /// is that of the host.
     ///
     /// Inertia follows from velocities. The displacement over the step gives the mean velocity and thus the curvature
     /// p_2. The curvature is limited to the change of the acceleration since the start of the step, where the

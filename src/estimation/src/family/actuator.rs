@@ -50,7 +50,7 @@ impl ActuatorForm {
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
 
-/// A parameter of an actuator: the axis entries that it determines, and its scale.
+/// A free parameter of an actuator: the entries of the axis that it sets, its transformation, start, bounds and prior.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
     /// Names of the entries.

@@ -9,7 +9,7 @@
 //! | [`problem`] | the hypothesis of a family, its residuals and its refit |
 //! | [`pattern`] | parameters that may depend on the setting, and the prior odds of such a dependence |
 //! | [`structure`] | a refitted family with its effects and its log posterior |
-//! | [`prediction`] | first-order estimate of a family with other shared parameters |
+//! | [`prediction`] | first-order estimate of a family in which other parameters depend on the setting, without a refit |
 //! | [`template`] | a family made from a structure that was found at one setting |
 //! | [`search`] | the search for effects and for parameters that depend on the setting |
 //! | [`command_time`] | the instant within a sample at which a command changes |

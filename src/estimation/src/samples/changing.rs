@@ -158,7 +158,7 @@ mod tests {
         let mean: f64 = dt.iter().zip(setting).map(|(dt, s)| dt * s).sum::<f64>() / record.time[n - 1];
         let true_mean = (1..n).map(|k| signal.command(k)).sum::<f64>() / (n - 1) as f64;
         assert!((mean - true_mean).abs() < 1e-9, "{mean} {true_mean}");
-        // The command is constant within every step. The other steps stay unchanged.
+        // The step in which the command changes is split, so the command is constant within every step.
         assert!(setting.iter().all(|s| *s == 0.2 || *s == 1.4), "a command between the levels");
         let switched = setting.iter().position(|s| *s == 1.4).unwrap();
         let time: f64 = dt[..switched].iter().sum();

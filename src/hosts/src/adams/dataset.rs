@@ -142,7 +142,7 @@ impl Statement {
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// Returns the id of an argument such as `I = 75`, outside the function.
+    /// Returns the id that an argument such as `I = 75` states. The function expression is not searched.
     pub fn id_of(&self, key: &str) -> Option<u64> {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let mut all =

@@ -38,7 +38,7 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
-/// Paragraphs about the parameters of the elements: if they are variables of the FMU (`TUNABLE`), and if they are concealed (`HIDDEN`).
+/// Paragraph about the parameters of the elements: `TUNABLE` if they are variables of the FMU, `HIDDEN` if they are concealed.
 const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunable: they act from the next step on. A number outside its bounds is \
      refused when it is set, and the old one stays. Numbers that must fit together, such as the points of a curve, which must not fall, may be set \
      one after the other: each is kept as it is written and can be read back. The set is judged as a whole at the end of the initialization mode \

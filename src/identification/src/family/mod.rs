@@ -5,7 +5,7 @@
 //! | [`settings`] | records sorted by their setting; reasons why no family can be fitted |
 //! | [`actuator`] | response of the valve, from tests with a changing setting |
 //! | [`at_setting()`] | ordinary damper at a setting, with its intervals |
-//! | [`actuator_numbers()`] | numbers of the valve in a model file |
+//! | [`actuator_numbers()`] | nonzero parameters of the actuator in a model file, with their intervals where known |
 //! | [`interpolation_error`] | bound on the error between two settings |
 //! | [`FamilyFigures`] | figures of a fit as JSON |
 //! | [`fit`] | fit of structure, numbers and their dependence on the setting |

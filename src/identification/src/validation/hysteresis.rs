@@ -21,7 +21,7 @@ const MIN_SAMPLES: usize = 2;
 /// Smallest number of samples of a cycle. A cycle with fewer samples is left out.
 const MIN_CYCLE_SAMPLES: usize = 8;
 
-/// Figure of each of three forces: the measured force and two simulated forces.
+/// One statistic for each of three forces: the measured force, that of the full model and that of the FV curve alone.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct OfEach {
     /// Figure of the measured force.

@@ -172,7 +172,8 @@ pub(crate) fn parse(
 /// Heading that replaces `X_Value` as the heading of the time column.
 const TIME: &str = "Time [s]";
 
-/// Returns the names of the columns as a heading. The first time column is the time. Further time columns are left out.
+/// Returns the heading of each column. The first filled `X_Value` column of dimension time becomes [`TIME`]. Other
+/// `X_Value` columns get an empty heading.
 fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
     let given = options.columns.contains_key(&crate::Channel::Time);
     let filled = packet.rows.first().map(|(_, text)| split(text, b'\t')).unwrap_or_default();

@@ -491,7 +491,7 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     let change = "'steps': the current of the damper's valve steps between 0.20 and 1.20 A within the test (steps: 2)";
     assert!(ran.code == Some(0) && ran.err.contains(change) && !ran.err.contains("--exclude"), "{}", ran.err);
     let of = json(&dir.join("v.json"))["changing"].clone();
-    // The error is nonzero because a record is smoothed and a motion is not.
+    // `validate` smooths the motion and `simulate` does not, so a small error is allowed.
     assert!(number(&of, "error_percent") < 0.1, "{of}");
     // If an option gives the command at the same time, the change differs by at most half a sample.
     write_valve_and_motion(dir, "", |_| String::new());
