@@ -9,7 +9,7 @@ use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
-use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
+use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse, measured_times};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
@@ -287,17 +287,19 @@ fn response(kind: Kind) -> StepResponse {
     tests.dedup();
     let groups = groups.into_iter().filter(|(_, own)| own.len() >= FEWEST).map(|((test, is_rebound), own)| {
         let [measured, model] = both(&own, &grid).0;
+        let (measured, uncertainty) = measured_times(&grid, &measured, &model, kind.sample);
         StepGroup {
             test: test.to_owned(),
             is_rebound,
             steps: own.len(),
-            measured: ResponseTimes::measure(&grid, &measured),
-            uncertainty: TimeUncertainty::measure(&grid, &measured, &model, kind.sample),
+            measured,
+            uncertainty,
             model: ResponseTimes::measure(&grid, &model),
         }
     });
     let groups = groups.collect();
     let ([measured, model], settled) = both(&steps, &grid);
+    let (times, uncertainty) = measured_times(&grid, &measured, &model, kind.sample);
     StepResponse {
         from: kind.levels[0],
         to: kind.levels[1],
@@ -306,8 +308,8 @@ fn response(kind: Kind) -> StepResponse {
         sample_s: kind.sample,
         end_fraction: settled,
         groups,
-        measured: ResponseTimes::measure(&grid, &measured),
-        uncertainty: TimeUncertainty::measure(&grid, &measured, &model, kind.sample),
+        measured: times,
+        uncertainty,
         model: ResponseTimes::measure(&grid, &model),
         time: grid,
         measured_response: measured,

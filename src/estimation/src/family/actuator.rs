@@ -402,6 +402,19 @@ impl<'a> ActuatorProblem<'a> {
 }
 
 impl ActuatorProblem<'_> {
+    /// Returns a refit with the residuals of the model alone, without the force errors at and between the settings.
+    pub fn without_force_errors(&self, refit: &ActuatorRefit) -> Option<ActuatorRefit> {
+        let mut theta = refit.theta.clone();
+        theta.iter_mut().skip(self.numbers.len()).for_each(|error| *error = 0.0);
+        let family = family_with(self.context.definition, &self.numbers, &theta)?;
+        let of_test = |block: usize| {
+            let forces = self.forces(block, &family, &theta, Wanted::Forces, 0.0).0;
+            Some((DMatrix::zeros(0, 0), self.weighted(&self.context.tests[block], &forces)?))
+        };
+        let blocks = (0..self.context.tests.len()).map(of_test).collect::<Option<_>>()?;
+        Some(ActuatorRefit { theta, blocks, ..refit.clone() })
+    }
+
     /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
     /// within a sample, in samples.
     pub fn timing_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {

@@ -48,6 +48,25 @@ impl ResponseTimes {
     }
 }
 
+/// Largest noise of a measured response, in the width of a 95 % interval. With more, 63 % of the way cannot be told from its end.
+const MOST_NOISE: f64 = 1.0 - 0.632;
+
+/// Computes the times of a measured response with their uncertainties. The model's response gives the slope.
+///
+/// There are no times if the noise hides the way, for example because the instants of the commands are unknown.
+pub fn measured_times(
+    time: &[f64],
+    measured: &[f64],
+    model: &[f64],
+    sample_s: f64,
+) -> (Option<ResponseTimes>, Option<TimeUncertainty>) {
+    if end_noise(time, measured).is_some_and(|noise| WIDTH_95 * noise > MOST_NOISE) {
+        return (None, None);
+    }
+    let times = ResponseTimes::measure(time, measured);
+    (times, times.and_then(|_| TimeUncertainty::measure(time, measured, model, sample_s)))
+}
+
 /// Uncertainties of measured response times, s: half the width of their 95 % intervals.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TimeUncertainty {
@@ -61,6 +80,11 @@ pub struct TimeUncertainty {
 
 /// Largest error of the instant of a command, in sampling intervals. The instant lies anywhere between two samples.
 const HALF_SAMPLE: f64 = 0.5;
+/// Rise time from 10 % to 90 % of a straight line over one sampling interval, in sampling intervals.
+///
+/// A record with few samples shows a jump as such a line, so its rise is too slow by up to this time. The time until 90 % is too long by
+/// half of it.
+const LINE: f64 = 0.8;
 /// Half-width of a 95 % interval, in standard deviations.
 const WIDTH_95: f64 = 2.0;
 
@@ -85,7 +109,12 @@ impl TimeUncertainty {
         reaches(0.9)?;
         let [at_10, at_63, at_90] = [0.1, 0.632, 0.9].map(of_noise);
         let instant = HALF_SAMPLE * sample_s;
-        Some(TimeUncertainty { t63_s: instant + at_63, t90_s: instant + at_90, rise_s: libm::hypot(at_10, at_90) })
+        let line = LINE * sample_s;
+        Some(TimeUncertainty {
+            t63_s: instant + at_63,
+            t90_s: instant + 0.5 * line + at_90,
+            rise_s: line + libm::hypot(at_10, at_90),
+        })
     }
 }
 
@@ -197,10 +226,14 @@ mod tests {
         let noisy: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.02 } else { -0.02 }).collect();
         let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, 1e-3).unwrap();
         let (clean, found) = (of(&model), of(&noisy));
-        assert!((clean.t63_s - 5e-4).abs() < 2e-5 && clean.rise_s < 5e-5, "{clean:?}");
+        assert!((clean.t63_s - 5e-4).abs() < 2e-5 && (clean.rise_s - 8e-4).abs() < 5e-5, "{clean:?}");
         // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %.
         assert!((found.t63_s - 5e-4 - 0.04 * 0.01 / 0.368).abs() < 1e-4, "{found:?}");
-        assert!(found.rise_s > 3.8e-3 && found.rise_s < 4.8e-3, "{found:?}");
+        assert!(found.rise_s > 4.6e-3 && found.rise_s < 5.6e-3, "{found:?}");
+        // Noise as large as the remaining way hides the times.
+        let noise: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.3 } else { -0.3 }).collect();
+        assert_eq!(measured_times(&time, &noise, &model, 1e-3), (None, None));
+        assert!(measured_times(&time, &noisy, &model, 1e-3).0.is_some());
         assert_eq!(TimeUncertainty::measure(&time, &noisy, &vec![0.5; 1600], 1e-3), None);
     }
 }
