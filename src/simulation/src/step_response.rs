@@ -156,7 +156,10 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
 struct Kind {
     levels: [f64; 2],
     steps: Vec<Step>,
+    /// Shortest sampling interval, s.
     sample: f64,
+    /// Longest interval between two known values of the command, s.
+    command_sample: f64,
 }
 
 /// One step, measured and modeled.
@@ -257,7 +260,9 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
                 kinds.len() - 1
             });
             let kind = &mut kinds[place];
-            kind.sample = kind.sample.min((end - record.time[from]) / (step.end - from).max(1) as f64);
+            let sample = (end - record.time[from]) / (step.end - from).max(1) as f64;
+            kind.sample = kind.sample.min(sample);
+            kind.command_sample = kind.command_sample.max(signal.spacing * sample);
             kind.steps.push(Step {
                 test: record.name.clone(),
                 is_rebound: motion.velocity.get(step.index).is_some_and(|velocity| *velocity > 0.0),
@@ -287,7 +292,7 @@ fn response(kind: Kind) -> StepResponse {
     tests.dedup();
     let groups = groups.into_iter().filter(|(_, own)| own.len() >= FEWEST).map(|((test, is_rebound), own)| {
         let [measured, model] = both(&own, &grid).0;
-        let (measured, uncertainty) = measured_times(&grid, &measured, &model, kind.sample);
+        let (measured, uncertainty) = measured_times(&grid, &measured, &model, [kind.sample, kind.command_sample]);
         StepGroup {
             test: test.to_owned(),
             is_rebound,
@@ -299,7 +304,7 @@ fn response(kind: Kind) -> StepResponse {
     });
     let groups = groups.collect();
     let ([measured, model], settled) = both(&steps, &grid);
-    let (times, uncertainty) = measured_times(&grid, &measured, &model, kind.sample);
+    let (times, uncertainty) = measured_times(&grid, &measured, &model, [kind.sample, kind.command_sample]);
     StepResponse {
         from: kind.levels[0],
         to: kind.levels[1],

@@ -53,18 +53,18 @@ const MOST_NOISE: f64 = 1.0 - 0.632;
 
 /// Computes the times of a measured response with their uncertainties. The model's response gives the slope.
 ///
-/// There are no times if the noise hides the way, for example because the instants of the commands are unknown.
+/// `samples_s` are the sampling intervals of the force and of the command. There are no times if the noise hides the way, for example because the instants of the commands are unknown.
 pub fn measured_times(
     time: &[f64],
     measured: &[f64],
     model: &[f64],
-    sample_s: f64,
+    samples_s: [f64; 2],
 ) -> (Option<ResponseTimes>, Option<TimeUncertainty>) {
     if end_noise(time, measured).is_some_and(|noise| WIDTH_95 * noise > MOST_NOISE) {
         return (None, None);
     }
     let times = ResponseTimes::measure(time, measured);
-    (times, times.and_then(|_| TimeUncertainty::measure(time, measured, model, sample_s)))
+    (times, times.and_then(|_| TimeUncertainty::measure(time, measured, model, samples_s)))
 }
 
 /// Uncertainties of measured response times, s: half the width of their 95 % intervals.
@@ -95,7 +95,12 @@ impl TimeUncertainty {
     ///
     /// Returns `None` if the modeled response does not reach 90 %, or if the measured response has fewer than three samples in its last
     /// quarter.
-    pub fn measure(time: &[f64], measured: &[f64], model: &[f64], sample_s: f64) -> Option<TimeUncertainty> {
+    pub fn measure(
+        time: &[f64],
+        measured: &[f64],
+        model: &[f64],
+        [sample_s, command_sample_s]: [f64; 2],
+    ) -> Option<TimeUncertainty> {
         let noise = WIDTH_95 * end_noise(time, measured)?;
         let reaches = |fraction: f64| (0..time.len()).find(|k| time[*k] >= 0.0 && model[*k] >= fraction);
         let last = *time.last()?;
@@ -108,7 +113,7 @@ impl TimeUncertainty {
         let of_noise = |fraction: f64| 0.5 * (at(fraction + noise) - at(fraction - noise));
         reaches(0.9)?;
         let [at_10, at_63, at_90] = [0.1, 0.632, 0.9].map(of_noise);
-        let instant = HALF_SAMPLE * sample_s;
+        let instant = HALF_SAMPLE * command_sample_s;
         let line = LINE * sample_s;
         Some(TimeUncertainty {
             t63_s: instant + at_63,
@@ -224,7 +229,7 @@ mod tests {
         let model: Vec<f64> = time.iter().map(|t| if *t < 0.0 { 0.0 } else { 1.0 - libm::exp(-t / 0.01) }).collect();
         // Standard deviation 0.02.
         let noisy: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.02 } else { -0.02 }).collect();
-        let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, 1e-3).unwrap();
+        let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, [1e-3; 2]).unwrap();
         let (clean, found) = (of(&model), of(&noisy));
         assert!((clean.t63_s - 5e-4).abs() < 2e-5 && (clean.rise_s - 8e-4).abs() < 5e-5, "{clean:?}");
         // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %.
@@ -232,8 +237,8 @@ mod tests {
         assert!(found.rise_s > 4.6e-3 && found.rise_s < 5.6e-3, "{found:?}");
         // Noise as large as the remaining way hides the times.
         let noise: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.3 } else { -0.3 }).collect();
-        assert_eq!(measured_times(&time, &noise, &model, 1e-3), (None, None));
-        assert!(measured_times(&time, &noisy, &model, 1e-3).0.is_some());
-        assert_eq!(TimeUncertainty::measure(&time, &noisy, &vec![0.5; 1600], 1e-3), None);
+        assert_eq!(measured_times(&time, &noise, &model, [1e-3; 2]), (None, None));
+        assert!(measured_times(&time, &noisy, &model, [1e-3; 2]).0.is_some());
+        assert_eq!(TimeUncertainty::measure(&time, &noisy, &vec![0.5; 1600], [1e-3; 2]), None);
     }
 }

@@ -57,6 +57,15 @@ pub struct SettingSignal {
     /// Value at each sample of the record. Within a level, this is the value of the level, without noise.
     #[serde(skip)]
     pub values: Vec<f64>,
+    /// Mean number of samples between two known values of the channel; 1 if no value is missing. The instant of a step
+    /// is known to this number of samples.
+    #[serde(skip, default = "every_sample")]
+    pub spacing: f64,
+}
+
+/// Spacing of a channel without missing values.
+fn every_sample() -> f64 {
+    1.0
 }
 
 /// A range of samples at one level.
@@ -70,6 +79,8 @@ struct Level {
 impl SettingSignal {
     /// Makes the signal of a channel. Replaces a missing value by the previous value.
     pub fn new(name: &str, unit: &str, channel: &[f64]) -> SettingSignal {
+        let known = channel.iter().filter(|value| value.is_finite()).count();
+        let spacing = channel.len().max(1) as f64 / known.max(1) as f64;
         let mut values = channel.to_vec();
         let mut last = channel.iter().copied().find(|v| v.is_finite()).unwrap_or(0.0);
         for value in &mut values {
@@ -85,7 +96,7 @@ impl SettingSignal {
             values[level.from..level.end].fill(level.value);
         }
         let range = extremes(&values);
-        SettingSignal { name: name.to_owned(), unit: unit.to_owned(), pattern, range, values }
+        SettingSignal { name: name.to_owned(), unit: unit.to_owned(), pattern, range, values, spacing }
     }
 
     /// Returns the changes between levels, or none for a varying signal.
@@ -321,5 +332,12 @@ mod tests {
         let signal = SettingSignal::new("current", "A", &values);
         assert_eq!((signal.values[41], signal.steps()[0].index), (0.5, 43));
         assert_eq!(signal.command(43), 1.0);
+    }
+
+    #[test]
+    fn missing_values_widen_the_known_interval_of_the_command() {
+        let channel: Vec<f64> = (0..100).map(|k| if k % 5 == 0 { 0.4 } else { f64::NAN }).collect();
+        assert_eq!(SettingSignal::new("current", "A", &channel).spacing, 5.0);
+        assert_eq!(SettingSignal::new("current", "A", &[0.4; 100]).spacing, 1.0);
     }
 }
