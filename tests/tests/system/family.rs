@@ -474,7 +474,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
     assert!(
-        told.contains("say nothing of their pressure: steps") && told.contains("--column setting=HEADING"),
+        told.contains("no pressure is stated by steps") && told.contains("--column setting=HEADING"),
         "{told}"
     );
     let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
