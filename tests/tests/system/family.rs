@@ -473,10 +473,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     // Without a valid pressure column, the test has no pressure. A message reports a misspelled name of the column.
     let fit = ["fit", "records", "--setting", "pressure", "-o", "family.toml", "--json", "fit.json"];
     let told = refused(dir, &fit);
-    assert!(
-        told.contains("no pressure is stated by steps") && told.contains("--column setting=HEADING"),
-        "{told}"
-    );
+    assert!(told.contains("no pressure is stated by steps") && told.contains("--column setting=HEADING"), "{told}");
     let told = refused(dir, &[&fit[..], &["--column", "setting=p pilo"]].concat());
     assert!(told.contains("no test has a column 'p pilo' for the setting"), "{told}");
     let told = done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
