@@ -3,7 +3,6 @@
 mod common;
 use common::*;
 use dashpot_core::evaluate::partials;
-
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};

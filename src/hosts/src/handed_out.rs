@@ -259,6 +259,27 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_length_that_was_not_given_is_said_to_be_assumed() {
+        let params = Params::new();
+        let model = Model::new(&params).unwrap();
+        let folder = |length| {
+            run_folder(RunFolderInput {
+                params: &params,
+                model: &model,
+                text: b"",
+                length,
+                tests: &[],
+                libraries: Vec::new(),
+                replaced: Vec::new(),
+                chatters: Vec::new(),
+            })
+        };
+        let is_assumed =
+            |length| folder(length).notes(Path::new("run")).iter().any(|note| note.contains("400 mm is assumed"));
+        assert_eq!([is_assumed(None), is_assumed(Some(412.5))], [true, false]);
+    }
+
+    #[test]
     fn the_static_library_of_a_package_lies_in_its_lib() {
         let folder = tempfile::tempdir().unwrap();
         let program = folder.path().join("bin").join("dashpot");

@@ -112,7 +112,7 @@ impl Family {
         given: Option<f64>,
         progress: Option<Py<PyAny>>,
         limits: Option<Vec<limits::Row>>,
-    ) -> PyResult<(String, Vec<Forces<'py>>, Campaign)> {
+    ) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Vec<String>)> {
         let windows = limits.map(limits::of_rows).transpose()?;
         let file = &self.file;
         let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
@@ -134,12 +134,14 @@ impl Family {
             }
             let json = serde_json::to_string(&validation)?;
             let forces: Vec<_> = compared.into_iter().map(|c| (c.model, c.fv_only)).collect();
-            Ok((json, forces, read))
+            let unit = file.axis.unit();
+            let doubts = validation.setting_doubts.iter().map(|doubt| doubt.sentence(unit).to_string()).collect();
+            Ok((json, forces, read, doubts))
         })?;
-        let (json, forces, read) = done.map_err(raise::<ValidationError>)?;
+        let (json, forces, read, doubts) = done.map_err(raise::<ValidationError>)?;
         let array = |values| PyArray1::from_vec(py, values);
         let forces = forces.into_iter().map(|(model, fv_only)| (array(model), array(fv_only))).collect();
-        Ok((json, forces, Campaign { read }))
+        Ok((json, forces, Campaign { read }, doubts))
     }
 
     /// Simulates a motion with a setting at each time. Returns times, displacements, velocities and forces. The setting at a sample is the

@@ -124,9 +124,14 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
             used_in_fit: true,
         })
         .collect();
-    let errors = validate(&compared)?.overall.errors;
-    let own: Vec<&Record> = all.iter().map(|(record, _)| record).collect();
-    Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&own) })
+    quality_of(&compared)
+}
+
+/// Computes the quality over compared records.
+fn quality_of(compared: &[Compared<'_>]) -> Result<Quality, WholeRecordsError> {
+    let errors = validate(compared)?.overall.errors;
+    let records: Vec<&Record> = compared.iter().map(|of| of.record).collect();
+    Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&records) })
 }
 
 /// Computes the quality of a damper family over the tests of its fit in which the setting changes. Returns `None` without such tests.
@@ -156,9 +161,7 @@ pub fn quality_where_the_setting_changes(
             Compared { record, model, fv_only, used_in_fit: true }
         })
         .collect();
-    let errors = validate(&compared)?.overall.errors;
-    let noise_n = mean_noise(&own.iter().collect::<Vec<_>>());
-    Ok(Some(Quality { model: errors.model, fv_only: errors.fv_only, noise_n }))
+    quality_of(&compared).map(Some)
 }
 
 /// Computes the errors of a model over records after correcting them for measurement errors.

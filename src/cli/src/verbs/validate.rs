@@ -302,8 +302,6 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Uncertainty of a response time, as a fraction of this time, above which the text states the uncertainty.
-const COARSE: f64 = 0.1;
 /// Smallest completed fraction of a response at the end of a level of the setting. Below it, the text recommends longer levels.
 const SETTLED: f64 = 0.97;
 
@@ -311,7 +309,7 @@ const SETTLED: f64 = 0.97;
 fn response(of: &StepResponse, unit: &str) -> String {
     let times = |times: &Option<ResponseTimes>, uncertainty: Option<TimeUncertainty>| match times {
         Some(t) => {
-            let milli = |value: f64, known_to: Option<f64>| match known_to.filter(|known| *known > COARSE * value) {
+            let milli = |value: f64, known_to: Option<f64>| match TimeUncertainty::if_coarse(known_to, value) {
                 Some(known) => format!("{:.1} ± {} ms", 1e3 * value, digits(1e3 * known, 1)),
                 None => format!("{:.1} ms", 1e3 * value),
             };

@@ -231,6 +231,10 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     if let Some((_, posterior, refit)) = closest {
         (best_posterior, best) = (posterior, refit);
     }
+    // Every part of the chosen form gets its log odds, which compare the form with and without it.
+    for form in PARTS.iter().filter_map(|part| toggled(best.form, part)) {
+        known.entry(form).or_insert_with(|| fit(form, Some(&best)));
+    }
     let parts = PARTS
         .iter()
         .filter_map(|part| {

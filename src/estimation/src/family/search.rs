@@ -10,7 +10,7 @@ use super::pattern::{Site, sites};
 use super::prediction::Linearization;
 use super::problem::{FamilyHypothesis, SettingTests};
 use super::structure::FamilyStructure;
-use super::template::{varying_family, with_effect};
+use super::template::{varying_family, velocities, with_effect};
 use crate::cancel;
 use crate::refit::{self, Effort};
 use crate::structure::context::{Form, Structure};
@@ -61,10 +61,11 @@ pub fn search_family(
     let at_settings: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
     let mut keys: BTreeSet<Vec<Form>> = BTreeSet::new();
     let distinct: Vec<&Structure> = at_settings.iter().copied().filter(|s| keys.insert(s.key())).collect();
+    let velocities = velocities(settings, &at_settings);
     let starts: Vec<FamilyStructure> = distinct
         .into_par_iter()
         .filter_map(|from| {
-            let (hypothesis, components) = varying_family(from, &at_settings, settings)?;
+            let (hypothesis, components) = varying_family(from, &at_settings, settings, &velocities)?;
             let start = FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)?;
             Some(share(start, settings))
         })

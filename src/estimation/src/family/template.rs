@@ -26,7 +26,7 @@ const APART: f64 = 1.06;
 ///
 /// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
 /// the velocities of the tests alone, a knee that moves with the setting is rounded off.
-fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
+pub fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
     let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
     let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());
     for (own, of) in at_settings.iter().zip(settings) {
@@ -48,15 +48,15 @@ pub fn varying_family(
     from: &Structure,
     at_settings: &[&Structure],
     settings: &[SettingTests],
+    velocities: &[f64],
 ) -> Option<(FamilyHypothesis, Vec<Component>)> {
-    let velocities = velocities(settings, at_settings);
-    let template = Hypothesis { heating: None, ..with_velocities(&from.hypothesis, &from.refit.theta, &velocities)? };
-    let zero = anchor(&velocities);
+    let template = Hypothesis { heating: None, ..with_velocities(&from.hypothesis, &from.refit.theta, velocities)? };
+    let zero = anchor(velocities);
     let starts: Option<Vec<Vec<f64>>> = at_settings
         .par_iter()
         .zip(settings)
         .map(|(own, of)| {
-            let forces = forces_at(&own.hypothesis.params(&own.refit.theta), &velocities)?;
+            let forces = forces_at(&own.hypothesis.params(&own.refit.theta), velocities)?;
             let start: Vec<f64> = template
                 .numbers
                 .iter()

@@ -1,5 +1,6 @@
 //! Response of the damper force to a step of the setting: times of the measured force and of the model's force.
 
+use crate::intervals::Z;
 use serde::Serialize;
 
 /// Times of the response to a step, s, from the instant of the step.
@@ -53,14 +54,15 @@ const MOST_NOISE: f64 = 1.0 - 0.632;
 
 /// Computes the times of a measured response with their uncertainties. The model's response gives the slope.
 ///
-/// `samples_s` are the sampling intervals of the force and of the command. There are no times if the noise hides the way, for example because the instants of the commands are unknown.
+/// `samples_s` are the sampling intervals of the force and of the command. There are no times if the noise hides the way, for example
+/// because the instants of the commands are unknown.
 pub fn measured_times(
     time: &[f64],
     measured: &[f64],
     model: &[f64],
     samples_s: [f64; 2],
 ) -> (Option<ResponseTimes>, Option<TimeUncertainty>) {
-    if end_noise(time, measured).is_some_and(|noise| WIDTH_95 * noise > MOST_NOISE) {
+    if end_noise(time, measured).is_some_and(|noise| Z * noise > MOST_NOISE) {
         return (None, None);
     }
     let times = ResponseTimes::measure(time, measured);
@@ -78,6 +80,8 @@ pub struct TimeUncertainty {
     pub rise_s: f64,
 }
 
+/// Uncertainty of a response time, as a fraction of this time, above which texts state the uncertainty.
+const COARSE: f64 = 0.1;
 /// Largest error of the instant of a command, in sampling intervals. The instant lies anywhere between two samples.
 const HALF_SAMPLE: f64 = 0.5;
 /// Rise time from 10 % to 90 % of a straight line over one sampling interval, in sampling intervals.
@@ -85,10 +89,13 @@ const HALF_SAMPLE: f64 = 0.5;
 /// A record with few samples shows a jump as such a line, so its rise is too slow by up to this time. The time until 90 % is too long by
 /// half of it.
 const LINE: f64 = 0.8;
-/// Half-width of a 95 % interval, in standard deviations.
-const WIDTH_95: f64 = 2.0;
 
 impl TimeUncertainty {
+    /// Returns an uncertainty if it is more than a tenth of the time to which it belongs. Texts state only such an uncertainty.
+    pub fn if_coarse(uncertainty: Option<f64>, time: f64) -> Option<f64> {
+        uncertainty.filter(|of| *of > COARSE * time)
+    }
+
     /// Computes the uncertainties from the noise of the measured response and the slope of the modeled response, which has no noise.
     ///
     /// Near its end, a response is almost level. So even a small noise makes the time until 90 % uncertain.
@@ -101,7 +108,7 @@ impl TimeUncertainty {
         model: &[f64],
         [sample_s, command_sample_s]: [f64; 2],
     ) -> Option<TimeUncertainty> {
-        let noise = WIDTH_95 * end_noise(time, measured)?;
+        let noise = Z * end_noise(time, measured)?;
         let reaches = |fraction: f64| (0..time.len()).find(|k| time[*k] >= 0.0 && model[*k] >= fraction);
         let last = *time.last()?;
         let at = |fraction: f64| {
@@ -173,7 +180,7 @@ pub struct StepResponse {
     pub steps: usize,
     /// Names of the tests that contain these steps.
     pub tests: Vec<String>,
-    /// Sampling interval, s. The instant of a step is known to half of it.
+    /// Sampling interval, s. The instant of a step is known to half of it if the command has no missing values.
     pub sample_s: f64,
     /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
     pub end_fraction: f64,

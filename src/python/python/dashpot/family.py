@@ -155,17 +155,12 @@ class Family:
         real("setting", setting)
         windows = None if limits is None else rows(limits)
         with watched(progress) as told:
-            said, forces, as_compared = self._native.validate(native_of(campaign, "campaign"), setting, told, windows)
+            said, forces, as_compared, doubts = self._native.validate(native_of(campaign, "campaign"), setting, told, windows)
         compared = Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         kind = Validation if limits is None else JudgedValidation
-        found = kind.from_dict(loads(said))
-        for doubt in found.setting_doubts:
-            warnings.warn(
-                f"the forces of {doubt.test} are those of about {doubt.fitting:g} {self.unit}, not of {doubt.stated:g} {self.unit}: the model misses "
-                f"them by {doubt.fitting_error_n:.0f} N there and by {doubt.stated_error_n:.0f} N here. Check the setting of the test and its unit",
-                stacklevel=2,
-            )
-        return replace(found, _forces=tuple(forces), campaign=compared)
+        for doubt in doubts:
+            warnings.warn(doubt, stacklevel=2)
+        return replace(kind.from_dict(loads(said)), _forces=tuple(forces), campaign=compared)
 
     def simulate(
         self,

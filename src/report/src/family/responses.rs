@@ -17,8 +17,6 @@ use dashpot_simulation::prediction::at_velocities;
 
 /// Largest overshoot that counts as rounding, percent.
 const NO_OVERSHOOT: f64 = 0.05;
-/// Uncertainty of a response time, as a fraction of this time, above which the table states the uncertainty.
-const COARSE: f64 = 0.1;
 /// Number of points of one branch of the hysteresis loop over the setting.
 const POINTS: usize = 61;
 /// Velocity at which the hysteresis is drawn, as a fraction of the tests' largest velocity.
@@ -89,7 +87,7 @@ fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: 
 fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Table {
     let five = |times: Option<&ResponseTimes>, uncertainty: Option<TimeUncertainty>| -> [Cell; 5] {
         let milli = |s: f64, known: Option<f64>| {
-            Cell::number(1e3 * s, |v| match known.filter(|known| *known > COARSE * s) {
+            Cell::number(1e3 * s, |v| match TimeUncertainty::if_coarse(known, s) {
                 Some(known) => format!("{} ± {}", digits(v, 3), digits(1e3 * known, 1)),
                 None => digits(v, 3),
             })
