@@ -12,6 +12,7 @@
 //! | [`prediction`] | first-order estimate of a family in which other parameters depend on the setting, without a refit |
 //! | [`template`] | a family made from a structure that was found at one setting |
 //! | [`search`] | the search for effects and for parameters that depend on the setting |
+//! | [`alternatives`] | families that remain probable in addition to the most probable one |
 //! | [`command_time`] | the instant within a sample at which a command changes |
 //! | [`response`] | simulation of the damper under a changing setting |
 //! | [`actuator`] | the estimation problem of the actuator that moves the valve of an adjustable damper |
@@ -19,6 +20,7 @@
 
 pub mod actuator;
 pub mod actuator_search;
+pub mod alternatives;
 pub mod command_time;
 pub mod pattern;
 pub mod prediction;

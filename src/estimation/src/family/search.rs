@@ -6,6 +6,7 @@
 //! a setting. Moves end when the log posterior no longer rises. The result is the most probable family at the end of
 //! the moves.
 
+use super::alternatives::{RIVAL, Rival, distinct_rivals};
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -51,13 +52,21 @@ pub struct Dependence {
     pub log_odds: f64,
 }
 
+/// Result of the search for the most probable family.
+pub struct FamilySearch {
+    /// The most probable family.
+    pub best: FamilyStructure,
+    /// Other families that the search refitted, without those of clearly lower log posterior, the most probable first.
+    pub rivals: Vec<Rival>,
+}
+
 /// Searches for the most probable family. `found` contains the search of each setting alone. Returns `None` if no start
 /// gives a finite force.
 pub fn search_family(
     settings: &[SettingTests],
     found: &[StructureSearch],
     progress: &(dyn Fn(f64) + Sync),
-) -> Option<FamilyStructure> {
+) -> Option<FamilySearch> {
     let at_settings: Vec<&Structure> = found.iter().map(|search| &search.best).collect();
     let mut keys: BTreeSet<Vec<Form>> = BTreeSet::new();
     let distinct: Vec<&Structure> = at_settings.iter().copied().filter(|s| keys.insert(s.key())).collect();
@@ -77,48 +86,66 @@ pub fn search_family(
         let done = 1 + moves.fetch_add(1, Ordering::Relaxed);
         progress(0.3 + 0.7 * done as f64 / (done + USUAL_MOVES) as f64);
     };
-    let ends: Vec<FamilyStructure> =
+    let ends: Vec<(FamilyStructure, Vec<Rival>)> =
         starts.into_par_iter().map(|start| climb(start, settings, &asked_for, &report_move)).collect();
     progress(1.0);
-    let best = ends.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
-    Some(likelier_at_rest(best, settings))
+    let mut rivals = Vec::new();
+    let mut ended: Vec<FamilyStructure> = Vec::new();
+    for (end, own) in ends {
+        rivals.extend(own);
+        rivals.push(Rival::from(&end));
+        ended.push(end);
+    }
+    let best = ended.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
+    let (best, other) = by_form_at_rest(best, settings);
+    rivals.extend(other.as_ref().map(Rival::from));
+    let rivals = distinct_rivals(rivals, &best);
+    Some(FamilySearch { best, rivals })
 }
 
-/// Returns the family with the more probable of the two forms of the FV curve at rest. Both forms have the same number
-/// of parameters, so the smaller χ² decides.
-fn likelier_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
+/// Returns the family with the more probable of the two forms of the FV curve at rest first, then the other one. Both
+/// forms have the same number of parameters, so the smaller χ² decides.
+fn by_form_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> (FamilyStructure, Option<FamilyStructure>) {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
         FamilyStructure::fit(hypothesis, now.components.clone(), settings, Effort::JUDGE)
     });
     let chi2 = |of: &FamilyStructure| of.refit.residuals.iter().map(refit::chi2).sum::<f64>();
     match other {
-        Some(other) if chi2(&other) < chi2(&now) => other,
-        _ => now,
+        Some(other) if chi2(&other) < chi2(&now) => (other, Some(now)),
+        other => (now, other),
     }
 }
 
-/// Makes moves as long as the log posterior rises, but at most [`MOVES`].
+/// Makes moves as long as the log posterior rises, but at most [`MOVES`]. Also returns the other families that were
+/// refitted on the way and are not far below the result.
 fn climb(
     start: FamilyStructure,
     settings: &[SettingTests],
     asked_for: &[&Structure],
     report_move: &(dyn Fn() + Sync),
-) -> FamilyStructure {
+) -> (FamilyStructure, Vec<Rival>) {
     let mut best = start;
     let mut tried = BTreeSet::new();
+    let mut rivals = Vec::new();
     for _ in 0..MOVES {
         if cancel::asked() {
             break;
         }
-        let next = toggle(&best, settings)
-            .or_else(|| remove(&best, settings))
-            .or_else(|| add(&best, settings, asked_for, &mut tried));
+        let mut better = |among: Vec<FamilyStructure>| {
+            rivals.extend(among.iter().map(Rival::from));
+            better(&best, among)
+        };
+        let next = better(toggle(&best, settings))
+            .or_else(|| better(remove(&best, settings)))
+            .or_else(|| better(add(&best, settings, asked_for, &mut tried)));
         report_move();
         let Some(next) = next else { break };
+        rivals.push(Rival::from(&best));
         best = next;
     }
-    best
+    rivals.retain(|rival| rival.log_posterior > best.log_posterior - RIVAL);
+    (best, rivals)
 }
 
 /// Shares, in one step, all parameters for which the prediction shows a higher log posterior if they are shared. The FV
@@ -151,8 +178,9 @@ fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     }
 }
 
-/// Changes whether one quantity varies, if the result is more probable.
-fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
+/// Refits the families in which one quantity changes between varying and shared, and that the prediction does not
+/// exclude.
+fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStructure> {
     let varying = from.varying();
     let linear = Linearization::new(from, settings);
     let mut predicted: Vec<_> = sites(&from.hypothesis.template)
@@ -162,26 +190,27 @@ fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStr
         .collect();
     predicted.sort_by(|a, b| b.log_posterior.total_cmp(&a.log_posterior));
     predicted.truncate(REFITTED);
-    let refitted = predicted
+    predicted
         .into_par_iter()
-        .filter_map(|p| FamilyStructure::fit(p.hypothesis, from.components.clone(), settings, Effort::JUDGE));
-    better(from, refitted.collect())
+        .filter_map(|p| FamilyStructure::fit(p.hypothesis, from.components.clone(), settings, Effort::JUDGE))
+        .collect()
 }
 
-/// Removes one effect, if the result is more probable.
-fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Option<FamilyStructure> {
-    let less =
-        (0..from.components.len()).into_par_iter().filter_map(|place| from.without(place, settings, Effort::JUDGE));
-    better(from, less.collect())
+/// Refits the family without each of its effects.
+fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStructure> {
+    (0..from.components.len())
+        .into_par_iter()
+        .filter_map(|place| from.without(place, settings, Effort::JUDGE))
+        .collect()
 }
 
-/// Adds one effect, if the result is more probable.
+/// Refits the family with each further effect.
 fn add(
     from: &FamilyStructure,
     settings: &[SettingTests],
     asked_for: &[&Structure],
     tried: &mut BTreeSet<(Form, Vec<Form>)>,
-) -> Option<FamilyStructure> {
+) -> Vec<FamilyStructure> {
     let mut key: Vec<Form> = from.components.iter().map(|c| (c.effect, c.form)).collect();
     key.sort_unstable();
     let mut list = Vec::new();
@@ -201,9 +230,10 @@ fn add(
             FamilyStructure::fit(hypothesis, components, settings, Effort::JUDGE)
         })
     });
-    better(from, more.collect())
+    more.collect()
 }
 
+/// Returns the most probable of the families if it is clearly more probable than `from`.
 fn better(from: &FamilyStructure, among: Vec<FamilyStructure>) -> Option<FamilyStructure> {
     let best = among.into_iter().max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))?;
     (best.log_posterior > from.log_posterior + RISE).then_some(best)

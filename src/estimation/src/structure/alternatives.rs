@@ -14,11 +14,11 @@ use rayon::prelude::*;
 
 /// Smallest probability at which an alternative is included. The probability assumes that the alternative and the best
 /// structure are the only candidates. Below it, a 95 % interval may omit the alternative.
-const LEAST: f64 = 0.05;
+pub(crate) const LEAST: f64 = 0.05;
 /// Largest number of alternatives. Each alternative costs a refit, and further alternatives are even less probable.
 /// With 3, other forms of the effects use up the number, and a spring parallel to a gas column is lost (system test
 /// `an_interval_holds_what_a_less_probable_structure_says`).
-const MOST: usize = 5;
+pub(crate) const MOST: usize = 5;
 
 /// A structure that remains probable in addition to the most probable one.
 pub struct Alternative {

@@ -18,6 +18,7 @@ use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
 use dashpot_core::{Fault, Params, element, list};
 use dashpot_estimation::campaign_clock::clock_from;
+use dashpot_estimation::family::alternatives::{FamilyAlternative, alternatives};
 use dashpot_estimation::family::pattern::{Site, varying_sites};
 use dashpot_estimation::family::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
 use dashpot_estimation::family::search::{dependences, search_family};
@@ -25,6 +26,7 @@ use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test, segments};
+use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
@@ -161,12 +163,13 @@ pub fn fit_family(
         let search = search_structure(&of.records, &own.tests, options, &about);
         found.push(search.map_err(|why| fail(of, why))?);
     }
-    let best = search_family(&settings, &found, &|done| {
+    let search = search_family(&settings, &found, &|done| {
         progress(Stage { done: 0.55 + 0.3 * done, text: phrases::FAMILY_JOINT });
     });
-    let best = best.ok_or(FamilyError::NotFinite)?;
+    let search = search.ok_or(FamilyError::NotFinite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
-    let FamilyStructure { hypothesis, components, .. } = best;
+    let others = alternatives(&search, &settings, TEMPERATURE);
+    let FamilyStructure { hypothesis, components, .. } = search.best;
     let best = FamilyStructure::fit(hypothesis, components, &settings, Effort::FINE).ok_or(FamilyError::NotFinite)?;
     let mut damper = damper(&best, &axis, &settings).map_err(|fault| FamilyError::Kernel {
         parameter: table().nth(fault.parameter as usize).map_or("the setting", |row| row.parameter.name),
@@ -183,6 +186,7 @@ pub fn fit_family(
     let joint = best.hypothesis.joint();
     let joint_refit = best.hypothesis.joint_refit(&best.refit);
     let mut estimates = estimates(&best.hypothesis, &best.refit, &settings);
+    mix_alternatives(&mut estimates, &others, &settings);
     if damper.params.is_on(element!("series_compliance")) && can_distinguish_delay(&all) {
         hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.given));
     }
@@ -258,6 +262,30 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
         all.extend(own.map(|estimate| FamilyEstimate { setting: Some(of.value), estimate }));
     }
     all
+}
+
+/// Mixes the intervals with those of the alternative families, by their weights. A number that an alternative shares has the same interval
+/// there at every setting. A number that only the alternative varies has one interval for each setting, which share the weight.
+fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], settings: &[SettingTests]) {
+    let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
+    let others: Vec<(f64, Vec<FamilyEstimate>)> =
+        others.iter().map(|of| (of.weight, estimates(&of.family.hypothesis, &of.family.refit, settings))).collect();
+    for FamilyEstimate { setting, estimate } in all {
+        let Some(own) = part(1.0, estimate) else { continue };
+        let of_other = |(weight, theirs): &(f64, Vec<FamilyEstimate>)| -> Vec<Part> {
+            let is_of_same_number = |of: &&FamilyEstimate| {
+                let is_at_setting = setting.is_none() || of.setting.is_none() || of.setting == *setting;
+                is_at_setting && of.estimate.name == estimate.name && of.estimate.index == estimate.index
+            };
+            let same: Vec<&FamilyEstimate> = theirs.iter().filter(is_of_same_number).collect();
+            let weight = weight / same.len().max(1) as f64;
+            same.into_iter().filter_map(|of| part(weight, &of.estimate)).collect()
+        };
+        let parts: Vec<Part> = std::iter::once(own).chain(others.iter().flat_map(of_other)).collect();
+        if let Some([low, high]) = mixed_interval(&parts) {
+            (estimate.low, estimate.high) = (Some(low), Some(high));
+        }
+    }
 }
 
 /// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors.
