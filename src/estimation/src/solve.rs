@@ -7,7 +7,7 @@
 //!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
 //!   of steps instead of thousands.
 //! - If a Jacobian costs many runs and only a ranking is required, Broyden's rank-one update (Math. Comp. 19, 1965)
-//!   replaces its computation.
+//!   replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
 //! - The rows of each block are reduced to a triangular factor (see [`reduce()`]) and stacked in their order.
 //!   Therefore, a result does not depend on the number of threads.
 //! - Bounds apply by projection. If a parameter is at a bound and its descent direction points outward, it is fixed for
@@ -572,14 +572,17 @@ impl<'a> System<'a> {
 }
 
 /// Applies Broyden's update: afterward, the derivatives agree with the last step. The change is the smallest possible
-/// if every parameter is scaled by its column length.
+/// if every parameter is scaled by its column length. A parameter whose column in a block is zero does not influence
+/// this block, so the column remains zero.
 fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, lengths: &[f64]) {
-    let shares = DVector::from_fn(moved.len(), |i, _| moved[i] * lengths[i] * lengths[i]);
-    let size = shares.dot(moved);
-    if size <= 0.0 {
-        return;
-    }
     for (block, there) in rows.iter_mut().zip(there) {
+        let is_zero = |i: usize| block.jacobian.column(i).iter().all(|v| *v == 0.0);
+        let share = |i: usize| if is_zero(i) { 0.0 } else { moved[i] * lengths[i] * lengths[i] };
+        let shares = DVector::from_fn(moved.len(), |i, _| share(i));
+        let size = shares.dot(moved);
+        if size <= 0.0 {
+            continue;
+        }
         let missed = there - &block.residual - &block.jacobian * moved;
         if missed.iter().all(|v| v.is_finite()) {
             block.jacobian.ger(1.0 / size, &missed, &shares, 1.0);

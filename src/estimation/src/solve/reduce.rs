@@ -1,4 +1,4 @@
-//! Reduction of a linear least-squares problem to an equivalent problem with one row per parameter.
+//! Reduction of a linear least-squares problem to an equivalent problem with at most one row per parameter.
 
 use crate::gram::gram;
 use nalgebra::{DMatrix, DVector};
@@ -14,10 +14,22 @@ const APART: f64 = 1e-4;
 /// The factor is the Cholesky factor of the normal equations, because a matrix product is several times faster than
 /// reflections. For nearly dependent columns, Cholesky would lose half of the digits, so the method is Householder QR
 /// factorization. A problem without surplus rows is returned unchanged.
+///
+/// A parameter without influence on these rows has a column of zeros, for example a curve point beyond the speed of a
+/// test. The columns of zeros get no rows.
 pub fn reduce(jacobian: &DMatrix<f64>, residual: &DVector<f64>) -> (DMatrix<f64>, DVector<f64>) {
     let n = jacobian.ncols();
     if jacobian.nrows() <= n {
         return (jacobian.clone(), residual.clone());
+    }
+    let occupied: Vec<usize> = (0..n).filter(|c| jacobian.column(*c).iter().any(|v| *v != 0.0)).collect();
+    if occupied.len() < n {
+        let (part, right) = reduce(&jacobian.select_columns(&occupied), residual);
+        let mut factor = DMatrix::zeros(part.nrows(), n);
+        for (column, place) in part.column_iter().zip(&occupied) {
+            factor.set_column(*place, &column);
+        }
+        return (factor, right);
     }
     if let Some(squared) = by_squares(jacobian, residual) {
         return squared;
@@ -62,6 +74,17 @@ mod tests {
             _ => 1e-2 * t(i) + near * libm::sin(9.0 * t(i)),
         });
         (jacobian, DVector::from_fn(40, |i, _| libm::cos(3.0 * t(i))))
+    }
+
+    #[test]
+    fn columns_of_zeros_get_no_rows() {
+        let (full, residual) = rows(1e-2);
+        let with_zeros = DMatrix::from_fn(40, 5, |r, c| if c % 2 == 0 { full[(r, c / 2)] } else { 0.0 });
+        let (factor, right) = reduce(&with_zeros, &residual);
+        let (of_full, right_of_full) = reduce(&full, &residual);
+        assert_eq!((factor.select_columns(&[0, 2, 4]), right), (of_full, right_of_full));
+        assert!(factor.column(1).norm() == 0.0 && factor.column(3).norm() == 0.0);
+        assert_eq!(reduce(&DMatrix::zeros(4, 2), &DVector::from_element(4, 1.0)).0.shape(), (0, 2));
     }
 
     /// For both factorizations, the reduced rows give the solution and the sum of squares of all rows.
