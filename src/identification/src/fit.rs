@@ -384,8 +384,9 @@ impl About {
 }
 
 /// Effects that a fit tries, because they are typical of dampers and rigs. A diagnosis searches for all other effects.
-const USUAL: [&str; 15] = [
+const USUAL: [&str; 16] = [
     "series_compliance",
+    "oil_compressibility",
     "gas_preload",
     "gas_warming",
     "gas_spring",
@@ -401,9 +402,6 @@ const USUAL: [&str; 15] = [
     "gain_drift",
     "force_drift",
 ];
-
-/// Effect that a fit tries if the dimensions of the oil column are known.
-const OIL_COLUMN: &str = "oil_compressibility";
 
 /// Returns the elements that a fit can identify.
 pub fn identified() -> Vec<Element> {
@@ -421,12 +419,7 @@ const SHORTEST: f64 = 60.0;
 fn is_usual(candidate: &Candidate, situation: &Situation, about: &About, options: &FitOptions, tests: &[Test]) -> bool {
     let effect = candidate.effect;
     let is_fault = candidate.is_artefact();
-    // With a prior from known dimensions of the oil column, the records distinguish the compliance of the oil from that of the mount.
-    let is_known_column = effect == OIL_COLUMN && options.priors.find(number!("oil_stiffness")).is_some();
-    if !(USUAL.contains(&effect) || is_known_column)
-        || candidate.unnamed.is_some()
-        || candidate.form.starts_with("hydraulic")
-    {
+    if !USUAL.contains(&effect) || candidate.unnamed.is_some() || candidate.form.starts_with("hydraulic") {
         return false;
     }
     if is_fault {
