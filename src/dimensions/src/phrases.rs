@@ -27,6 +27,8 @@ dashpot_messages::phrases! {
     A_BOUND: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them";
     WITH_AIR: "with the air in it";
     NO_ORIFICE: "no orifice shows beside the leak";
+    OF_ALL_PASSAGES: "of all laminar passages together, so a gap leaks at most this";
+    IF_SPRING_IS_GAS: "if the parallel spring is the gas";
     NO_LEAK: "no leak shows beside the orifice";
     OPENING_AT: "opening at the largest force of the table";
     HAD_PRIOR: "the fit had a prior of the dimensions for it";

@@ -63,12 +63,15 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
         entries: drawing.missing(&[Entry::Rod]),
         parameters,
     };
-    let stiffness = match model.number(number!("gas_stiffness")) {
-        Standing::Known(stiffness) => stiffness,
-        Standing::Off => {
-            let why = phrases::NO_GAS_SPRING;
-            return to.unknown.push(gap(why, vec!["gas_stiffness"]));
-        }
+    let (stiffness, source, note) = match model.number(number!("gas_stiffness")) {
+        Standing::Known(stiffness) => (stiffness, "gas_stiffness", None),
+        Standing::Off => match model.number(number!("spring_linear")) {
+            // A damper seldom has another spring over its whole stroke than the gas.
+            Standing::Known(spring) if spring.low > 0.0 => {
+                (spring, "spring_linear", Some(phrases::IF_SPRING_IS_GAS.into()))
+            }
+            _ => return to.unknown.push(gap(phrases::NO_GAS_SPRING, vec!["gas_stiffness"])),
+        },
         Standing::Open => {
             let why = phrases::GAS_SPRING_OPEN;
             return to.unknown.push(gap(why, vec!["gas_stiffness"]));
@@ -81,6 +84,7 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
     let inputs = [pressure, stiffness, rod, Uncertain::within_factor(1.0, errors::GAS_VOLUME)];
     let found = through(&inputs, |x| if x[1] > 0.0 { gas::volume(x[0], x[1], x[2]) * x[3] } else { f64::INFINITY });
     let pressure = if stated.is_some() { Entry::GasPressure.key() } else { "gas_force" };
-    let from = vec!["gas_stiffness", pressure, Entry::Rod.key()];
-    to.quantities.push(Quantity::new(NAME, "cm³", found.scaled(1.0 / CM3), from, errors::GAS_VOLUME));
+    let from = vec![source, pressure, Entry::Rod.key()];
+    let quantity = Quantity::new(NAME, "cm³", found.scaled(1.0 / CM3), from, errors::GAS_VOLUME);
+    to.quantities.push(Quantity { note, ..quantity });
 }

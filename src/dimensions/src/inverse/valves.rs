@@ -43,19 +43,22 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
 }
 
 /// Returns the number of points up to the first segment whose slope is below [`KNEE`] times the steepest slope before
-/// it. Beyond these points, a valve has opened.
+/// it, beyond the uncertainty of both points. Beyond these points, a valve has opened.
+///
+/// The segment from rest to the first point does not count. It contains the error of the friction, so it may be far too
+/// steep.
 fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
-    let ends = std::iter::once((0.0, 0.0)).chain(points.iter().map(|(w, h)| (*w, h.value)));
-    let slopes: Vec<f64> =
-        ends.clone().zip(ends.skip(1)).map(|((w0, h0), (w1, h1))| (h1 - h0) / (w1 - w0).max(1e-12)).collect();
+    let half = |of: &Uncertain| 0.5 * (of.high - of.low);
     let mut steepest = 0.0f64;
-    for (count, slope) in slopes.iter().enumerate() {
-        steepest = steepest.max(*slope);
-        if *slope < KNEE * steepest {
-            return count;
+    for (count, pair) in points.windows(2).enumerate() {
+        let [(w0, h0), (w1, h1)] = [pair[0], pair[1]];
+        let (width, rise, error) = ((w1 - w0).max(1e-12), h1.value - h0.value, half(&h0) + half(&h1));
+        if rise + error < KNEE * steepest * width {
+            return count + 1;
         }
+        steepest = steepest.max((rise - error) / width);
     }
-    slopes.len()
+    points.len()
 }
 
 /// Fits h = `a` w + `b` w² by least squares of relative errors. Neither coefficient is negative.
@@ -141,9 +144,11 @@ impl Stroke {
             to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
             let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            // Without an upper end the curve has no laminar part. Users would misread a lower end as a leak.
+            // Without an upper end the curve has no laminar part. The bleed and passages in series have a laminar part,
+            // too, so a gap may leak less, or not at all.
+            let note = Some(phrases::OF_ALL_PASSAGES.into());
             match quantity.high {
-                Some(_) => to.quantities.push(quantity),
+                Some(_) => to.quantities.push(Quantity { low: None, value: None, note, ..quantity }),
                 None => to.unknown.push(Gap {
                     name: leak,
                     why: phrases::NO_LEAK.into(),
@@ -203,6 +208,14 @@ mod tests {
             [0.02, 0.05, 0.09].map(|w| (w, Uncertain::within(a * w + b * w * w, 0.0))).to_vec();
         points.push((0.3, Uncertain::within(900.0, 0.0)));
         assert_eq!(bleed_points(&points), 3);
+        // Friction that is 20 N too small raises all points, and most of all the slope from rest to the first.
+        let raised: Vec<(f64, Uncertain)> =
+            points.iter().map(|(w, h)| (*w, Uncertain::within(h.value + 20.0, 0.0))).collect();
+        assert_eq!(bleed_points(&raised), 3);
+        // A lower slope within the uncertainty of the points is no knee.
+        let last = Uncertain::within(a * 0.12 + b * 0.0144 - 100.0, 60.0);
+        let unsure: Vec<(f64, Uncertain)> = points[..3].iter().copied().chain([(0.12, last)]).collect();
+        assert_eq!(bleed_points(&unsure), 4);
         let speeds = [0.02, 0.05, 0.09];
         let (found_a, found_b) = bleed_law(&speeds, &speeds.map(|w| a * w + b * w * w));
         assert!((found_a / a - 1.0).abs() < 1e-9 && (found_b / b - 1.0).abs() < 1e-9);
