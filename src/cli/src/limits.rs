@@ -72,8 +72,10 @@ fn row(one: &Checked) -> String {
             Some(_) => "NOT TESTED: no test at this speed and setting",
             None => "NOT TESTED: no test at this speed",
         },
-        Verdict::NotTested if one.limit.quantity.is_time() => "NOT TESTED: no such step of the setting",
-        Verdict::NotTested => "NOT TESTED: no slow test with whole cycles (below 6 mm/s)",
+        Verdict::NotTested if one.limit.quantity.is_time() => {
+            "NOT TESTED: no such step of the setting (a step of the command; a measured coil current shows none)"
+        }
+        Verdict::NotTested => "NOT TESTED: no slow test with whole cycles (below 6 mm/s; two cycles suffice)",
     };
     let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {
         format!(", but not sure: the measured time is known to ± {} ms", digits(1e3 * uncertainty, 2))

@@ -26,7 +26,7 @@ dashpot_messages::phrases! {
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
     // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at three times the frequency would tell them apart";
-    ROADS: "{roads} long tests without cycles are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
+    ROADS: "the long tests without cycles ({roads}) are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
@@ -74,6 +74,7 @@ dashpot_messages::phrases! {
     LABEL_STRAY: "{test} states {name} {stated}, but its forces are those of {fitting}, and not those of the settings next to it. Check its label; a corrected value goes into campaign.toml under settings";
     SETTING_DOUBT: "the forces of {test} are those of about {fitting}, not of {stated}: the model misses them by {fitting_error} N there and by {stated_error} N here. Check the setting of the test and its unit";
     LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
+    LABELS_OPPOSED: "over the {name} the damping force in {direction} rises near {rising} mm/s and falls near {falling} mm/s. Some tests may count the {name} from the other end: check their labels; a damper that is really so is modeled as measured";
     FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";

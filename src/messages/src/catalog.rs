@@ -2,7 +2,7 @@
 
 use crate::file;
 use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::collections::HashMap;
 use std::fmt;
 
@@ -53,11 +53,24 @@ impl Catalog {
     /// Formats a text with its arguments. Returns `None` if the language has no text with this id.
     pub fn format(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
         let pattern = self.bundle.get_message(id)?.value()?;
-        let arguments: FluentArgs<'_> = arguments.iter().map(|(name, text)| (*name, text.as_str())).collect();
+        let arguments: FluentArgs<'_> = arguments.iter().map(|(name, text)| (*name, value(text))).collect();
         let mut faults = Vec::new();
         let text = self.bundle.format_pattern(pattern, Some(&arguments), &mut faults).into_owned();
         debug_assert!(faults.is_empty(), "{id}: {faults:?}");
         Some(text)
+    }
+}
+
+/// Largest number of digits of a count. A count of so many digits is exact as a floating-point number.
+const DIGITS: usize = 15;
+
+/// Converts an argument. A count becomes a number, so that a text may depend on the singular or plural. Any other text is
+/// inserted as it is.
+fn value(text: &str) -> FluentValue<'_> {
+    let is_count = text.len() <= DIGITS && text.bytes().all(|b| b.is_ascii_digit()) && !text.starts_with('0');
+    match text.parse::<u64>() {
+        Ok(count) if is_count => FluentValue::from(count),
+        _ => FluentValue::from(text),
     }
 }
 
@@ -74,6 +87,16 @@ mod tests {
         assert_eq!(error("{ $error }").as_deref(), Some("um { $error } N"));
         assert_eq!((catalog.text("list"), catalog.text("fit")), (Some(", "), Some("Anpassung")));
         assert_eq!((catalog.text("off"), catalog.format("none", &[])), (None, None));
+    }
+
+    #[test]
+    fn a_count_selects_singular_or_plural_and_keeps_its_digits() {
+        let catalog = Catalog::new("en", "n = { $n ->\n    [one] one test\n   *[other] { $n } tests\n  }\n");
+        let of = |n: &str| catalog.format("n", &[("n", n.to_owned())]);
+        assert_eq!(of("1").as_deref(), Some("one test"));
+        for n in ["0", "2", "007", "120000", "999999999999999", "12345678901234567890", "2.50", "2,5"] {
+            assert_eq!(of(n), Some(format!("{n} tests")));
+        }
     }
 
     #[test]

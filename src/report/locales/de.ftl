@@ -54,7 +54,10 @@ title-validation = Dämpfermodell und Prüfstandsmessung
 subtitle-validation = Modell { $model } gegen die Messungen in { $data }
 answer = Ergebnis
 over-one-test = In dem einen Versuch
-over-tests = Über { $tests } Versuche
+over-tests = Über { $tests ->
+        [one] einen Versuch
+       *[other] { $tests } Versuche
+    }
 headline = { $over } weicht das Modell im Mittel um { $error } N von der gemessenen Kraft ab, das sind { $percent } % der größten Kraft eines Versuchs. Die Kraft-Geschwindigkeits-Kurve allein weicht um { $curve_error } N ab, das sind { $curve_percent } %: { $verdict }{ $closer }.
 verdict-exact = das Modell folgt der Messung genau
 verdict-smaller = der mittlere Fehler des Modells ist um den Faktor { $ratio } kleiner
@@ -62,7 +65,10 @@ verdict-same = das Modell ist nicht nennenswert besser als die Kurve
 verdict-larger = der mittlere Fehler des Modells ist um den Faktor { $ratio } größer: es ist schlechter als die Kurve
 closer-in = , und es liegt in { $closer } von { $tests } Versuchen näher an der Messung
 left-out-figures = { $error } N oder { $percent } % (Kurve allein { $curve_error } N oder { $curve_percent } %)
-left-out-sentence = In den { $left } Versuchen, die die Identifikation nicht gesehen hat, beträgt der mittlere Fehler { $left_figures }; in den { $fitted }, an die angepasst wurde, { $fitted_figures }.
+left-out-sentence = { $left ->
+        [one] In dem Versuch, den
+       *[other] In den { $left } Versuchen, die
+    } die Identifikation nicht gesehen hat, beträgt der mittlere Fehler { $left_figures }; in den { $fitted }, an die angepasst wurde, { $fitted_figures }.
 only-fitted = Alle Versuche wurden zur Identifikation verwendet; die Zahlen zeigen also, wie gut das Modell passt, nicht wie gut es vorhersagt.
 largest-error = Den größten Fehler in Prozent hat der Versuch „{ $test }“: { $percent } %, das sind { $error } N von { $force } N.
 noise-sentence = Das Rauschen der gemessenen Kraft allein ergäbe einen mittleren Fehler von etwa { $noise } N; genauer kann kein Modell sein.
@@ -192,6 +198,7 @@ family-dependences = Was von der Einstellung abhängt, mit der Wahrscheinlichkei
 responses-section = Antwort auf Sprünge der Einstellung
 responses-about = Entlang der Bewegung jedes Versuchs sind die Kraft bei der Einstellung vor einem Sprung und die bei der danach aus dem Modell bekannt. Die Antwort ist der Anteil des Weges dazwischen, den die Kraft gegangen ist; so zählt ein Sprung im Sinus wie bei konstanter Geschwindigkeit.
 responses-table = Mittlere Antwort auf alle Sprünge zwischen denselben zwei Einstellungen, gemessen und nach dem Modell. Zeiten zählen ab dem Sprung; die ab 10 % enthalten keine Totzeit.
+responses-late = Das Modell folgt nicht allen Sprüngen. Seine Kraft erreicht 63 % später (+) oder früher (−) als gemessen, um mehr als die Unsicherheit der Messung: { $steps }.
 col-step = Sprung
 col-steps = Sprünge
 col-t63 = bis 63 %, ms
@@ -336,7 +343,10 @@ workbook-about = was es zeigt
 
 fit-title = Ergebnis der Identifikation
 fit-subtitle = Modell { $model } aus den Prüfstandsdaten in { $data }
-fit-answer = An { $tests } Versuche angepasst, Abweichung { $error }.
+fit-answer = An { $tests ->
+        [one] einen Versuch
+       *[other] { $tests } Versuche
+    } angepasst, Abweichung { $error }.
 quality-sentence = { $grade }: Das Modell verfehlt die gemessene Kraft im Mittel um { $error } N ({ $percent } % der größten Kraft), { $beside }; { $curve }.
 quality-noise = So gut, wie es das Rauschen erlaubt
 quality-good = Gute Anpassung
@@ -390,7 +400,10 @@ stretch = { $test } ({ $place } von { $count })
 
 diagnosis-title = Wo Modell und Messung voneinander abweichen und was fehlt
 errors-caption = Jede Spalte ist ein Versuch: wie weit die berechnete Kraft von der gemessenen entfernt ist, vorher (grau) und nachher (rot). Ein roter Punkt auf dem Strich heißt, dass nur Rauschen übrig ist. Zurückgehaltene Versuche hat keine Anpassung gesehen: was sich dort schließt, ist echt.
-error-unseen = In den { $tests } Versuchen, die keine Anpassung gesehen hat, geht der Fehler von { $before } auf { $after } N effektiv
+error-unseen = { $tests ->
+        [one] In dem Versuch, den
+       *[other] In den { $tests } Versuchen, die
+    } keine Anpassung gesehen hat, geht der Fehler von { $before } auf { $after } N effektiv
 error-fitted = Kein Versuch wurde zurückgehalten (zu wenige oder keiner benannt); die Zahlen zeigen also, wie gut das Modell passt, nicht wie gut es vorhersagt: der Fehler geht von { $before } auf { $after } N effektiv
 gap-is-closed = { $error }; { $gap } der Lücke zwischen Modell und Rauschen sind geschlossen, jeder Versuch gemessen an seinem eigenen Rauschen.
 nothing-stays = Das Modell bleibt, wie es ist; nur seine Zahlen wurden neu angepasst.
@@ -1430,6 +1443,7 @@ identification-label-suspect = { $test } gibt { $name } { $stated } an, doch sei
 identification-label-stray = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting } und nicht die der benachbarten Einstellungen. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
 identification-setting-doubt = die Kräfte von { $test } sind etwa die von { $fitting }, nicht die von { $stated }: dort verfehlt das Modell sie um { $fitting_error } N, hier um { $stated_error } N. Die Einstellung des Versuchs und ihre Einheit prüfen
 identification-labels-exchanged = die Dämpfkraft steigt oder fällt über { $name } nicht durchgehend; mit { $one } und { $other } vertauscht täte sie es. Die Angaben dieser Versuche prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
+identification-labels-opposed = über { $name } steigt die Dämpfkraft in { $direction } nahe { $rising } mm/s und fällt nahe { $falling } mm/s. Vielleicht zählen manche Versuche { $name } vom anderen Ende: ihre Angaben prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
 identification-family-stores = eine Änderung von { $setting } kann am Fahrzeug Arbeit leisten, denn sie ändert { $names }: gespeicherte Energie oder eine Kraft in Ruhe
 identification-family-no-setting = kein Versuch nennt { $name }. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), die Einheit einer Stromspalte ohne Einheit nennen (--unit current=A), oder setting und [settings] in campaign.toml daneben eintragen
 identification-family-other-setting = kein Versuch nennt { $name }; die Versuche haben eine Einstellung namens { $known }: --setting mit diesem Namen angeben
@@ -1636,6 +1650,8 @@ dimensions-less-the-eyes = die Reihenfeder ohne die Augen
 dimensions-a-bound = eine Grenze: die Reihenfeder enthält Augen und Öl; eye_stiffness_n_mm oder eine Ölsäule im Modell trennt sie
 dimensions-with-air = mit der Luft darin
 dimensions-no-orifice = neben dem Leck zeigt sich keine Drossel
+dimensions-of-all-passages = aller laminaren Durchlässe zusammen; ein Spalt leckt also höchstens so viel
+dimensions-if-spring-is-gas = falls die Parallelfeder das Gas ist
 dimensions-no-leak = neben der Drossel zeigt sich kein Leck
 dimensions-opening-at = Öffnung bei der größten Kraft der Tabelle
 dimensions-in-doubt = verwendet { $entries } nach Zeichnung; der Widerspruch unten stellt das in Frage

@@ -54,7 +54,10 @@ title-validation = Damper model against rig records
 subtitle-validation = Model { $model } against the rig data in { $data }
 answer = Answer
 over-one-test = In the one test
-over-tests = Over { $tests } tests
+over-tests = Over { $tests ->
+        [one] one test
+       *[other] { $tests } tests
+    }
 headline = { $over } the model misses the measured force by { $error } N on average, { $percent } % of a test's largest force. The force–velocity curve alone misses it by { $curve_error } N, { $curve_percent } %: { $verdict }{ $closer }.
 verdict-exact = the model follows the measurement exactly
 verdict-smaller = the model's mean error is smaller by a factor of { $ratio }
@@ -62,7 +65,10 @@ verdict-same = the model gains nothing worth having over the curve
 verdict-larger = the model's mean error is larger by a factor of { $ratio }: it does worse than the curve
 closer-in = , and it is the closer of the two in { $closer } of { $tests } tests
 left-out-figures = { $error } N or { $percent } % (curve alone { $curve_error } N or { $curve_percent } %)
-left-out-sentence = On the { $left } tests that identification did not see the mean error is { $left_figures }; on the { $fitted } it was fitted to, { $fitted_figures }.
+left-out-sentence = On the { $left ->
+        [one] test
+       *[other] { $left } tests
+    } that identification did not see the mean error is { $left_figures }; on the { $fitted } it was fitted to, { $fitted_figures }.
 only-fitted = Every test was used to identify the model, so these figures show how well it fits, not how well it predicts.
 largest-error = The largest error in percent is that of test “{ $test }”: { $percent } %, which is { $error } N of { $force } N.
 noise-sentence = The noise of the measured force alone would give a mean error of about { $noise } N; no model can come closer than that.
@@ -192,6 +198,7 @@ family-dependences = What depends on the setting, with the probability that it d
 responses-section = Response to steps of the setting
 responses-about = Along the motion of each test the force at the setting before a step and at the one after it are known from the model. The response is the fraction of the way between them that the force has gone, so a step counts during a sine as well as at constant speed.
 responses-table = Mean response to all steps between the same two settings, measured and by the model. Times count from the step; those from 10 % leave the dead time out.
+responses-late = The model does not follow all steps. Its force reaches 63 % later (+) or earlier (−) than measured, by more than the uncertainty of the measurement: { $steps }.
 col-step = step
 col-steps = steps
 col-t63 = to 63 %, ms
@@ -336,7 +343,10 @@ workbook-about = what it shows
 
 fit-title = What the fit found
 fit-subtitle = Model { $model } from the rig data in { $data }
-fit-answer = { $tests } tests fitted, off by { $error }.
+fit-answer = { $tests ->
+        [one] One test
+       *[other] { $tests } tests
+    } fitted, off by { $error }.
 quality-sentence = { $grade }: the model misses the measured force by { $error } N on average ({ $percent } % of the largest force), { $beside }; { $curve }.
 quality-noise = As good as the noise allows
 quality-good = Good fit
@@ -390,7 +400,10 @@ stretch = { $test } ({ $place } of { $count })
 
 diagnosis-title = Where model and records disagree, and what is missing
 errors-caption = Each column is one test: how far the computed force is from the measured one before (grey) and after (red). A red dot on the bar means that nothing but noise is left. Left-out tests were seen by no refit: what closes there is real.
-error-unseen = On the { $tests } tests that no refit has seen, the error goes from { $before } to { $after } N rms
+error-unseen = On the { $tests ->
+        [one] test
+       *[other] { $tests } tests
+    } that no refit has seen, the error goes from { $before } to { $after } N rms
 error-fitted = No test was left out (too few, or none named), so these figures show how well the model fits, not how well it predicts: the error goes from { $before } to { $after } N rms
 gap-is-closed = { $error }; { $gap } of the gap between model and noise is closed, each test counted in units of its own noise.
 nothing-stays = The model stays as it is; only its numbers were refitted.

@@ -54,7 +54,10 @@ title-validation = Modèle d’amortisseur et mesures au banc
 subtitle-validation = Modèle { $model } face aux mesures de { $data }
 answer = Résultat
 over-one-test = Sur le seul essai
-over-tests = Sur { $tests } essais
+over-tests = Sur { $tests ->
+        [one] un essai
+       *[other] { $tests } essais
+    }
 headline = { $over }, le modèle s’écarte de l’effort mesuré de { $error } N en moyenne, soit { $percent } % de l’effort maximal d’un essai. La courbe effort-vitesse seule s’en écarte de { $curve_error } N, { $curve_percent } % : { $verdict }{ $closer }.
 verdict-exact = le modèle suit exactement la mesure
 verdict-smaller = l’écart moyen du modèle est plus petit d’un facteur { $ratio }
@@ -62,7 +65,10 @@ verdict-same = le modèle n’apporte rien de notable par rapport à la courbe
 verdict-larger = l’écart moyen du modèle est plus grand d’un facteur { $ratio } : il fait moins bien que la courbe
 closer-in = , et il est le plus proche des deux dans { $closer } essais sur { $tests }
 left-out-figures = { $error } N ou { $percent } % (courbe seule { $curve_error } N ou { $curve_percent } %)
-left-out-sentence = Sur les { $left } essais que l’identification n’a pas vus, l’écart moyen est de { $left_figures } ; sur les { $fitted } qui ont servi à l’ajuster, de { $fitted_figures }.
+left-out-sentence = { $left ->
+        [one] Sur l’essai que l’identification n’a pas vu
+       *[other] Sur les { $left } essais que l’identification n’a pas vus
+    }, l’écart moyen est de { $left_figures } ; sur les { $fitted } qui ont servi à l’ajuster, de { $fitted_figures }.
 only-fitted = Tous les essais ont servi à identifier le modèle : ces chiffres montrent comment il s’ajuste, non comment il prédit.
 largest-error = Le plus grand écart en pour cent est celui de l’essai « { $test } » : { $percent } %, soit { $error } N sur { $force } N.
 noise-sentence = Le bruit de l’effort mesuré donnerait à lui seul un écart moyen d’environ { $noise } N ; aucun modèle ne peut faire mieux.
@@ -192,6 +198,7 @@ family-dependences = Ce qui dépend du réglage, avec la probabilité de cette d
 responses-section = Réponse aux échelons du réglage
 responses-about = Le long du mouvement de chaque essai, l’effort au réglage avant un échelon et celui au réglage d’après sont connus par le modèle. La réponse est la part du chemin entre les deux que l’effort a parcourue ; un échelon compte ainsi pendant un sinus comme à vitesse constante.
 responses-table = Réponse moyenne à tous les échelons entre les deux mêmes réglages, mesurée et selon le modèle. Les temps comptent dès l’échelon ; ceux depuis 10 % excluent le temps mort.
+responses-late = Le modèle ne suit pas tous les échelons. Son effort atteint 63 % plus tard (+) ou plus tôt (−) que la mesure, de plus que l’incertitude de la mesure : { $steps }.
 col-step = échelon
 col-steps = échelons
 col-t63 = jusqu’à 63 %, ms
@@ -336,7 +343,10 @@ workbook-about = ce qu’elle montre
 
 fit-title = Résultat de l’identification
 fit-subtitle = Modèle { $model } à partir des données du banc dans { $data }
-fit-answer = Ajusté à { $tests } essais, écart { $error }.
+fit-answer = Ajusté à { $tests ->
+        [one] un essai
+       *[other] { $tests } essais
+    }, écart { $error }.
 quality-sentence = { $grade } : le modèle s’écarte de l’effort mesuré de { $error } N en moyenne ({ $percent } % de l’effort maximal), { $beside } ; { $curve }.
 quality-noise = Aussi bon que le bruit le permet
 quality-good = Bon ajustement
@@ -390,7 +400,10 @@ stretch = { $test } ({ $place } sur { $count })
 
 diagnosis-title = Où modèle et mesures divergent, et ce qui manque
 errors-caption = Chaque colonne est un essai : de combien l’effort calculé s’écarte de l’effort mesuré, avant (gris) et après (rouge). Un point rouge sur le trait signifie qu’il ne reste que du bruit. Aucun ajustement n’a vu les essais mis de côté : ce qui s’y referme est réel.
-error-unseen = Sur les { $tests } essais qu’aucun ajustement n’a vus, l’écart passe de { $before } à { $after } N efficaces
+error-unseen = { $tests ->
+        [one] Sur l’essai qu’aucun ajustement n’a vu
+       *[other] Sur les { $tests } essais qu’aucun ajustement n’a vus
+    }, l’écart passe de { $before } à { $after } N efficaces
 error-fitted = Aucun essai n’a été mis de côté (trop peu, ou aucun désigné) : ces chiffres montrent comment le modèle s’ajuste, non comment il prédit ; l’écart passe de { $before } à { $after } N efficaces
 gap-is-closed = { $error } ; { $gap } de l’écart entre modèle et bruit sont comblés, chaque essai compté en unités de son propre bruit.
 nothing-stays = Le modèle reste tel quel ; seuls ses paramètres ont été réajustés.
@@ -1430,6 +1443,7 @@ identification-label-suspect = { $test } indique { $name } { $stated }, mais ses
 identification-label-stray = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } et non celles des réglages voisins. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings
 identification-setting-doubt = les efforts de { $test } sont ceux d’environ { $fitting }, non ceux de { $stated } : là, le modèle s’en écarte de { $fitting_error } N, ici de { $stated_error } N. Vérifier le réglage de l’essai et son unité
 identification-labels-exchanged = l’effort d’amortissement ne croît ni ne décroît d’un bout à l’autre de { $name } ; il le ferait avec { $one } et { $other } échangés. Vérifier les indications de ces essais ; un amortisseur réellement ainsi est modélisé comme mesuré
+identification-labels-opposed = sur { $name }, l’effort d’amortissement en { $direction } croît vers { $rising } mm/s et décroît vers { $falling } mm/s. Certains essais comptent peut-être { $name } depuis l’autre bout : vérifier leurs indications ; un amortisseur réellement ainsi est modélisé comme mesuré
 identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie { $names } : énergie accumulée ou force au repos
 identification-family-no-setting = aucun essai n’indique { $name }. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté
 identification-family-other-setting = aucun essai n’indique { $name } ; les essais ont un réglage nommé { $known } : donner --setting avec ce nom
@@ -1636,6 +1650,8 @@ dimensions-less-the-eyes = le ressort en série sans les œillets
 dimensions-a-bound = une borne : le ressort en série contient œillets et huile ; eye_stiffness_n_mm ou une colonne d’huile dans le modèle les sépare
 dimensions-with-air = avec l’air qu’elle contient
 dimensions-no-orifice = aucun orifice n’apparaît à côté de la fuite
+dimensions-of-all-passages = de tous les passages laminaires ensemble : un jeu fuit au plus autant
+dimensions-if-spring-is-gas = si le ressort en parallèle est le gaz
 dimensions-no-leak = aucune fuite n’apparaît à côté de l’orifice
 dimensions-opening-at = ouverture au plus grand effort de la table
 dimensions-in-doubt = utilise { $entries } selon le plan, ce que la contradiction ci-dessous met en doute

@@ -161,10 +161,17 @@ fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }
 
+/// Probabilities of a component at which the text calls it undecided. The odds are then at most three to one.
+const UNDECIDED: std::ops::RangeInclusive<f64> = 0.25..=0.75;
+
 /// Formats the components and the parameters of the actuator.
 fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let part = |of: &ActuatorDecision| {
-        let word = if of.is_present { "" } else { "no " };
+        let word = match of.is_present {
+            _ if UNDECIDED.contains(&of.probability) => "undecided: ",
+            true => "",
+            false => "no ",
+        };
         format!("{word}{} ({:.2})", of.name, of.probability)
     };
     let parts: Vec<String> = fit.parts.iter().map(part).collect();

@@ -327,9 +327,13 @@ fn response(of: &StepResponse, unit: &str) -> String {
         true => format!("; the levels end at {:.0} % of the way, longer ones show more", 100.0 * of.end_fraction),
         false => String::new(),
     };
+    let late = of.delay_of_model().map_or_else(String::new, |delay| {
+        let when = if delay > 0.0 { "later" } else { "earlier" };
+        format!("; the model is {:.1} ms {when}, more than the uncertainty of the measurement", 1e3 * delay.abs())
+    });
     let step = format!("{} to {} {unit}", of.from, of.to);
     format!(
-        "step from {}, {} steps: measured {}; model {}{short}",
+        "step from {}, {} steps: measured {}; model {}{late}{short}",
         step.trim_end(),
         of.steps,
         times(&of.measured, of.uncertainty),

@@ -61,7 +61,56 @@ pub fn notes(
                 .with("other", at(other)),
         );
     }
+    if let Some([rising, falling]) = opposite_trends(&sets) {
+        let speed = |of: f64| format!("{:.0}", 1e3 * of.abs());
+        notes.push(
+            Sentence::from(phrases::LABELS_OPPOSED)
+                .with("name", &axis.name)
+                .with_word("direction", if rising > 0.0 { "rebound" } else { "compression" })
+                .with("rising", speed(rising))
+                .with("falling", speed(falling)),
+        );
+    }
     notes
+}
+
+/// Smallest ratio of the largest to the smallest force of a velocity over the settings that counts as a trend. Test:
+/// `tests_counted_from_the_other_end_give_opposite_trends`.
+const TREND: f64 = 1.2;
+/// Smallest number of neighboring points of the FV curve with a trend.
+const POINTS: usize = 2;
+
+/// Returns a velocity whose force rises throughout over the settings, and one of the same stroke whose force falls throughout.
+///
+/// Both are the velocities of the largest ratio, among several with that trend. The labels of some tests may then be counted from the other
+/// end. Returns `None` for fewer than three settings, or without both trends.
+fn opposite_trends(sets: &[Params]) -> Option<[f64; 2]> {
+    if sets.len() < 3 {
+        return None;
+    }
+    let velocities = sets[0].list(list!("fv_velocity"));
+    let trend = |point: usize| -> f64 {
+        let forces: Vec<f64> = sets.iter().map(|set| set.list(list!("fv_force"))[point].abs()).collect();
+        let (first, last) = (forces[0], forces[forces.len() - 1]);
+        let sign = if last > first { 1.0 } else { -1.0 };
+        let flat = FLAT * (last - first).abs();
+        let is_monotone = forces.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat);
+        let ratio = first.max(last) / first.min(last).max(f64::MIN_POSITIVE);
+        if is_monotone && ratio > TREND { sign * ratio } else { 0.0 }
+    };
+    let of_stroke = |stroke: f64| {
+        let trends: Vec<(f64, f64)> = (0..velocities.len())
+            .filter(|k| stroke * velocities[*k] > 0.0)
+            .map(|k| (velocities[k], trend(k)))
+            .collect();
+        let largest = |sign: f64| {
+            let own = || trends.iter().filter(|(_, trend)| sign * trend > 0.0);
+            own().nth(POINTS - 1)?;
+            own().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(velocity, _)| *velocity)
+        };
+        Some([largest(1.0)?, largest(-1.0)?])
+    };
+    of_stroke(1.0).or_else(|| of_stroke(-1.0))
 }
 
 /// Record whose forces belong to another setting than the stated one.
@@ -198,6 +247,26 @@ fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tests_counted_from_the_other_end_give_opposite_trends() {
+        let velocities = [-0.5, -0.1, 0.0, 0.05, 0.1, 0.3, 0.6];
+        let set = |forces: [f64; 4]| {
+            let mut params = Params::new();
+            params.set_list(list!("fv_velocity"), &velocities).unwrap();
+            let forces = [&[-400.0, -100.0, 0.0][..], &forces].concat();
+            params.set_list(list!("fv_force"), &forces).unwrap();
+            params
+        };
+        let right =
+            [set([50.0, 100.0, 300.0, 500.0]), set([70.0, 150.0, 400.0, 700.0]), set([99.0, 200.0, 500.0, 900.0])];
+        assert_eq!(opposite_trends(&right), None);
+        // The labels of the two fast tests are counted from the other end.
+        let mixed =
+            [set([50.0, 100.0, 500.0, 900.0]), set([70.0, 150.0, 400.0, 700.0]), set([99.0, 200.0, 300.0, 500.0])];
+        assert_eq!(opposite_trends(&mixed), Some([0.1, 0.6]));
+        assert_eq!(opposite_trends(&mixed[..2]), None);
+    }
 
     #[test]
     fn exchanged_labels_are_found_where_one_exchange_makes_the_force_monotone() {

@@ -80,7 +80,7 @@ pub struct TimeUncertainty {
     pub rise_s: f64,
 }
 
-/// Uncertainty of a response time, as a fraction of this time, above which texts state the uncertainty.
+/// Uncertainty of a response time, or its difference to the model's time, as a fraction of this time, above which texts state it.
 const COARSE: f64 = 0.1;
 /// Largest error of the instant of a command, in sampling intervals. The instant lies anywhere between two samples.
 const HALF_SAMPLE: f64 = 0.5;
@@ -212,6 +212,14 @@ impl StepResponse {
     pub fn is_up(&self) -> bool {
         self.to > self.from
     }
+
+    /// Returns by how much later than measured the model's force has completed 63 % of its change, s; negative if earlier. Returns `None`
+    /// if the difference is within the uncertainty of the measured time, or below a tenth of this time.
+    pub fn delay_of_model(&self) -> Option<f64> {
+        let (measured, model) = (self.measured?.t63_s, self.model?.t63_s);
+        let least = (COARSE * measured).max(self.uncertainty?.t63_s);
+        Some(model - measured).filter(|delay| delay.abs() > least)
+    }
 }
 
 #[cfg(test)]
@@ -228,6 +236,32 @@ mod tests {
         assert!((found.t10_s - 0.00405).abs() < 1e-4 && (found.t90_s - 0.02603).abs() < 1e-4, "{found:?}");
         assert!(found.overshoot < 1e-9);
         assert_eq!(ResponseTimes::measure(&time, &vec![0.3; 600]), None);
+    }
+
+    #[test]
+    fn a_model_later_than_the_uncertainty_is_stated() {
+        let times = |t63_s: f64| Some(ResponseTimes { t10_s: 0.002, t63_s, t90_s: 0.03, overshoot: 0.0 });
+        let uncertainty = Some(TimeUncertainty { t63_s: 1e-3, t90_s: 1e-3, rise_s: 1e-3 });
+        let of = |measured: f64, model: f64| StepResponse {
+            from: 1.6,
+            to: 0.3,
+            steps: 9,
+            tests: Vec::new(),
+            sample_s: 1e-3,
+            end_fraction: 1.0,
+            groups: Vec::new(),
+            measured: times(measured),
+            uncertainty,
+            model: times(model),
+            time: Vec::new(),
+            measured_response: Vec::new(),
+            model_response: Vec::new(),
+        };
+        assert!((of(0.006, 0.011).delay_of_model().unwrap() - 5e-3).abs() < 1e-12);
+        assert!((of(0.011, 0.006).delay_of_model().unwrap() + 5e-3).abs() < 1e-12);
+        // Within the uncertainty, and within a tenth of the measured time.
+        assert_eq!(of(0.006, 0.0069).delay_of_model(), None);
+        assert_eq!(of(0.020, 0.0218).delay_of_model(), None);
     }
 
     #[test]

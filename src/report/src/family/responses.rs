@@ -51,6 +51,7 @@ pub fn section(
     }
     if !responses.is_empty() {
         blocks.push(Block::Table(table(damper, responses, words)));
+        blocks.extend(delays(damper, responses, words).map(Block::Paragraph));
     }
     blocks.extend(numbers.map(Block::Table));
     blocks.extend(parts.map(Block::Table));
@@ -121,6 +122,17 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
         rows: responses.iter().map(row).collect(),
         sortable: false,
     }
+}
+
+/// Names the steps at which the model is later or earlier than measured. Returns `None` without such steps.
+fn delays(damper: &Definition, responses: &[StepResponse], words: &Words) -> Option<String> {
+    let step = |of: &StepResponse| {
+        let delay = 1e3 * of.delay_of_model()?;
+        let sign = if delay > 0.0 { "+" } else { "\u{2212}" };
+        Some(format!("{}: {sign}{} ms", step_name(damper, of, words), digits(delay.abs(), 2)))
+    };
+    let steps: Vec<String> = responses.iter().filter_map(step).collect();
+    (!steps.is_empty()).then(|| words.fill(words.responses_late, &[("steps", &steps.join(words.comma))]))
 }
 
 /// Builds the table of actuator parameters. Returns `None` for a damper without actuator.

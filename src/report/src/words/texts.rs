@@ -189,6 +189,7 @@ dashpot_messages::interface! {
         responses_section,
         responses_about,
         responses_table,
+        responses_late(steps),
         col_step,
         col_steps,
         col_t63,
