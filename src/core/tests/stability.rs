@@ -32,7 +32,7 @@ fn run(
         // This increment is an upper bound for the length of the cubic path.
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
-        prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", told(params));
+        prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", describe(params));
         prop_assert!(output.d_force_d_displacement.is_finite() && output.d_force_d_velocity.is_finite());
         if model.elements().has_series() {
             let kicked = length + (m / k).sqrt() * v.abs();
@@ -40,7 +40,7 @@ fn run(
             prop_assert!(
                 series <= 2.0 * kicked + 2e4 / k,
                 "deflection {series} of a path of {kicked}: {}",
-                told(params)
+                describe(params)
             );
         }
     }
@@ -50,7 +50,7 @@ fn run(
         state = step(&model, &state, &hold, 1e-2).0;
     }
     let (end, output) = step(&model, &state, &hold, 1e-2);
-    prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", told(params));
+    prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", describe(params));
     let still = (0..8).all(|i| (end.internal[i] - state.internal[i]).abs() <= 1e-12 * state.internal[i].abs());
     // Beyond 50 mm of deflection the step linearizes the parallel spring (see `step`). A deflected contact stays
     // deflected.
@@ -61,14 +61,14 @@ fn run(
         prop_assert!(
             (output.force - wanted.force).abs() <= 1e-5 * scale,
             "settles at {output:?}, static {wanted:?}: {}",
-            told(params)
+            describe(params)
         );
     }
     Ok(())
 }
 
 proptest! {
-    #![proptest_config(drawn(400))]
+    #![proptest_config(drawn(200))]
 
     #[test]
     fn random_motion_with_jumps(

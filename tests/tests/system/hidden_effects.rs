@@ -18,14 +18,14 @@ fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
 #[test]
 fn known_effects_are_named() {
     // The strengths give severity 2 (`Case::strengths`). The seeds are used only here.
-    let hidden = [("presliding_friction", 0.3), ("gas_spring", 1.0238), ("channel_delay", 1.7548)];
+    let hidden = [("presliding_friction", 0.3), ("channel_delay", 1.7548)];
     let one = |((name, strength), seed): (&(&str, f64), u64)| {
         outcome_at(&[*strength], "single", &Case::nothing(seed).hiding(name, 2.0))
     };
     let all: Vec<Outcome> = hidden.iter().zip(90_001..).map(one).collect();
     println!("{}\n{}", score::table(&all), score::confusion(&all));
     let right = all.iter().filter(|o| o.named.first().is_some_and(|(n, _)| Some(n.as_str()) == o.truth())).count();
-    assert!(right + 1 >= all.len(), "{right} of {}", all.len());
+    assert_eq!(right, all.len(), "{all:?}");
     for o in &all {
         for (name, confidence) in &o.named {
             assert!(o.is_injected(name) || *confidence < 0.9, "{name} given as sure: {o:?}");

@@ -181,7 +181,7 @@ impl Case {
     }
 
     /// Formats the case as code.
-    pub fn told(&self) -> String {
+    pub fn describe(&self) -> String {
         let mut text = String::from("Case {\n");
         writeln!(text, "    on: vec!{:?},", self.on).unwrap();
         writeln!(text, "    values: vec![").unwrap();
