@@ -247,7 +247,7 @@ macro_rules! assembled {
 
             /// Sums friction and preload parallel to the whole damper; zero if they act on the mass.
             #[inline(always)]
-            pub fn beside(&self, at: &Motion) -> Outer {
+            pub fn parallel(&self, at: &Motion) -> Outer {
                 if self.carries_whole() { Outer::NONE } else { self.outer(at) }
             }
 
@@ -354,9 +354,9 @@ macro_rules! assembled {
 
             /// Returns whether a parallel element is on that has an internal state or is a stop.
             #[inline(always)]
-            pub fn has_beside(&self) -> bool {
-                const BESIDE: u64 = 0 $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
-                self.on & BESIDE != 0
+            pub fn has_stateful_or_stop(&self) -> bool {
+                const STATEFUL_OR_STOP: u64 = 0 $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
+                self.on & STATEFUL_OR_STOP != 0
             }
 
             /// Returns whether the internal mass is on, and no element that its plain step does not cover.

@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::state::MAX_INTERNAL;
 use crate::state::{Output, State};
 use crate::tables::{ForceLaw, Tables};
-use paths::Beside;
+use paths::FurtherOutputs;
 
 /// All partial derivatives of force and state rates at one instant.
 ///
@@ -68,15 +68,15 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     if !model.has_laid_out(state) {
         return force_of(model, &model.converted(state), input);
     }
-    force_with(model, state, input, Beside::Nothing)
+    force_with(model, state, input, FurtherOutputs::Nothing)
 }
 
 /// Computes the force of a state in this model's layout. `beside` selects further outputs of the evaluation.
-fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: Beside) -> Output {
+fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let outer = at(x, v, input);
-    let Outer { friction, preload } = e.beside(&outer);
+    let Outer { friction, preload } = e.parallel(&outer);
     let stops = e.stops(&outer);
     let mut output = Output {
         friction_force: friction.force,
@@ -90,7 +90,7 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, beside: 
     };
     let (x_m, v_m) = if e.has_series() { (state.mass_displacement, state.mass_velocity) } else { (x, v) };
     if e.has_paths() {
-        let through = paths::through(e, state, input, beside);
+        let through = paths::through(e, state, input, further);
         output.primary_force = through.primary;
         output.spring_force = through.inner;
         e.hand_out(&mut output, &at(x_m, v_m, input), &state.internal);
@@ -150,7 +150,7 @@ pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Inp
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let mut rate = State { displacement: v, ..State::ZERO };
-    let output = force_with(model, state, input, Beside::Rates(&mut rate));
+    let output = force_with(model, state, input, FurtherOutputs::Rates(&mut rate));
     if e.has_series() && !e.has_paths() {
         let s = &e.paths.series_compliance;
         let (x_m, v_m) = (state.mass_displacement, state.mass_velocity);
@@ -182,7 +182,7 @@ pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Inp
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
     let mut p = Partials::ZERO;
-    let output = force_with(model, state, input, Beside::Partials(&mut p));
+    let output = force_with(model, state, input, FurtherOutputs::Partials(&mut p));
     p.d_force_d_input = [output.d_force_d_displacement, output.d_force_d_velocity];
     if e.has_series() && !e.has_paths() {
         let s = &e.paths.series_compliance;

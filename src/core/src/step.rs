@@ -16,10 +16,10 @@
 //!
 //! The cheap step is a separate method: see [`cheap`].
 
-mod beside;
 mod cheap;
 mod follow;
 mod mass;
+mod parallel;
 pub mod paths;
 mod primary;
 mod reach;
@@ -34,10 +34,10 @@ use crate::math::{max, min};
 use crate::model::Model;
 use crate::state::{Output, State};
 use crate::tables::Tables;
-use beside::advance_extras;
 use follow::ByEnd;
 pub use follow::{Follow, Stage};
 use mass::{Drive, Mass, move_mass, move_mass_at_once};
+use parallel::advance_extras;
 use primary::{Any, Faded, Plain, Primary};
 use tableau::{EULER, THREE_STAGE, Tableau};
 
@@ -284,14 +284,14 @@ fn advance_paths_with(
     let through = paths::advance(&drive, state, output, follow);
     state.displacement = x;
     state.velocity = v;
-    let Outer { friction, preload } = e.beside(&outer);
+    let Outer { friction, preload } = e.parallel(&outer);
     output.friction_force = friction.force;
     output.gas_force = preload.force;
     let mass = Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer };
     e.hand_out(output, &mass, &state.internal);
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
-    if e.has_beside() {
+    if e.has_stateful_or_stop() {
         extras = advance_extras(
             (method, substeps),
             e,
@@ -540,7 +540,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     force += friction.force + preload.force;
     by_x += friction.d_force_d_x + preload.d_force_d_x;
     by_v += friction.d_force_d_v + preload.d_force_d_v;
-    if e.has_beside() {
+    if e.has_stateful_or_stop() {
         // These are copies, so that only this branch stores the values in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras(

@@ -3,7 +3,7 @@
 //! The actuator changes the setting over time.
 
 mod common;
-use common::{any_params, params, paths, sine, told};
+use common::{any_params, describe, params, paths, sine};
 use dashpot_core::evaluate::partials;
 use dashpot_core::family::{Axis, Delay, Family};
 use dashpot_core::parameter::{Number, Shape, table};
@@ -231,7 +231,7 @@ proptest! {
         let Ok(family) = family(&params, &axis) else { return Ok(()) };
         let Ok(model) = Model::new(&axis.params_at(&params, setting)) else { return Err(TestCaseError::fail("no model between two")) };
         let (off, largest) = apart(&family, &model, setting, 5e-4, true);
-        prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", told(&params));
+        prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", describe(&params));
     }
 
     /// If no parameter that depends on the setting stores energy, the damper only dissipates energy, for any changes of
@@ -284,7 +284,7 @@ proptest! {
         let series = &family.model().elements().paths.series_compliance;
         let stretched = state.displacement - state.mass_displacement;
         let held = 0.5 * series.stiffness * stretched * stretched + 0.5 * series.mass * state.mass_velocity * state.mass_velocity;
-        prop_assert!(work >= -held - 0.02 * gross, "returned {work} J of {gross} J, {held} J were held: {}", told(&params));
+        prop_assert!(work >= -held - 0.02 * gross, "returned {work} J of {gross} J, {held} J were held: {}", describe(&params));
     }
 }
 

@@ -68,9 +68,9 @@ proptest! {
         // FV curve jumps by tens of kilonewtons, oil and air accelerate the mass strongly between two samples.
         let thrown = if model.elements().has_paths() { 0.05 } else { 0.0 };
         let blur = (40.0 / (per_cycle * per_cycle) as f64 + thrown) * gross;
-        prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
+        prop_assert!(work >= -blur, "three cycles returned {work} J of {gross} J at {dt} s, {frequency} Hz, {amplitude} m: {}", describe(&params));
         let third = work - cycle_work;
-        prop_assert!(third >= -blur - held, "third cycle returned {third} J of {gross} J, {held} J were held, at {dt} s, {frequency} Hz, {amplitude} m: {}", told(&params));
+        prop_assert!(third >= -blur - held, "third cycle returned {third} J of {gross} J, {held} J were held, at {dt} s, {frequency} Hz, {amplitude} m: {}", describe(&params));
     }
 }
 

@@ -6,7 +6,7 @@
 
 mod common;
 
-use common::{any_params, told};
+use common::{any_params, describe};
 use dashpot_core::parameter::{List, Number, table};
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, Reason, element, number};
@@ -68,7 +68,7 @@ proptest! {
             (two, second) = step(&b, &two, &input, dt);
             largest = largest.max(first.force.abs());
             let off = second.force / size - first.force;
-            prop_assert!(off.abs() <= 1e-6 * largest, "{i}: {} N, {size} times the size {} N: {}", first.force, second.force, told(&params));
+            prop_assert!(off.abs() <= 1e-6 * largest, "{i}: {} N, {size} times the size {} N: {}", first.force, second.force, describe(&params));
         }
     }
 }

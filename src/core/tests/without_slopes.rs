@@ -23,8 +23,8 @@ proptest! {
             let mut output = Output::ZERO;
             let moved = step_in_place(&model, &mut with, &Input::velocity(v), dt, &mut output);
             let force = force_in_place(&model, &mut without, &Input::velocity(v), dt);
-            prop_assert_eq!(force.map(f64::to_bits), moved.then_some(output.force.to_bits()), "{}", told(&params));
-            prop_assert_eq!(format!("{with:?}"), format!("{without:?}"), "{}", told(&params));
+            prop_assert_eq!(force.map(f64::to_bits), moved.then_some(output.force.to_bits()), "{}", describe(&params));
+            prop_assert_eq!(format!("{with:?}"), format!("{without:?}"), "{}", describe(&params));
         }
     }
 }

@@ -27,17 +27,17 @@ mod tests {
     fn two_directions_are_told_unless_the_user_meant_them() {
         let of =
             |positive, given| Record { counted: Some(Counted { positive, is_stated: given }), ..Record::default() };
-        let told = |own: &Record, good: Record| opposite(&[own], &[good]).map(|said| said.to_string());
+        let describe = |own: &Record, good: Record| opposite(&[own], &[good]).map(|said| said.to_string());
         let (rebound, compression) = (of(Positive::Rebound, false), of(Positive::Compression, false));
-        let said = told(&compression, rebound.clone()).unwrap();
+        let said = describe(&compression, rebound.clone()).unwrap();
         assert!(
             said.contains("counting compression positive and the reference as counting rebound positive"),
             "{said}"
         );
-        assert_eq!(told(&rebound, rebound.clone()), None);
-        assert!(told(&rebound, of(Positive::Compression, true)).is_some());
-        assert_eq!(told(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
+        assert_eq!(describe(&rebound, rebound.clone()), None);
+        assert!(describe(&rebound, of(Positive::Compression, true)).is_some());
+        assert_eq!(describe(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
         // These records were not read from a file.
-        assert_eq!(told(&rebound, Record::default()), None);
+        assert_eq!(describe(&rebound, Record::default()), None);
     }
 }

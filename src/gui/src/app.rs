@@ -172,7 +172,7 @@ impl App {
             Ask::Paper(paper) => session.write_paper(paper, first, self.view.language.words()),
             Ask::Text(_, text) => {
                 let kind = Kind::detect(text.as_bytes());
-                self.told(&first, guarded::write(&first, kind, text.as_bytes()));
+                self.report_written(&first, guarded::write(&first, kind, text.as_bytes()));
             }
             Ask::Picture(part) => {
                 let (send, scale, waker) = (self.pictures.0.clone(), ctx.pixels_per_point(), self.waker.clone());
@@ -184,7 +184,7 @@ impl App {
         }
     }
 
-    fn told(&mut self, path: &Path, written: anyhow::Result<()>) {
+    fn report_written(&mut self, path: &Path, written: anyhow::Result<()>) {
         match written {
             Ok(()) => self.session.say(path.display().to_string()),
             Err(error) => self.session.complain(outputs::error_sentence(&error)),
@@ -194,7 +194,7 @@ impl App {
     fn write_picture(&mut self, picture: &Picture) {
         let written = png(&picture.image, picture.part, picture.scale)
             .and_then(|bytes| guarded::write(&picture.path, Kind::Picture, &bytes));
-        self.told(&picture.path, written);
+        self.report_written(&picture.path, written);
     }
 }
 

@@ -4,7 +4,7 @@
 
 pub mod adams;
 pub mod damper_length;
+pub mod exports;
 pub mod fmu;
-pub mod handed_out;
 pub mod plain_curve;
 pub mod runtimes;

@@ -7,7 +7,7 @@ use dashpot_hosts::adams::folder::SineTest;
 use dashpot_hosts::adams::imported::of_property_file;
 use dashpot_hosts::adams::replaced::{Named, replaced};
 use dashpot_hosts::damper_length::{in_metres, in_millimetres};
-use dashpot_hosts::handed_out::{self, RunFolderInput};
+use dashpot_hosts::exports::{self, RunFolderInput};
 use dashpot_identification::model_file;
 use dashpot_identification::of_peaks::{family_of_peaks, of_peaks};
 use dashpot_output::as_a_run;
@@ -44,7 +44,7 @@ pub fn export_adams(
     let made = py.detach(|| -> anyhow::Result<_> {
         let ready = Ready::prepare(&model.file.params, host_step, wheel_mass, for_step)?;
         let prepared = model_file::prepared(&ready.params)?;
-        let libraries = handed_out::adams_libraries(library.as_deref())?;
+        let libraries = exports::adams_libraries(library.as_deref())?;
         let text = match ready.softened {
             Some(_) => model_file::plain(&ready.params, &ready.messages()),
             None => model.text_of_file().to_owned(),
@@ -52,7 +52,7 @@ pub fn export_adams(
         let (replaced, chatters) = (ready.replaced(), ready.remarks());
         let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
         let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
-        Ok(handed_out::run_folder(RunFolderInput {
+        Ok(exports::run_folder(RunFolderInput {
             params: &ready.params,
             model: &prepared,
             text: text.as_bytes(),
@@ -87,7 +87,7 @@ pub fn export_dpr(
 ) -> PyResult<(usize, Vec<String>)> {
     let chatters = |curve: &Params| remarks(curve, Host::TYPICAL);
     let of = (name, model.text_of_file().as_bytes());
-    let made = handed_out::property_file(&model.file, model_curve, &path, of, &chatters);
+    let made = exports::property_file(&model.file, model_curve, &path, of, &chatters);
     let made = made.map_err(raise::<ExportError>)?;
     let written = as_a_run(force, [], || {
         dashpot_output::check([path.as_path()])?;

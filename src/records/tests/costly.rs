@@ -155,16 +155,20 @@ fn workbooks(folder: &Path) {
                    <c t=\"inlineStr\"><is><t>F_N</t></is></c></row>";
     let row = "<row><c><v>1</v></c><c><v>2</v></c><c><v>3</v></c></row>";
     let exhausted = "unpacks to more than a file of its size may";
-    let told = |message: String| assert!(message.contains(exhausted), "{message}");
-    told(rejected(folder, "sheets.xlsx", &workbook(5000, &format!("{heading}{}", row.repeat(200_000)), &[])));
-    told(rejected(folder, "empty.xlsx", &workbook(5000, &"<row/>".repeat(3_000_000), &[])));
-    told(rejected(folder, "list.xlsx", &workbook(2_000_000, "", &[])));
+    let describe = |message: String| assert!(message.contains(exhausted), "{message}");
+    describe(rejected(folder, "sheets.xlsx", &workbook(5000, &format!("{heading}{}", row.repeat(200_000)), &[])));
+    describe(rejected(folder, "empty.xlsx", &workbook(5000, &"<row/>".repeat(3_000_000), &[])));
+    describe(rejected(folder, "list.xlsx", &workbook(2_000_000, "", &[])));
     let long = "x".repeat(30_000);
     let strings = format!("<sst xmlns=\"{MAIN}\"><si><t>{long}</t></si></sst>");
     let cells = "<c t=\"s\"><v>0</v></c>".repeat(1000);
     let shared = ("xl/sharedStrings.xml", strings);
-    told(rejected(folder, "string.xlsx", &workbook(1, &format!("<row>{cells}</row>").repeat(50), &[shared.clone()])));
-    told(rejected(
+    describe(rejected(
+        folder,
+        "string.xlsx",
+        &workbook(1, &format!("<row>{cells}</row>").repeat(50), &[shared.clone()]),
+    ));
+    describe(rejected(
         folder,
         "below.xlsx",
         &workbook(1, &format!("{heading}{}", format!("<row>{cells}</row>").repeat(500)), &[shared]),
@@ -183,10 +187,10 @@ fn workbooks(folder: &Path) {
         "<styleSheet xmlns=\"{MAIN}\">{font}<cellXfs>{}</cellXfs></styleSheet>",
         "<xf fontId=\"0\"/>".repeat(500_000)
     );
-    told(rejected(folder, "styles.xlsx", &workbook(1, row, &[("xl/styles.xml", styles)])));
+    describe(rejected(folder, "styles.xlsx", &workbook(1, row, &[("xl/styles.xml", styles)])));
     // Every cell has its own row and is in a remote column.
     let far: String = (2..2_000_000).map(|k| format!("<row><c r=\"ALL{k}\"><v>1</v></c></row>")).collect();
-    told(rejected(folder, "far.xlsx", &workbook(1, &format!("{heading}{far}"), &[])));
+    describe(rejected(folder, "far.xlsx", &workbook(1, &format!("{heading}{far}"), &[])));
 }
 
 mod mdf {

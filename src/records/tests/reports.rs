@@ -10,7 +10,7 @@ fn read(path: &Path) -> Campaign {
 }
 
 /// Joins all notes of the campaign and of its tests.
-fn told(campaign: &Campaign) -> String {
+fn describe(campaign: &Campaign) -> String {
     let notes = campaign.records.iter().flat_map(|record| &record.notes).chain(&campaign.notes);
     notes.map(|note| format!("{}: {}\n", note.kind, note.text)).collect()
 }
@@ -25,7 +25,7 @@ fn mdf_groups_of_two_rates_are_joined() {
     let Some(path) = reported("mdf_groups_of_two_rates") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
-    assert!(told(&campaign).contains("joined at the times of the slower channels"), "{}", told(&campaign));
+    assert!(describe(&campaign).contains("joined at the times of the slower channels"), "{}", describe(&campaign));
     assert_eq!(campaign.sign.positive, Positive::Rebound);
     let amplitudes: Vec<f64> = campaign.records.iter().map(|r| r.amplitude).collect();
     assert!(amplitudes.iter().all(|a| *a > 1e-3), "{amplitudes:?}");
@@ -37,7 +37,7 @@ fn a_tdms_that_broke_off_says_so() {
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
     let cut = campaign.notes.iter().filter(|note| note.kind == "cut_off" && note.is_loud()).count();
-    assert!(cut > 0, "{}", told(&campaign));
+    assert!(cut > 0, "{}", describe(&campaign));
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
     let Some(path) = reported("stale_serial_block") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 6);
-    assert!(told(&campaign).contains("the first 7 rows"), "{}", told(&campaign));
+    assert!(describe(&campaign).contains("the first 7 rows"), "{}", describe(&campaign));
     // The times of the stale rows are 33 s too late, and these rows contain almost no force.
     let first: Vec<(f64, f64)> = campaign.records.iter().map(|r| (r.time[0], r.force[0])).collect();
     assert!(first.iter().all(|(time, force)| *time < 10.0 && force.abs() > 1.0), "{first:?}");
@@ -68,7 +68,7 @@ fn a_late_velocity_is_not_used() {
         load(&[path.clone()], &options, &|_| ()).unwrap()
     };
     let campaign = smoothed("Smoothed_Velocity");
-    assert!(told(&campaign).contains("'Smoothed_Velocity [mm/s]' comes"), "{}", told(&campaign));
+    assert!(describe(&campaign).contains("'Smoothed_Velocity [mm/s]' comes"), "{}", describe(&campaign));
     // The record's velocity is derived from the displacement, although the user selected a velocity column.
     let without =
         load(&[path.clone()], &Options { ignore: ["velocity".parse().unwrap()].into(), ..Options::default() }, &|_| ())
@@ -93,7 +93,7 @@ fn crank_angle_and_speed_are_a_clock() {
         let amplitude = 0.5e-3 * stroke.parse::<f64>().unwrap();
         assert!((record.amplitude - amplitude).abs() < 2e-4, "{}: {}", record.name, record.amplitude);
     }
-    assert!(told(&campaign).contains("120 revolutions per minute"), "{}", told(&campaign));
+    assert!(describe(&campaign).contains("120 revolutions per minute"), "{}", describe(&campaign));
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn settings_are_recognised_in_a_channel_and_in_names() {
             assert!((setting.value - wanted).abs() < 1e-9, "{name}: {} {}", record.name, setting.value);
         }
         let warned: Vec<_> = campaign.notes.iter().filter(|note| note.kind == "settings").collect();
-        assert!(warned.len() == 1 && warned[0].is_loud(), "{name}: {}", told(&campaign));
+        assert!(warned.len() == 1 && warned[0].is_loud(), "{name}: {}", describe(&campaign));
         assert!(warned[0].text.to_string().contains("5 settings of current"));
     }
 }
@@ -139,7 +139,7 @@ fn a_stump_beside_a_gap_is_left_out() {
     let Some(path) = reported("gap_in_one_test") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 5, "{:?}", campaign.records.iter().map(|r| &r.name).collect::<Vec<_>>());
-    assert!(told(&campaign).contains("hold no whole cycle and were left out"), "{}", told(&campaign));
+    assert!(describe(&campaign).contains("hold no whole cycle and were left out"), "{}", describe(&campaign));
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn a_staircase_of_speeds_is_a_test_a_speed() {
     for (name, friction) in [("a", 190.0), ("b", 135.0)] {
         let campaign = read(&path.join(name));
         let speeds: Vec<f64> = campaign.records.iter().map(|r| 1e3 * r.peak_velocity).collect();
-        assert_eq!(speeds.len(), 7, "{name}: {speeds:?}\n{}", told(&campaign));
+        assert_eq!(speeds.len(), 7, "{name}: {speeds:?}\n{}", describe(&campaign));
         for (speed, wanted) in speeds.iter().zip([10.0, 20.0, 30.0, 50.0, 75.0, 100.0, 150.0]) {
             assert!((speed / wanted - 1.0).abs() < 0.05, "{name}: {speeds:?}");
         }

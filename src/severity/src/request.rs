@@ -70,7 +70,7 @@ pub fn strengths(
 mod tests {
     use super::*;
 
-    fn told(asked: &[(&str, Option<f64>)], numbers: Numbers, plan: Option<Plan>, noise_percent: f64) -> String {
+    fn describe(asked: &[(&str, Option<f64>)], numbers: Numbers, plan: Option<Plan>, noise_percent: f64) -> String {
         let asked = asked.iter().map(|(name, number)| ((*name).to_owned(), *number)).collect();
         let options = Options { noise_percent, ..Options::default() };
         match strengths(asked, numbers, plan, &options, &|_, _| ()) {
@@ -82,24 +82,27 @@ mod tests {
     #[test]
     fn a_name_alone_is_a_typical_strong_case_whatever_the_numbers_are() {
         for numbers in [Numbers::Severities, Numbers::Strengths] {
-            assert_eq!(told(&[("bushing", None)], numbers, None, 0.0), r#"[("bushing", 1.0)]"#);
-            assert_eq!(told(&[(NOTHING, None)], numbers, None, 0.0), "[]");
-            assert_eq!(told(&[], numbers, None, 0.0), "[]");
+            assert_eq!(describe(&[("bushing", None)], numbers, None, 0.0), r#"[("bushing", 1.0)]"#);
+            assert_eq!(describe(&[(NOTHING, None)], numbers, None, 0.0), "[]");
+            assert_eq!(describe(&[], numbers, None, 0.0), "[]");
         }
-        assert_eq!(told(&[("bushing", Some(0.25))], Numbers::Strengths, None, 0.0), r#"[("bushing", 0.25)]"#);
+        assert_eq!(describe(&[("bushing", Some(0.25))], Numbers::Strengths, None, 0.0), r#"[("bushing", 0.25)]"#);
     }
 
     #[test]
     fn what_makes_no_severity_is_refused_with_what_to_do() {
         let asked = [("bushing", Some(2.0))];
         let plan = Some(Plan::Diagnosis);
-        assert!(told(&asked, Numbers::Severities, None, 1.0).contains("give strengths (--strength)"));
-        assert!(told(&asked, Numbers::Severities, plan, 0.0).contains("in units of the noise"));
+        assert!(describe(&asked, Numbers::Severities, None, 1.0).contains("give strengths (--strength)"));
+        assert!(describe(&asked, Numbers::Severities, plan, 0.0).contains("in units of the noise"));
         assert!(
-            told(&[("ghosts", Some(2.0))], Numbers::Severities, plan, 1.0).contains("gas_spring, stribeck_friction")
+            describe(&[("ghosts", Some(2.0))], Numbers::Severities, plan, 1.0)
+                .contains("gas_spring, stribeck_friction")
         );
-        assert!(told(&[("bushing", Some(f64::NAN))], Numbers::Severities, plan, 1.0).contains("'NaN' is no severity"));
-        let beside = told(&[(NOTHING, None), ("bushing", None)], Numbers::Strengths, plan, 1.0);
+        assert!(
+            describe(&[("bushing", Some(f64::NAN))], Numbers::Severities, plan, 1.0).contains("'NaN' is no severity")
+        );
+        let beside = describe(&[(NOTHING, None), ("bushing", None)], Numbers::Strengths, plan, 1.0);
         assert!(beside.contains("give one or the other"), "{beside}");
     }
 
@@ -107,7 +110,7 @@ mod tests {
     fn severities_become_strengths_at_their_own_places() {
         let asked = [("force_offset", None), ("force_drift", Some(0.0)), ("channel_delay", None)];
         assert_eq!(
-            told(&asked, Numbers::Severities, Some(Plan::Diagnosis), 1.0),
+            describe(&asked, Numbers::Severities, Some(Plan::Diagnosis), 1.0),
             r#"[("force_offset", 1.0), ("force_drift", 0.0), ("channel_delay", 1.0)]"#
         );
     }

@@ -44,7 +44,7 @@ fn of(records: &[Record], model: &Params) -> Diagnosis {
     diagnose(&refs, &choose_left_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
 }
 
-fn told(d: &Diagnosis) -> String {
+fn describe(d: &Diagnosis) -> String {
     let rounds: Vec<String> = d
         .iterations
         .iter()
@@ -80,8 +80,8 @@ fn told(d: &Diagnosis) -> String {
 fn nothing_is_missing_where_nothing_is() {
     for seed in 1..=2 {
         let found = of(&campaign(&base(), &fewer_tests(), seed, 0.02), &base());
-        println!("{}", told(&found));
-        assert_eq!(found.verdict, Verdict::NothingMissing, "{}", told(&found));
+        println!("{}", describe(&found));
+        assert_eq!(found.verdict, Verdict::NothingMissing, "{}", describe(&found));
     }
 }
 
@@ -94,10 +94,10 @@ fn names(effect: &str, set: &[(&str, f64)]) -> f64 {
         truth.set(Number::find(name).unwrap(), *value).unwrap();
     }
     let found = diagnosed(&truth, &base(), 11);
-    println!("{effect}: {}", told(&found));
-    assert_eq!(found.verdict, Verdict::Named, "{}", told(&found));
-    assert_eq!(found.findings[0].effect, effect, "{}", told(&found));
-    assert_eq!(found.findings.len(), 1, "{}", told(&found));
+    println!("{effect}: {}", describe(&found));
+    assert_eq!(found.verdict, Verdict::Named, "{}", describe(&found));
+    assert_eq!(found.findings[0].effect, effect, "{}", describe(&found));
+    assert_eq!(found.findings.len(), 1, "{}", describe(&found));
     let gap = found.gap_closed.unwrap();
     assert!(gap > 0.75, "{gap}");
     for (name, value) in set {
@@ -141,7 +141,7 @@ fn an_interval_holds_what_a_less_probable_structure_says() {
         truth.set(Number::find(name).unwrap(), value).unwrap();
     }
     let found = of(&campaign(&truth, &fewer_tests(), 12, 0.02), &base());
-    assert_eq!(found.findings[0].effect, "gas_spring", "{}", told(&found));
+    assert_eq!(found.findings[0].effect, "gas_spring", "{}", describe(&found));
     let parameters = &found.findings[0].parameters;
     for (name, value) in [("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)] {
         let of = &parameters[name];
@@ -167,10 +167,10 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
         diagnose(&refs, &choose_left_out(&refs, 0), &base(), &options, &|_, _| ()).unwrap()
     };
     let found = against(&worn);
-    assert_eq!(found.verdict, Verdict::Changed, "{}", told(&found));
+    assert_eq!(found.verdict, Verdict::Changed, "{}", describe(&found));
     // The simplest explanation is one factor on the rebound curve.
     let change = &found.changes[0];
-    assert_eq!(change.name, "rebound_curve", "{}", told(&found));
+    assert_eq!(change.name, "rebound_curve", "{}", describe(&found));
     let rest: Vec<&Change> =
         found.changes.iter().skip(1).filter(|c| c.force_n_rms > 0.01 * change.force_n_rms).collect();
     assert!(rest.is_empty(), "{rest:?}");
@@ -178,7 +178,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     assert!(change.low < change.value && change.value < change.high, "{change:?}");
     assert!(found.summary.to_string().ends_with("nothing else changed"), "{}", found.summary);
     let same = against(&base());
-    assert_eq!(same.verdict, Verdict::NothingMissing, "{}", told(&same));
+    assert_eq!(same.verdict, Verdict::NothingMissing, "{}", describe(&same));
     assert!(same.changes.is_empty(), "{:?}", same.changes);
 }
 
@@ -205,7 +205,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let held_out = choose_left_out(&refs, 0);
     let found = diagnose(&refs, &held_out, &model, &Options::default(), &|_, _| ()).unwrap();
     let names: Vec<&str> = found.findings.iter().map(|f| f.effect).collect();
-    assert_eq!(names, ["channel_delay"], "{}", told(&found));
+    assert_eq!(names, ["channel_delay"], "{}", describe(&found));
     let before = model_file::of_text(&model_file::flat(&model, |_| String::new()), Path::new("model.toml")).unwrap();
     let text = model_file::write(&found.as_fit(&refs, &held_out, &before));
     let improved = model_file::of_text(&text, Path::new("improved.toml")).unwrap();
@@ -221,7 +221,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     let note = improved.identification.right(&mut records).expect("a note");
     assert!(note.text.to_string().contains("taken out of the records"), "{note:?}");
     let again = of(&records, &improved.params);
-    assert_eq!(again.verdict, Verdict::NothingMissing, "{}", told(&again));
+    assert_eq!(again.verdict, Verdict::NothingMissing, "{}", describe(&again));
 }
 
 /// The effects and the residual of records do not depend on the initial model of the search.
@@ -275,7 +275,7 @@ fn a_spring_that_stood_for_a_stop_is_replaced() {
     }
     let found = diagnosed(&truth, &model, 31);
     let item = |effect: &str| found.inventory.iter().find(|i| i.effect == effect);
-    assert_eq!(item("bump_stop").map(|i| i.status), Some(Status::Added), "{}", told(&found));
+    assert_eq!(item("bump_stop").map(|i| i.status), Some(Status::Added), "{}", describe(&found));
     let spring = item("parallel_spring").map(|i| i.status);
-    assert!(matches!(spring, Some(Status::Replaced | Status::Removed)), "{spring:?} {}", told(&found));
+    assert!(matches!(spring, Some(Status::Replaced | Status::Removed)), "{spring:?} {}", describe(&found));
 }

@@ -54,8 +54,8 @@ fn a_fit_of_scaled_forces_is_the_scaled_fit() {
             |fit: &Fit| fit.inventory.iter().map(|i| (i.effect, i.form)).collect::<std::collections::BTreeSet<_>>();
         assert_eq!(chosen(&found), chosen(&of_a_car), "{factor}");
         assert!((found.misfit / of_a_car.misfit - 1.0).abs() < 0.02, "{factor}: {} {}", found.misfit, of_a_car.misfit);
-        let told = |fit: &Fit| fit.measured.iter().map(|m| m.name).collect::<Vec<_>>();
-        assert_eq!(told(&found), told(&of_a_car), "{factor}");
+        let describe = |fit: &Fit| fit.measured.iter().map(|m| m.name).collect::<Vec<_>>();
+        assert_eq!(describe(&found), describe(&of_a_car), "{factor}");
         for was in of_a_car.estimates.iter().filter(|e| e.standing == Standing::Identified) {
             let is = found.estimates.iter().find(|e| e.name == was.name && e.index == was.index).unwrap();
             let grown = if was.unit.starts_with('N') || was.unit == "kg" { factor } else { 1.0 };

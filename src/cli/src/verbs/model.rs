@@ -6,15 +6,15 @@ use std::path::Path;
 
 /// Reads a model file of an ordinary damper, and prints its notes.
 pub fn read(path: &Path) -> Result<ModelFile, ModelFileError> {
-    told(path, model_file::read(path)?)
+    with_notes_printed(path, model_file::read(path)?)
 }
 
 /// Reads a model file of an ordinary or an adjustable damper, and prints its notes.
 pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
-    told(path, model_file::read_family(path)?)
+    with_notes_printed(path, model_file::read_family(path)?)
 }
 
-fn told(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
+fn with_notes_printed(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
     // Notes go to standard error, because the result may go to standard output.
     file.remarks().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
     Ok(file)

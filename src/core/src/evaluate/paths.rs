@@ -223,7 +223,7 @@ pub(super) struct Through {
 }
 
 /// Further outputs of an evaluation besides the force.
-pub(super) enum Beside<'a> {
+pub(super) enum FurtherOutputs<'a> {
     /// No further output.
     Nothing,
     /// The rates of the states.
@@ -232,16 +232,16 @@ pub(super) enum Beside<'a> {
     Partials(&'a mut Partials),
 }
 
-pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, beside: Beside) -> Through {
+pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Through {
     let at = At::new(e, state, input);
     // The last state, and the input, whose derivatives are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);
-    match beside {
-        Beside::Nothing => (),
-        Beside::Rates(rate) => e.paths.slots().write(&instant.rates.map(Dual::value), rate),
-        Beside::Partials(p) => {
+    match further {
+        FurtherOutputs::Nothing => (),
+        FurtherOutputs::Rates(rate) => e.paths.slots().write(&instant.rates.map(Dual::value), rate),
+        FurtherOutputs::Partials(p) => {
             instant.put(WITH_INPUT, e.paths.slots(), p);
             for places in [[0, 1, 2], [3, 4, 5], [6, 7, 8]] {
                 at.along(places).put(places, e.paths.slots(), p);

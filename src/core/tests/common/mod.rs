@@ -346,7 +346,7 @@ pub fn any_params() -> impl Strategy<Value = Params> {
 }
 
 /// Formats the parameters of the elements that are on, for the message of a failure.
-pub fn told(params: &Params) -> String {
+pub fn describe(params: &Params) -> String {
     let mut text = String::new();
     for row in table() {
         let group = dashpot_core::parameter::GROUPS[row.group].name;

@@ -5,7 +5,7 @@ use anyhow::{Context as _, bail};
 use dashpot_core::family::Axis;
 use dashpot_core::{Model, Params};
 use dashpot_hosts::adams::folder::SineTest;
-use dashpot_hosts::handed_out::{self, RunFolderInput};
+use dashpot_hosts::exports::{self, RunFolderInput};
 use dashpot_hosts::{fmu, runtimes};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_output::{FolderLock, Kind};
@@ -71,11 +71,11 @@ impl Export {
 
     fn fmu(&self, path: &Path, version: fmu::Version, four: bool) -> anyhow::Result<Vec<String>> {
         let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
-        let library = handed_out::static_library()?;
+        let library = exports::static_library()?;
         if !holds_one && !library.is_file() {
             bail!("there is no {} to make an FMU from; {}", library.display(), runtimes::HOW);
         }
-        let name = handed_out::fmu_name(Path::new(&self.name), four);
+        let name = exports::fmu_name(Path::new(&self.name), four);
         let mut remarks = chatter::remarks(&self.params, chatter::Host::TYPICAL);
         remarks.extend(stiffness::remarks(&self.params));
         let corners = fmu::corners(&[self.params], four)?;
@@ -105,7 +105,7 @@ impl Export {
     fn property(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let chatters = |curve: &Params| chatter::remarks(curve, chatter::Host::TYPICAL);
         let of = (self.name.as_str(), self.text.as_bytes());
-        let made = handed_out::property_file(&self.file(), false, path, of, &chatters)?;
+        let made = exports::property_file(&self.file(), false, path, of, &chatters)?;
         dashpot_output::check([path])?;
         dashpot_output::replace_file(path, made.text.as_bytes())
             .with_context(|| format!("cannot write {}", path.display()))?;
@@ -118,11 +118,11 @@ impl Export {
             let path = path.join(name);
             dashpot_output::replace_file(&path, bytes).with_context(|| format!("cannot write {}", path.display()))
         };
-        let libraries = handed_out::adams_libraries(None)?;
+        let libraries = exports::adams_libraries(None)?;
         let chatters = chatter::remarks(&self.params, chatter::Host::TYPICAL);
         let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
         let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
-        let made = handed_out::run_folder(RunFolderInput {
+        let made = exports::run_folder(RunFolderInput {
             params: &self.params,
             model,
             text: self.text.as_bytes(),

@@ -686,11 +686,11 @@ fn latency() {
         }
         follows.push(moved.elapsed().as_secs_f64());
     }
-    let told = |name: &str, mut times: Vec<f64>| {
+    let print_times = |name: &str, mut times: Vec<f64>| {
         times.sort_by(f64::total_cmp);
         let at = |part: f64| 1e3 * times[((times.len() - 1) as f64 * part) as usize];
         println!("{name}: median {:.1} ms, 95 % {:.1} ms, longest {:.1} ms", at(0.5), at(0.95), at(1.0));
     };
-    told("from a slider's move to the loops and errors of all tests", follows);
-    told("a frame meanwhile", frames);
+    print_times("from a slider's move to the loops and errors of all tests", follows);
+    print_times("a frame meanwhile", frames);
 }

@@ -58,8 +58,8 @@ pub fn description(version: Version, variables: &[Variable], guid: &str, name: &
     );
     // FMI 2.0 needs no variable for the time. The FMI Library, which many hosts use, rejects such a variable, because the library requires
     // a start value that the standard forbids. Without the time, the index of every variable, counted from 1, equals its value reference.
-    let told = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
-    for (reference, v) in variables.iter().enumerate().filter(|(_, v)| told(v)) {
+    let is_described = |v: &Variable| version == Version::Three || v.kind != Kind::Time;
+    for (reference, v) in variables.iter().enumerate().filter(|(_, v)| is_described(v)) {
         variable(&mut out, version, variables, reference, v);
     }
     out.push_str("  </ModelVariables>\n");

@@ -202,18 +202,18 @@ mod tests {
 
     #[test]
     fn what_is_wrong_with_a_list_is_said() {
-        let told = |text: &str, column: &str| {
+        let describe = |text: &str, column: &str| {
             let error = list(text, column).unwrap_err();
             let cause = std::error::Error::source(&error).map_or_else(String::new, ToString::to_string);
             format!("{error}: {cause}")
         };
-        assert!(told("test,clicks\na,1\n", "pressure").contains("the columns are test, clicks"));
+        assert!(describe("test,clicks\na,1\n", "pressure").contains("the columns are test, clicks"));
         assert!(
-            told("test,clicks\na,1,2\n", "clicks").contains("line: 2"),
+            describe("test,clicks\na,1,2\n", "clicks").contains("line: 2"),
             "{}",
-            told("test,clicks\na,1,2\n", "clicks")
+            describe("test,clicks\na,1,2\n", "clicks")
         );
-        assert!(told("test,clicks\na,\n", "clicks").contains("no line has a test"));
+        assert!(describe("test,clicks\na,\n", "clicks").contains("no line has a test"));
         assert!(GroupList::read(Path::new("none.csv"), "a").is_err());
     }
 }

@@ -114,7 +114,7 @@ fn refuse_alike(seen: &[Seen<'_>], all: usize) -> Result<(), RecordError> {
     // The error reports the values of the deviating test with the largest force.
     let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
-    let Some((level, beside)) = others.beside(shown) else { return Ok(()) };
+    let Some((level, beside)) = others.closest_levels(shown) else { return Ok(()) };
     Err(RecordError::FilesUnit(Box::new(FilesUnit {
         tests: tests.iter().map(|t| t.record.source.clone()).collect(),
         others: others.tests.iter().map(|t| t.record.source.clone()).collect(),
@@ -203,7 +203,7 @@ impl<'a> Others<'a> {
 
     /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
     /// common level, returns the two closest levels.
-    fn beside(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
+    fn closest_levels(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }

@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
 /// Deviation of the mean force of a test from that of the others.
-struct Beside {
+struct Deviation {
     /// Median over the velocities of the difference, N, between the mean force of the two directions of the test and of
     /// the others. `scatter` is the median absolute deviation from it.
     offset: f64,
@@ -47,25 +47,25 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
     for (i, record) in records.iter().enumerate() {
         // The force depends on the setting of the damper, so only tests at one setting are compared.
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
-        let beside = |levels: &Levels, turn: f64, at: &Others| beside((i, &is_alike), levels, turn, at, offset);
-        let Some(own) = beside(&as_read[i], 1.0, &at) else { continue };
+        let from_others = |levels: &Levels, turn: f64, at: &Others| deviation((i, &is_alike), levels, turn, at, offset);
+        let Some(own) = from_others(&as_read[i], 1.0, &at) else { continue };
         // The deviation must be large at every velocity of the test. A triangle has many samples at a single velocity
         // and few at all others.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
-        if is_off && beside(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
+        if is_off && from_others(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
         // A changed zero is the same at every velocity. Effects of stroke and position depend on velocity.
-        let constant = |seen: &Beside| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
-        let at_the_ends = beside(&towards_ends[i], 1.0, &at_ends).filter(constant);
+        let constant = |seen: &Deviation| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
+        let at_the_ends = from_others(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
         if own.offset.abs() > own.allowed && constant(&own) && same {
             moved.push((record, own));
         }
     }
     let few = FEW * records.len() as f64;
-    let names = |tests: &[(&Record, Beside)]| tests.iter().map(|(r, _)| r.name.clone()).collect::<Vec<_>>();
+    let names = |tests: &[(&Record, Deviation)]| tests.iter().map(|(r, _)| r.name.clone()).collect::<Vec<_>>();
     if let Some((first, own)) = turned.first()
         && turned.len() as f64 <= few
     {
@@ -109,13 +109,13 @@ fn by_velocity(seen: &[Levels]) -> Others {
 
 /// Computes the deviation of a test from the others, with its forces multiplied by `turn`. Returns `None` if at no
 /// velocity at least [`FEWEST`] others have a force.
-fn beside(
+fn deviation(
     (own, is_alike): (usize, &dyn Fn(usize) -> bool),
     seen: &Levels,
     turn: f64,
     at: &Others,
     offset: f64,
-) -> Option<Beside> {
+) -> Option<Deviation> {
     let (mut off, mut allowed, mut forces) = (Vec::new(), Vec::new(), Vec::new());
     for (k, level) in seen {
         let others = at.get(k).into_iter().flatten().filter(|(i, _)| *i != own && is_alike(*i));
@@ -133,7 +133,7 @@ fn beside(
         return None;
     }
     let offset = median(&mut off.clone());
-    Some(Beside {
+    Some(Deviation {
         offset,
         velocities: off.len(),
         scatter: median(&mut off.iter().map(|o| (o - offset).abs()).collect::<Vec<_>>()),

@@ -183,11 +183,11 @@ mod tests {
         let mut options = Options::default();
         let mut notes = Vec::new();
         let weak = Record { noise: Noise { force_rms: 1e-12, ..Noise::default() }, ..record([1.0, 1e-9]) };
-        let told =
+        let describe =
             |options: &Options, notes: &mut Vec<Note>| remark(&[weak.clone()], options, notes).unwrap_err().to_string();
-        assert!(told(&options, &mut notes).contains("--unit force=kN"));
+        assert!(describe(&options, &mut notes).contains("--unit force=kN"));
         options.units.insert(Channel::Force, crate::Unit::Newton);
-        let insisted = told(&options, &mut notes);
+        let insisted = describe(&options, &mut notes);
         assert!(insisted.contains("the unit was said") && !insisted.contains("--unit force="), "{insisted}");
         let strong = refuse_absurd(&record([1.0, 1e9]), &options).unwrap_err().to_string();
         assert!(strong.contains("the unit was said"), "{strong}");

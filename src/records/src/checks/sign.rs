@@ -150,7 +150,7 @@ fn lateness(
         let tests = exchanged.iter().map(|(i, _)| evidence[*i].name.clone()).collect();
         return Err(RecordError::Exchanged { cause, tests });
     }
-    let told = |late: &Delay| {
+    let describe = |late: &Delay| {
         Sentence::from(phrases::LATE)
             .with("delay", format!("{:.1}", 1e3 * late.seconds))
             .with("left", format!("{:.1}", 100.0 * late.unexplained))
@@ -164,7 +164,7 @@ fn lateness(
             Cause::Delay(late) => Some(late),
             Cause::Either(late) => {
                 let also =
-                    Sentence::from(phrases::OR_LATE).with_sentence("late", told(&late)).with("option", flag(&late));
+                    Sentence::from(phrases::OR_LATE).with_sentence("late", describe(&late)).with("option", flag(&late));
                 return Err(energy_fed(evidence, standstill, Some(also)));
             }
             Cause::Sign => return Err(energy_fed(evidence, standstill, None)),
@@ -176,7 +176,7 @@ fn lateness(
         notes.push(Note {
             kind: "late",
             text: Sentence::from(phrases::LATE_NOT_MOVED)
-                .with_sentence("late", told(late))
+                .with_sentence("late", describe(late))
                 .with_any("energy", energy)
                 .with("option", flag(late)),
         });
@@ -314,8 +314,8 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // This logistic curve approximates the cumulative normal distribution with an error below 0.01.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
-    let told = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
-    libm::log(told(tension) / told(1.0 - tension))
+    let tempered = |share: f64| (1.0 - TARED) * share + TARED * 0.5;
+    libm::log(tempered(tension) / tempered(1.0 - tension))
 }
 
 /// Returns the logarithm of the ratio of damping forces at positive and negative velocity. A damping force is the 95 %

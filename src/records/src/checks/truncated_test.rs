@@ -30,7 +30,7 @@ mod tests {
 
     #[test]
     fn a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not() {
-        let told = |of: &dyn Fn(f64) -> (f64, f64)| {
+        let describe = |of: &dyn Fn(f64) -> (f64, f64)| {
             let (displacement, velocity): (Vec<f64>, Vec<f64>) = (0..200).map(|i| of(0.005 * f64::from(i))).unzip();
             let peak_velocity = velocity.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             let record = Record { displacement, velocity, peak_velocity, ..Record::default() };
@@ -40,10 +40,10 @@ mod tests {
         };
         // A sine that stops after a little more than half a cycle gives a note. A sine that ends at its turning point
         // gives none.
-        assert_eq!(told(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
-        assert_eq!(told(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
+        assert_eq!(describe(&|t| ((3.6 * t).sin(), 3.6 * (3.6 * t).cos())), 1);
+        assert_eq!(describe(&|t| ((4.71 * t).sin(), 4.71 * (4.71 * t).cos())), 0);
         // A motion from standstill to standstill and a motion of two cycles give no note.
-        assert_eq!(told(&|t| (-(PI * t).cos(), PI * (PI * t).sin())), 0);
-        assert_eq!(told(&|t| ((12.5 * t).sin(), 12.5 * (12.5 * t).cos())), 0);
+        assert_eq!(describe(&|t| (-(PI * t).cos(), PI * (PI * t).sin())), 0);
+        assert_eq!(describe(&|t| ((12.5 * t).sin(), 12.5 * (12.5 * t).cos())), 0);
     }
 }

@@ -16,7 +16,7 @@ pub(crate) const LABELS: usize = 5;
 
 /// The lines of one table that are not rows.
 #[derive(Default)]
-pub(crate) struct Beside {
+pub(crate) struct NonDataLines {
     labels: Vec<(usize, String)>,
     foot: Option<Foot>,
     rows: usize,
@@ -84,7 +84,7 @@ struct Foot {
     remarks: Option<Vec<usize>>,
 }
 
-impl Beside {
+impl NonDataLines {
     /// Handles a line that is not a row. Accepts lines below a row, and up to [`LABELS`] lines without numbers directly
     /// below the heading. Returns the fault of other lines. `figures` states whether a cell of a channel other than the
     /// time contains a number.

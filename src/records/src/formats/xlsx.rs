@@ -4,7 +4,7 @@ mod archive;
 
 use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx};
 
-use crate::columns::non_data_lines::Beside;
+use crate::columns::non_data_lines::NonDataLines;
 use crate::columns::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header_near, number};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
@@ -133,7 +133,7 @@ struct Sheet<'a> {
     options: &'a Options,
     /// Nonempty lines that the search for the header inspects, and their numbers.
     lines: Vec<(usize, Vec<String>)>,
-    beside: Beside,
+    beside: NonDataLines,
     budget: &'a Budget,
     /// Rows that the search for the header inspects, as text. They may state the start of the test.
     above: Vec<String>,
@@ -157,7 +157,7 @@ impl<'a> Sheet<'a> {
             header: None,
             units: None,
             rows: None,
-            beside: Beside::default(),
+            beside: NonDataLines::default(),
         }
     }
 

@@ -29,7 +29,7 @@ impl Chatter {
             self.d_force_d_velocity,
             self.d_force_d_displacement,
             1e3 * self.velocity,
-            self.situation.told()
+            self.situation.describe()
         );
         let below = if self.gain < 0.0 {
             "; a gain below 0 says nothing by itself, for it comes from a mass in the damper, which acts on in the next step"
@@ -54,7 +54,7 @@ impl Chatter {
             Some(quiet) => format!("Take steps of {} ms or less", plain(1e3 * quiet)),
             None => format!("No step down to {} ms was quiet", plain(1e3 * step * 0.5f64.powi(HALVINGS))),
         };
-        let in_the_loop = self.turning.map(|turning| turning.told(host));
+        let in_the_loop = self.turning.map(|turning| turning.describe(host));
         if self.gain < RINGS {
             let by = match self.element {
                 Some((element, _)) => format!("; {element} makes it, without it the loop is quiet"),

@@ -56,7 +56,7 @@ pub struct Turning {
 
 impl Turning {
     /// Describes the chatter of the loop in a clause of a message.
-    pub(super) fn told(&self, host: Host) -> String {
+    pub(super) fn describe(&self, host: Host) -> String {
         let Turning { force, steps, height, situation } = *self;
         let does = if self.grows() {
             "the motion grows beyond all bounds".to_owned()
@@ -67,7 +67,7 @@ impl Turning {
             "in such a loop that was run here ({} kg on a tyre, its displacement advanced with the new velocity, a rough road of {:.0} mm{}) {does}",
             host.mass,
             1e3 * height,
-            situation.told()
+            situation.describe()
         )
     }
 

@@ -22,6 +22,7 @@
 //! | [`Ready`] | damper checked in a host and prepared for it |
 //! | `told` | messages |
 
+mod describe;
 mod gain;
 mod host;
 mod host_loop;
@@ -31,7 +32,6 @@ mod situation;
 mod softened;
 #[cfg(test)]
 mod tests;
-mod told;
 
 pub use host::Host;
 pub use host_loop::Turning;

@@ -54,7 +54,7 @@ impl Situation {
     }
 
     /// Describes how the situation differs from [`Situation::REFERENCE`].
-    pub(super) fn told(&self) -> String {
+    pub(super) fn describe(&self) -> String {
         let mut told = String::new();
         if self.place != 0.0 {
             told += &format!(

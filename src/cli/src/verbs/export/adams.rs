@@ -5,7 +5,7 @@ use crate::verbs::model;
 use anyhow::Context as _;
 use dashpot_hosts::adams::folder::SineTest;
 use dashpot_hosts::damper_length::in_millimetres;
-use dashpot_hosts::handed_out::{self, RunFolderInput};
+use dashpot_hosts::exports::{self, RunFolderInput};
 use dashpot_identification::model_file;
 use dashpot_report::replace_file;
 use dashpot_rig::{Matrix, TestPoint};
@@ -37,7 +37,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let ready = args.host.ready(&model::read(&args.model)?.params)?;
     let params = ready.params;
     let model = model_file::prepared(&params)?;
-    let libraries = handed_out::adams_libraries(args.library.as_deref())?;
+    let libraries = exports::adams_libraries(args.library.as_deref())?;
     let text = match ready.softened {
         Some(_) => model_file::plain(&params, &ready.messages()).into_bytes(),
         None => {
@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     let sine = |p: &TestPoint| SineTest { amplitude_m: p.amplitude_m, frequency_hz: p.frequency_hz };
     let tests: Vec<SineTest> = Matrix::default().points().iter().map(sine).collect();
-    let folder = handed_out::run_folder(RunFolderInput {
+    let folder = exports::run_folder(RunFolderInput {
         params: &params,
         model: &model,
         text: &text,

@@ -3,7 +3,7 @@
 use crate::verbs::model;
 use anyhow::Context as _;
 use dashpot_core::Params;
-use dashpot_hosts::handed_out::property_file;
+use dashpot_hosts::exports::property_file;
 use dashpot_simulation::chatter::{Host, remarks};
 use std::path::PathBuf;
 

@@ -8,7 +8,7 @@ use dashpot_core::family::Definition;
 use dashpot_hosts::damper_length::in_metres;
 use dashpot_hosts::fmu::{self, Binary, Inputs, Scales, Version};
 use dashpot_hosts::plain_curve::PlainCurve;
-use dashpot_hosts::{handed_out, runtimes};
+use dashpot_hosts::{exports, runtimes};
 use dashpot_identification::model_file;
 use dashpot_output::Kind;
 use dashpot_report::replace_file;
@@ -150,7 +150,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         ));
     }
     let library = if compiles { Some(library(args.library.as_deref())?) } else { None };
-    let name = handed_out::fmu_name(&args.models[0], corners.len() > 1);
+    let name = exports::fmu_name(&args.models[0], corners.len() > 1);
     let made = fmu::fmu(
         &corners,
         &fmu::Options {
@@ -207,7 +207,7 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
 
 /// Returns the static library: the given library, or the library that cargo or a package installed.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
-    let path = named.map_or_else(handed_out::static_library, |named| Ok(named.to_path_buf()))?;
+    let path = named.map_or_else(exports::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {
         let nor = if named.is_none() { ", nor one in ../lib" } else { "" };
         bail!(

@@ -225,7 +225,7 @@ mod tests {
             let test = read(&format!("{header}\n0,1,1{more}\n1,2,2{more}\n"));
             let (x, force) = (test.displacement.as_ref().unwrap(), &test.force);
             assert!((x[1] - 0.0508).abs() < 1e-9 && (force[1] - 8896.443).abs() < 1e-3, "{header}: {test:?}");
-            assert_eq!(told(&test).matches("by its unit alone").count(), guessed, "{header}");
+            assert_eq!(describe(&test).matches("by its unit alone").count(), guessed, "{header}");
         }
         // A heading that counts only if no other names the quantity has lower precedence than a common name.
         let test = read(
@@ -274,7 +274,7 @@ mod tests {
             .collect()
     }
 
-    fn told(samples: &Samples) -> String {
+    fn describe(samples: &Samples) -> String {
         samples.notes.iter().map(|n| n.text.to_string() + "\n").collect()
     }
 
@@ -293,15 +293,19 @@ mod tests {
         let test = read(&text);
         assert_eq!((test.len(), test.lines[20]), (59, 23));
         let expected = "2 lines between the rows hold no figures and were passed over (line 22, 42), the first: '20 Switched from 6 to 9'";
-        assert!(told(&test).contains(expected), "{}", told(&test));
+        assert!(describe(&test).contains(expected), "{}", describe(&test));
         // Text after the last column does not make the row unusable.
         let text = format!("{header}{}20,1.5,3,,,\"DAQ Pause\",DAQ Stop\n", table(0, 20));
         let test = read(&text);
         assert!(test.len() == 21 && test.force[20] == 3.0, "{test:?}");
-        assert!(told(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", told(&test));
+        assert!(describe(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", describe(&test));
         // The position of a surplus number is unknown, so the row is omitted.
         let test = read(&format!("{header}{}20,1,5,3,0,0,0\n", table(0, 20)));
-        assert!(test.len() == 20 && told(&test).contains("these rows are left out (line 22)"), "{}", told(&test));
+        assert!(
+            test.len() == 20 && describe(&test).contains("these rows are left out (line 22)"),
+            "{}",
+            describe(&test)
+        );
         // If most rows have too many fields, the table does not match its heading. A row with only some numbers is an
         // error.
         let message = |text: String| try_read(&text).unwrap_err().to_string();
@@ -339,7 +343,7 @@ mod tests {
             + "operator stopped here\toperator stopped here\toperator stopped here\n"
             + &rows(2.0, 3.0, "\t");
         let stray = read(&stray);
-        assert!(stray.len() == 300 && told(&stray).contains("operator stopped"), "{}", told(&stray));
+        assert!(stray.len() == 300 && describe(&stray).contains("operator stopped"), "{}", describe(&stray));
     }
 
     #[test]

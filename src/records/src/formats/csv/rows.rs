@@ -8,7 +8,7 @@ use super::repeated_headers::{Block, Blocks};
 use crate::columns::crank;
 use crate::columns::delimiter::{self, split};
 use crate::columns::heading::{Heading, HeadingUnit, heading};
-use crate::columns::non_data_lines::{Beside, LABELS};
+use crate::columns::non_data_lines::{LABELS, NonDataLines};
 use crate::columns::table::{Column, HEADER_WITHIN, Layout, Rows, channel_of, is_units_row, number};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
@@ -95,7 +95,7 @@ pub(super) fn table(
     let mut values = vec![f64::NAN; rows.layout().columns.len()];
     let mut blocks = Blocks::new(text, header_text, delimiter);
     let mut tests = Vec::new();
-    let mut beside = Beside::default();
+    let mut beside = NonDataLines::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
         // The reader counts empty lines as part of the next record.
         let (begins, empty) = record.position().map_or((0, 0), |p| {
