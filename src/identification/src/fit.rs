@@ -528,13 +528,18 @@ fn fit_thesis(
     Ok(found)
 }
 
+/// Returns whether the damper has a compliance, whose phase resembles that of a delay of the force channel.
+pub(crate) fn has_compliance(params: &Params) -> bool {
+    params.is_on(element!("series_compliance")) || params.is_on(element!("oil_compressibility"))
+}
+
 /// Computes the intervals and measurement errors of the best structure. Adds notes on numbers that the records do not determine or that are
 /// at a bound.
 fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
     let Structure { hypothesis, refit, .. } = structure;
     let mut notes = Vec::new();
     let mut estimates = estimates(hypothesis, refit, tests);
-    if hypothesis.base.is_on(element!("series_compliance")) && of_the_rig::can_distinguish_delay(tests) {
+    if has_compliance(&hypothesis.base) && of_the_rig::can_distinguish_delay(tests) {
         hold_too(&mut estimates, with_open_measurement(structure, tests, given).iter());
     }
     for estimate in &estimates {

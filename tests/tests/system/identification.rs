@@ -5,7 +5,7 @@ use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
-use dashpot_identification::{Fit, FitOptions, Standing, fit};
+use dashpot_identification::{Estimate, Fit, FitOptions, Standing, fit};
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_tests::kernel_campaign::{self, Sine};
@@ -192,7 +192,11 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         let late: Vec<Record> =
             few.map(|r| correct_record(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
         let found = fitted(&late);
-        let estimate = found.estimates.iter().find(|e| e.name == "series_stiffness").unwrap();
+        // A late channel may resemble an oil column more than a softer mount. Then the stiffness is that of the column.
+        let is_stiffness = |e: &&Estimate| {
+            ["series_stiffness", "oil_stiffness"].contains(&e.name) && e.standing == Standing::Identified
+        };
+        let estimate = found.estimates.iter().find(is_stiffness).unwrap();
         assert!((estimate.low.unwrap()..=estimate.high.unwrap()).contains(&stiffness), "seed {seed}: {estimate:?}");
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);

@@ -8,7 +8,7 @@ use super::setting_labels;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
-    About, check_elements, check_motion, coverage_notes, of_number, plain_curve, search_structure,
+    About, check_elements, check_motion, coverage_notes, has_compliance, of_number, plain_curve, search_structure,
     with_free_measurement,
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
@@ -16,7 +16,7 @@ use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
 use crate::{FitOptions, Stage, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
-use dashpot_core::{Fault, Params, element, list};
+use dashpot_core::{Fault, Params, list};
 use dashpot_estimation::campaign_clock::clock_from;
 use dashpot_estimation::family::alternatives::{FamilyAlternative, alternatives};
 use dashpot_estimation::family::pattern::{Site, varying_sites};
@@ -187,7 +187,7 @@ pub fn fit_family(
     let joint_refit = best.hypothesis.joint_refit(&best.refit);
     let mut estimates = estimates(&best.hypothesis, &best.refit, &settings);
     mix_alternatives(&mut estimates, &others, &settings);
-    if damper.params.is_on(element!("series_compliance")) && can_distinguish_delay(&all) {
+    if has_compliance(&damper.params) && can_distinguish_delay(&all) {
         hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.given));
     }
     let mut measured = measured(&joint, &joint_refit, &all);
