@@ -200,6 +200,8 @@ pub struct ActuatorRefit {
     /// Negative log prior: half the sum of squared distances from the prior means, each divided by its variance. Force
     /// errors between settings are excluded.
     pub negative_log_prior: f64,
+    /// Negative log prior of the force errors between settings.
+    pub negative_log_prior_between: f64,
 }
 
 /// Values and derivatives of an actuator at one point of the search.
@@ -385,10 +387,10 @@ impl<'a> ActuatorProblem<'a> {
         if !found.cost.is_finite() {
             return None;
         }
-        // Errors between settings are bounded. They are not evidence for or against a form.
-        let counted = found.x.iter().zip(&priors).take(self.numbers.len() + 2 * self.grid().len());
-        let distances = counted.map(|(x, prior)| ((x - prior.mean) / prior.spread).powi(2));
-        let negative_log_prior = 0.5 * distances.sum::<f64>();
+        let distance = |(x, prior): (&f64, &Prior)| 0.5 * ((x - prior.mean) / prior.spread).powi(2);
+        let mut distances = found.x.iter().zip(&priors).map(distance);
+        let negative_log_prior = distances.by_ref().take(self.numbers.len() + 2 * self.grid().len()).sum();
+        let negative_log_prior_between = distances.sum();
         let blocks = |Rows { residual, jacobian }| (jacobian, Vec::from(residual.data));
         Some(ActuatorRefit {
             form,
@@ -397,6 +399,7 @@ impl<'a> ActuatorProblem<'a> {
             spreads,
             blocks: found.rows.into_iter().map(blocks).collect(),
             negative_log_prior,
+            negative_log_prior_between,
         })
     }
 }

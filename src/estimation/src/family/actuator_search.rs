@@ -148,12 +148,52 @@ fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext, places: &[Vec
     evidence.log_evidence() + log_prior(refit.form)
 }
 
+/// A form that the search refitted.
+struct Trial {
+    refit: ActuatorRefit,
+    /// Log posterior without the force errors between settings.
+    log_posterior: f64,
+}
+
+/// All forms that the search refitted; `None` for a form that gives no finite force.
+#[derive(Default)]
+struct Trials(BTreeMap<ActuatorForm, Option<Trial>>);
+
+impl Trials {
+    /// Returns the log posterior of a form.
+    ///
+    /// The force has errors between the settings, whatever the form of the actuator. A valve without a lag never passes
+    /// there, so its refit does not show them. Therefore, only the excess of their negative log prior counts, relative to
+    /// the form with a lag that needs the smallest errors.
+    fn log_posterior(&self, trial: &Trial) -> f64 {
+        let passing = self.0.values().flatten().filter(|trial| trial.refit.form.lag != Ways::Neither);
+        let least = passing.map(|trial| trial.refit.negative_log_prior_between).fold(f64::INFINITY, f64::min);
+        trial.log_posterior - (trial.refit.negative_log_prior_between - least).max(0.0)
+    }
+
+    fn find(&self, form: ActuatorForm) -> Option<&Trial> {
+        self.0.get(&form)?.as_ref()
+    }
+
+    /// Returns a form with its log posterior.
+    fn scored(&self, form: ActuatorForm) -> Option<(f64, &Trial)> {
+        self.find(form).map(|trial| (self.log_posterior(trial), trial))
+    }
+
+    /// Returns the most probable form, but `now` if no other form is clearly more probable.
+    fn best(&self, now: ActuatorForm) -> ActuatorForm {
+        let all = self.0.keys().filter_map(|form| Some((self.scored(*form)?.0, *form)));
+        let best = all.reduce(|best, next| if next.0 > best.0 { next } else { best });
+        let own = self.scored(now).map_or(f64::NEG_INFINITY, |(own, _)| own);
+        best.filter(|(log_posterior, _)| *log_posterior > own + RISE).map_or(now, |(_, form)| form)
+    }
+}
+
 /// Finds the most probable actuator; `None` if no form gives a finite force.
 pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
     let (low, high) = context.definition.axis.range();
     let range = high - low;
     let places: Vec<Vec<usize>> = context.tests.iter().map(responding).collect();
-    let mut known: BTreeMap<ActuatorForm, Option<(f64, ActuatorRefit)>> = BTreeMap::new();
     let fits = AtomicUsize::new(0);
     let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
         let done = fits.fetch_add(1, Ordering::Relaxed);
@@ -182,75 +222,80 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
                 start => problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1),
             })
             .collect();
-        let scored = found.into_iter().map(|refit| (log_posterior(&refit, context, &places), refit));
-        scored.reduce(|best, next| if next.0 > best.0 { next } else { best })
+        let scored =
+            found.into_iter().map(|refit| Trial { log_posterior: log_posterior(&refit, context, &places), refit });
+        scored.reduce(|best, next| if next.log_posterior > best.log_posterior { next } else { best })
     };
-    let (mut best_posterior, mut best) = fit(ActuatorForm::NONE, None)?;
-    known.insert(ActuatorForm::NONE, Some((best_posterior, best.clone())));
+    let none = fit(ActuatorForm::NONE, None)?;
+    let mut from = none.refit.clone();
+    let mut trials = Trials::default();
+    trials.0.insert(ActuatorForm::NONE, Some(none));
     // If the time constants of rising and falling settings differ, a shared lag may be less probable than no lag. A
     // search that changes single parts would then miss the correct form.
-    let mut from = best.clone();
     for form in VALVES {
         let found = fit(form, Some(&from));
-        if let Some((posterior, refit)) = &found {
+        if let Some(Trial { refit, .. }) = &found {
             from = refit.clone();
-            if *posterior > best_posterior + RISE {
-                (best_posterior, best) = (*posterior, refit.clone());
-            }
         }
-        known.insert(form, found);
+        trials.0.insert(form, found);
     }
+    // Hysteresis and two lags together may be more probable than a shared lag although neither is alone. Without
+    // hysteresis, errors of the force at the settings explain the force behind a step.
+    let with_hysteresis = |form: ActuatorForm| {
+        let without = trials.find(form)?;
+        let form = ActuatorForm { hysteresis: true, ..form };
+        Some((form, fit(form, Some(&without.refit))))
+    };
+    let further: Vec<_> = VALVES.into_par_iter().filter_map(with_hysteresis).collect();
+    trials.0.extend(further);
+    let mut best = trials.best(ActuatorForm::NONE);
     for _ in 0..2 * PARTS.len() {
         if cancel::asked() {
             break;
         }
-        // Two lags and a dead time together may raise the log posterior although neither does alone.
-        let valves = VALVES.map(|form| ActuatorForm { lag: form.lag, dead_time: form.dead_time, ..best.form });
-        let single = PARTS.iter().filter_map(|part| toggled(best.form, part));
-        let moves: Vec<ActuatorForm> = single.chain(valves).filter(|form| *form != best.form).collect();
-        for form in &moves {
-            known.entry(*form).or_insert_with(|| fit(*form, Some(&best)));
+        let own = &trials.find(best)?.refit;
+        let new = PARTS.iter().filter_map(|part| toggled(best, part)).filter(|form| !trials.0.contains_key(form));
+        let new: Vec<ActuatorForm> = new.collect();
+        let found: Vec<_> = new.into_par_iter().map(|form| (form, fit(form, Some(own)))).collect();
+        trials.0.extend(found);
+        let next = trials.best(best);
+        if next == best {
+            break;
         }
-        let near = moves.iter().filter_map(|form| known.get(form)?.as_ref());
-        let next = near.reduce(|best, next| if next.0 > best.0 { next } else { best });
-        match next {
-            Some((posterior, refit)) if *posterior > best_posterior + RISE => {
-                (best_posterior, best) = (*posterior, refit.clone());
-            }
-            _ => break,
-        }
+        best = next;
     }
     // The model has no errors of the force between the settings. Of equally probable forms, the one whose model
     // alone fits best predicts best.
-    let tied = known.values().flatten().filter(|(posterior, _)| *posterior > best_posterior - TIED);
-    let alone = |(posterior, refit): &(f64, ActuatorRefit)| {
+    let most = trials.scored(best)?.0;
+    let tied = trials.0.values().flatten().filter(|trial| trials.log_posterior(trial) > most - TIED);
+    let alone = |Trial { refit, .. }: &Trial| {
         let alone = ActuatorProblem::new(context, refit.form).without_force_errors(refit)?;
-        Some((log_posterior(&alone, context, &places), *posterior, refit.clone()))
+        Some((log_posterior(&alone, context, &places), refit.form))
     };
     let closest = tied.filter_map(alone).max_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((_, posterior, refit)) = closest {
-        (best_posterior, best) = (posterior, refit);
-    }
+    let best = closest.map_or(best, |(_, form)| form);
     // Every part of the chosen form gets its log odds, which compare the form with and without it.
-    for form in PARTS.iter().filter_map(|part| toggled(best.form, part)) {
-        known.entry(form).or_insert_with(|| fit(form, Some(&best)));
-    }
+    let own = &trials.find(best)?.refit;
+    let missing = PARTS.iter().filter_map(|part| toggled(best, part)).filter(|form| !trials.0.contains_key(form));
+    let missing: Vec<ActuatorForm> = missing.collect();
+    let found: Vec<_> = missing.into_par_iter().map(|form| (form, fit(form, Some(own)))).collect();
+    trials.0.extend(found);
+    let (most, own) = trials.scored(best)?;
     let parts = PARTS
         .iter()
         .filter_map(|part| {
-            let is_present = has(best.form, part);
-            let other = known.get(&toggled(best.form, part)?)?.as_ref()?.0;
-            let log_odds = if is_present { best_posterior - other } else { other - best_posterior };
+            let is_present = has(best, part);
+            let other = trials.scored(toggled(best, part)?)?.0;
+            let log_odds = if is_present { most - other } else { other - most };
             Some(ActuatorPart { name: part, is_present, log_odds })
         })
         .collect();
-    let alternatives = known
-        .into_iter()
-        .filter(|(form, _)| *form != best.form)
-        .filter_map(|(_, found)| found)
-        .map(|(posterior, refit)| (posterior - best_posterior, refit))
+    let others = trials.0.values().flatten().filter(|trial| trial.refit.form != best);
+    let alternatives = others
+        .map(|trial| (trials.log_posterior(trial) - most, trial.refit.clone()))
         .filter(|(difference, _)| *difference > -RULED_OUT)
         .collect();
+    let best = own.refit.clone();
     let start = best.theta.clone();
     let problem = ActuatorProblem::new(context, best.form);
     let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
