@@ -29,7 +29,7 @@ const _: () = {
     assert!(offset_of!(dashpot_partials, d_rate_d_state) == offset_of!(Partials, d_rate_d_state));
 };
 
-/// Derivatives of force and rates over the commanded setting, at constant states.
+/// Derivatives of force and state rates with respect to the commanded setting, at constant states.
 #[repr(C)]
 pub struct dashpot_setting_derivatives {
     /// dF/d(setting). 0 if the actuator has a lag: the force then follows its state.

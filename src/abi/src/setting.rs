@@ -218,9 +218,9 @@ pub unsafe extern "C" fn dashpot_d_force_d_setting(
     })())
 }
 
-/// Writes the derivatives of force and rates over the commanded setting at *state and *input to *by_setting.
+/// Writes the derivatives of force and state rates with respect to the commanded setting to *by_setting.
 ///
-/// dashpot_jacobian() does not contain them. 0 for a damper that depends on no setting.
+/// They apply at *state and *input. dashpot_jacobian() does not contain them. They are 0 for a damper without a setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_jacobian_setting(
     model: *const dashpot_model,

@@ -60,8 +60,10 @@ fn velocity_alone_is_within_half_a_percent() {
     }
 }
 
-/// The accuracy holds for masses and springs of every size, and for curves with a third of the default damping.
+/// The rms error of a step of 1 ms is at most 0.1 % of the largest force, and a single error at most 1 %.
 ///
+/// This holds for series springs of 3e5 to 3e7 N/m and masses of 0.1 to 2 kg, and for 0.3, 1 and 3 times the default FV
+/// forces.
 /// The automatic choice of method and substeps was fitted to these dampers.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {

@@ -125,7 +125,7 @@ dashpot_messages::phrases! {
     NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
     NEEDS_ZERO: "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper unhooked, before and after";
     NEEDS_ONE_CLOCK: "every record starts its clock anew: keep one clock through the campaign and repeat a reference test";
-    // Remarks on the improved model.
+    // Notes in the file of the improved model, the source of its estimates, and a remark on a force drift.
     DIAGNOSIS: "diagnosis: {answer}";
     ADDED: "{effect} ({percent} sure) added to this model";
     OF_THE_RIG: "{effect} ({percent} sure) of the rig: corrected in the comparison, not in the damper of this model";

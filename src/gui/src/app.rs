@@ -39,7 +39,9 @@ pub struct App {
 /// Inputs of the plot layout. A change of one of them triggers a second frame.
 type Layout = (u64, usize, words::Language, Corner, Units);
 
-/// A screenshot of a part of the window, and the path of its file.
+/// A screenshot of the whole window, with the part of it to save and the path of the file.
+///
+/// `part` is left, top, right and bottom in points, and `scale` the number of pixels per point.
 struct Picture {
     path: PathBuf,
     part: [f32; 4],

@@ -32,7 +32,7 @@ pub struct Size {
     pub unknown: u64,
     /// Number of pairs of effects.
     pub pairs: u64,
-    /// Number of cases with sparse plans.
+    /// Number of cases with poor test plans, such as one amplitude or no slow tests.
     pub poor: u64,
     /// Severities of single effects for a fit with all elements, one seed each. The number of cases without effects is
     /// equal.

@@ -12,7 +12,7 @@ use std::path::Path;
 /// Address space of this process, bytes: a gibibyte for the reader, and memory for the program and its thread stacks.
 #[cfg(target_os = "linux")]
 const SPACE: u64 = (1 << 30) + (512 << 20);
-/// Processor time for one file, s.
+/// Largest allowed processor time for one file, s.
 const SECONDS: f64 = 10.0;
 
 fn limit_memory() {

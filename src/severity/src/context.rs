@@ -1,8 +1,10 @@
-//! Severity of an effect: the part that a refit of the base model cannot absorb, relative to the noise. The search
-//! finds the strength for a severity.
+//! Severity of an effect: the rms force that a refit of the base model cannot absorb, relative to the noise.
 //!
-//! The neutral damper also has a residual, because its form differs from that of the base model. Severity is the root
-//! mean square of the difference of the two residuals. A difference of two root mean squares would depend on the
+//! [`SeverityContext::strength`] finds the strength at which an injected effect has a requested severity.
+//!
+//! The neutral damper, without injected effects, also has a residual, because its form differs from that of the base
+//! model. Severity is the root mean square of the difference between the residual with the effect and this residual. A
+//! difference of two root mean squares would depend on the
 //! direction of the effect relative to the neutral residual.
 
 use crate::SeverityError;

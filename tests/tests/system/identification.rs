@@ -58,6 +58,25 @@ fn fitted(records: &[Record]) -> Fit {
     fit(&records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
 }
 
+/// A fit finds an oil column whose chambers differ. A series spring alone would leave several times the noise.
+#[test]
+fn an_oil_column_is_found_by_a_fit() {
+    let mut truth = truth();
+    truth.enable(element!("oil_compressibility"), true);
+    let (stiffness, ratio) = (2e6, 0.35);
+    truth.set(number!("oil_stiffness"), stiffness).unwrap();
+    truth.set(number!("oil_compression"), ratio).unwrap();
+    truth.set(number!("oil_shortening"), 0.0).unwrap();
+    let found = fitted(&campaign(&truth, 5, 0.01, |_| None));
+    let column = found.inventory.iter().find(|item| item.effect == "oil_compressibility");
+    assert!(column.is_some_and(|item| item.probability > 0.9), "{:?}", found.inventory);
+    for (name, value) in [("oil_stiffness", stiffness), ("oil_compression", ratio)] {
+        let estimate = found.estimates.iter().find(|e| e.name == name).unwrap();
+        assert!((estimate.low.unwrap()..=estimate.high.unwrap()).contains(&value), "{estimate:?}");
+    }
+    assert!(found.misfit < 1.1, "{}", found.misfit);
+}
+
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,

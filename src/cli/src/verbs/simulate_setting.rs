@@ -76,7 +76,8 @@ impl Commands {
         (motion, own): (&Path, Option<&MotionSetting>),
         given: Option<&Schedule>,
     ) -> anyhow::Result<Commands> {
-        // A column that the user named contains the setting, regardless of its heading.
+        // A column of the channel `setting` counts, whatever the name of the model's setting. The user named this column, or its heading
+        // means clicks.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();

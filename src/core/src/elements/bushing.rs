@@ -13,8 +13,8 @@ use crate::schema::{Describe, Parameter, View};
 /// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The relaxing
 /// branches below follow the deflection of the whole path.
 ///
-/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is the part of the deflection d beyond the stop at L. The stop adds the
-/// stiffness k_e.
+/// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is a smooth form of the deflection d beyond the stop at L. It tends to
+/// |d| − L far beyond L, and to d⁴/(4 L³) far below it. The stop adds a stiffness that rises toward k_e.
 ///
 /// *Losses*: two branches are parallel to the spring. One of stiffness k_1 relaxes with time (Maxwell) and with
 /// deflection, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The

@@ -195,7 +195,8 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// center of a higher power. With such an unphysical force, the mass would overshoot.
     ///
     /// The spring force rises with displacement and the FV curve rises with velocity, so the residual of the balance
-    /// rises with u. Each solution therefore shortens the bracket. If the solutions oscillate, bisection replaces them.
+    /// rises with u. Each solution therefore shortens the bracket. Bisection replaces a solution outside the bracket,
+    /// and every other solution after [`PATIENCE`] iterations.
     #[inline(never)]
     fn settle(&self, held: &Held, balance: &mut Balance) {
         let Held { g, resistance, known, driven, r } = *held;

@@ -42,8 +42,10 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     }
 }
 
-/// Returns the number of points up to the first segment whose slope is below [`KNEE`] times the steepest slope before
-/// it, beyond the uncertainty of both points. Beyond these points, a valve has opened.
+/// Returns the number of points up to the knee, beyond which a valve has opened.
+///
+/// The knee is the first segment whose slope is below [`KNEE`] times the steepest slope before it, beyond the
+/// uncertainty of both points.
 ///
 /// The segment from rest to the first point does not count. It contains the error of the friction, so it may be far too
 /// steep.

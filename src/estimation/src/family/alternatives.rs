@@ -6,7 +6,6 @@
 
 use super::pattern::{Site, varying_sites};
 use super::problem::{FamilyHypothesis, SettingTests};
-use super::search::FamilySearch;
 use super::structure::FamilyStructure;
 use crate::refit::Effort;
 use crate::structure::alternatives::{LEAST, MOST};
@@ -71,12 +70,17 @@ pub struct FamilyAlternative {
     pub weight: f64,
 }
 
-/// Refits the families that the records do not rule out, at most [`MOST`] of them. Each has a probability of at least 5 %
-/// relative to the most probable family. `temperature` divides the log odds.
-pub fn alternatives(search: &FamilySearch, settings: &[SettingTests], temperature: f64) -> Vec<FamilyAlternative> {
-    let weight = |of: f64| libm::exp((of - search.best.log_posterior) / temperature);
+/// Refits the rivals of a family that the records do not rule out, at most [`MOST`] of them. Each has a probability of at
+/// least 5 % relative to the family. `temperature` divides the log odds.
+pub fn alternatives(
+    best: &FamilyStructure,
+    rivals: &[Rival],
+    settings: &[SettingTests],
+    temperature: f64,
+) -> Vec<FamilyAlternative> {
+    let weight = |of: f64| libm::exp((of - best.log_posterior) / temperature);
     let is_open = |rival: &&Rival| weight(rival.log_posterior) >= LEAST / (1.0 - LEAST);
-    let open: Vec<&Rival> = search.rivals.iter().filter(is_open).take(MOST).collect();
+    let open: Vec<&Rival> = rivals.iter().filter(is_open).take(MOST).collect();
     open.into_par_iter()
         .filter_map(|rival| {
             let Rival { hypothesis, components, log_posterior } = rival.clone();

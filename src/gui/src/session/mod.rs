@@ -549,8 +549,8 @@ fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     path.to_owned()
 }
 
-/// Selects the tests for the first display: all velocities of the amplitude with most tests, like a run on a dyno. Selects the first test
-/// if no test has cycles.
+/// Selects the tests for the first display: up to eight tests of the amplitude with most tests, like a run on a dyno. Selects the first test
+/// if all tests are slow or without cycles.
 fn first_look(records: &[Record]) -> BTreeSet<usize> {
     let grid = matrix::Grid::new(records, matrix::Across::Velocity);
     let row = |k: usize| -> Vec<usize> { (0..grid.columns.len()).flat_map(|c| grid.cell(k, c).to_vec()).collect() };

@@ -168,7 +168,7 @@ pub fn fit_family(
     });
     let search = search.ok_or(FamilyError::NotFinite)?;
     progress(Stage { done: 0.85, text: phrases::REFINING });
-    let others = alternatives(&search, &settings, TEMPERATURE);
+    let others = alternatives(&search.best, &search.rivals, &settings, TEMPERATURE);
     let FamilyStructure { hypothesis, components, .. } = search.best;
     let best = FamilyStructure::fit(hypothesis, components, &settings, Effort::FINE).ok_or(FamilyError::NotFinite)?;
     let mut damper = damper(&best, &axis, &settings).map_err(|fault| FamilyError::Kernel {

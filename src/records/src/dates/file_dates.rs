@@ -37,7 +37,7 @@ impl Dates {
         dates
     }
 
-    /// Evaluates one more date: a start date, with or without a time, or a later date of the column.
+    /// Adds a date to the evidence: the start date of the test, with or without a time, or a date in the time column.
     pub fn see(&mut self, text: &str) {
         let text = text.trim();
         let date = text.split([' ', 'T']).next().unwrap_or_default();

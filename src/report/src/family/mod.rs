@@ -70,7 +70,7 @@ fn axis_name<'a>(damper: &'a Definition, words: &'a Words) -> &'a str {
     if name.is_empty() { words.col_setting } else { name }
 }
 
-/// Formats the title of an axis over the setting, with its unit.
+/// Formats the title of a plot axis that shows the setting, with its unit.
 fn axis_title(damper: &Definition, words: &Words) -> String {
     let unit = damper.axis.unit();
     format!("{}, {}", axis_name(damper, words), if unit.is_empty() { "-" } else { unit })

@@ -175,11 +175,11 @@ impl Default for Car {
 /// Positions and velocities of a vehicle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Body {
-    /// Heave, roll (left side up) and pitch (nose down): m, rad, rad.
+    /// Heave, roll (left side up) and pitch (nose down) from the static position: m, rad, rad.
     pub position: [f64; 3],
     /// Velocities of heave, roll and pitch, m/s, rad/s, rad/s.
     pub velocity: [f64; 3],
-    /// Heights of the wheels, m.
+    /// Vertical displacements of the wheels from the static position, m, up positive.
     pub wheel: [f64; 4],
     /// Velocities of the wheels, m/s.
     pub wheel_velocity: [f64; 4],

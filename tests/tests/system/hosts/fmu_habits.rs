@@ -1,6 +1,6 @@
-//! FMUs in importers with unusual behavior.
+//! Tests of exported FMUs in importers with unusual behavior.
 //!
-//! They give a wrong resources folder or none, remove the logger, or set no start values. They also request outputs at
+//! Such importers give a wrong resources folder or none, remove the logger, or set no start values. They also request outputs at
 //! earlier times, or call functions out of order.
 
 use dashpot_tests::cli::{done, refused};

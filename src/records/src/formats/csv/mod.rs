@@ -1,4 +1,6 @@
-//! Reads delimited text: comma, semicolon, tab or bar; decimal point or comma; comment lines; a row of units.
+//! Reads text tables whose columns are separated by comma, semicolon, tab, vertical bar or blanks.
+//!
+//! Recognizes decimal points and commas, comment lines, and a row of units.
 
 mod encoding;
 mod header_search;
