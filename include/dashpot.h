@@ -585,7 +585,7 @@ typedef struct dashpot_partials {
   double d_rate_d_state[10][10];
 } dashpot_partials;
 
-// Derivatives of force and rates over the commanded setting, at constant states.
+// Derivatives of force and state rates with respect to the commanded setting, at constant states.
 typedef struct dashpot_setting_derivatives {
   // dF/d(setting). 0 if the actuator has a lag: the force then follows its state.
   double d_force_d_setting;
@@ -712,9 +712,9 @@ int32_t dashpot_d_force_d_setting(const dashpot_model *model,
                                   double dt,
                                   double *derivative);
 
-// Writes the derivatives of force and rates over the commanded setting at *state and *input to *by_setting.
+// Writes the derivatives of force and state rates with respect to the commanded setting to *by_setting.
 //
-// dashpot_jacobian() does not contain them. 0 for a damper that depends on no setting.
+// They apply at *state and *input. dashpot_jacobian() does not contain them. They are 0 for a damper without a setting.
 int32_t dashpot_jacobian_setting(const dashpot_model *model,
                                  const dashpot_state *state,
                                  const dashpot_input *input,

@@ -114,11 +114,13 @@ fn friction_under_side_force_is_named() {
 }
 
 #[test]
+#[ignore = "20 s, for the night; every run names it in a damper of another form"]
 fn a_bristle_before_sliding_is_named() {
     names("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]);
 }
 
 #[test]
+#[ignore = "half a minute, for the night; every run finds the stop from four starts"]
 fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }

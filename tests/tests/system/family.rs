@@ -76,6 +76,13 @@ fn truth(friction: Option<[f64; 4]>) -> Definition {
     Definition { params, axis }
 }
 
+/// Returns options with the elements of [`truth`] only. A test of the valve or of labels needs no search for further
+/// effects, which would take most of its time.
+fn elements_of_truth() -> FitOptions {
+    let elements = ["fv_curve", "coulomb_friction", "gas_preload", "series_compliance", "parallel_spring"];
+    FitOptions { elements: Some(elements.map(str::to_owned).to_vec()), ..FitOptions::default() }
+}
+
 fn fitted(damper: &Definition, seed: u64) -> FamilyFit {
     let records: Vec<Record> =
         CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(damper, *current, seed + k as u64)).collect();
@@ -218,7 +225,7 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     let slipped = records.iter_mut().find(is_fast).unwrap();
     slipped.setting.as_mut().unwrap().value = 4.0;
     let of_soft = slipped.name.clone();
-    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
     let notes = said(&found);
     assert_eq!(notes.len(), 2, "{notes:?}");
     assert!(notes[0].starts_with(&format!("{of_hard} states current 0 A")), "{notes:?}");
@@ -314,18 +321,13 @@ fn a_damper_without_an_actuator_gets_none() {
     let mut records: Vec<Record> =
         CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(&truth, *current, 11 + k as u64)).collect();
     records.push(stepped(&truth));
-    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
     let actuator = found.actuator.as_ref().unwrap();
     assert!(actuator.estimates.is_empty() && actuator.parts.iter().all(|part| !part.is_present), "{actuator:?}");
     assert!(!found.damper.axis.actuator().has_lag() && found.damper.axis.actuator().dead_time == 0.0);
     assert!(found.tests.contains(&"stepped".to_owned()));
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
-
-/// Elements of [`truth`]. A test of the valve alone needs no search for further effects, which would take most of its
-/// time.
-const ELEMENTS_OF_TRUTH: [&str; 5] =
-    ["fv_curve", "coulomb_friction", "gas_preload", "series_compliance", "parallel_spring"];
 
 /// One test with steps identifies both lags and the dead time, although a common lag for both directions fits worse
 /// than no lag.
@@ -342,9 +344,7 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
         .flat_map(|(k, current)| records_at(&truth(None), *current, 11 + k as u64))
         .collect();
     let found_with = |records: &[Record]| {
-        let elements = Some(ELEMENTS_OF_TRUTH.map(str::to_owned).to_vec());
-        let options = FitOptions { elements, ..FitOptions::default() };
-        let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &options, |_| ()).unwrap();
+        let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
         found.actuator.unwrap().estimates
     };
     let whole = stepped(&valve);
@@ -506,6 +506,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
 }
 
 #[test]
+#[ignore = "most of a minute, for the night; the same valve at 1 kHz is identified in every run"]
 fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
     let seed = 3;
     let plant = SemiActivePlant::new(seed);

@@ -118,6 +118,7 @@ fn has_the_same_name(hidden: &[Hidden]) {
 }
 
 #[test]
+#[ignore = "20 s, for the night; every run checks healthy dampers of a car"]
 fn nothing_is_missing_in_a_damper_of_another_size_where_nothing_is() {
     let records = campaign(&base(), &tests(), 1, 0.02);
     for factor in FACTORS {

@@ -75,12 +75,13 @@ fn default_damper() {
 }
 
 #[test]
+#[ignore = "10 s, for the night; every run checks the default damper"]
 fn second_damper() {
     campaign("1", &[]);
 }
 
 #[test]
-#[ignore = "half a minute; the second damper is checked in every run"]
+#[ignore = "half a minute, for the night; every run checks the default damper"]
 fn third_damper() {
     campaign("2", &[]);
 }
