@@ -322,7 +322,21 @@ impl<'a> ActuatorProblem<'a> {
         steps: usize,
         tolerance: f64,
     ) -> Option<ActuatorRefit> {
-        self.refit_with(form, start, (steps, tolerance), LEVEL_SPREAD)
+        self.refit_with(form, start, (steps, tolerance), [LEVEL_SPREAD, MOST_BETWEEN])
+    }
+
+    /// Refits the parameters without errors of the force between the settings. Returns `None` if the model gives no
+    /// finite force.
+    pub fn refit_without_errors_between(
+        &self,
+        form: ActuatorForm,
+        start: &[f64],
+        steps: usize,
+        tolerance: f64,
+    ) -> Option<ActuatorRefit> {
+        let mut from = start.to_vec();
+        from.iter_mut().skip(self.numbers.len() + 2 * self.grid().len()).for_each(|error| *error = 0.0);
+        self.refit_with(form, Some(&from), (steps, tolerance), [LEVEL_SPREAD, HELD_SPREAD])
     }
 
     /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start,
@@ -335,7 +349,7 @@ impl<'a> ActuatorProblem<'a> {
         steps: usize,
         tolerance: f64,
     ) -> Option<ActuatorRefit> {
-        let near = self.refit_with(form, Some(start), (steps, tolerance), HELD_SPREAD)?;
+        let near = self.refit_with(form, Some(start), (steps, tolerance), [HELD_SPREAD; 2])?;
         self.refit(form, Some(&near.theta), steps, tolerance)
     }
 
@@ -344,9 +358,8 @@ impl<'a> ActuatorProblem<'a> {
         form: ActuatorForm,
         start: Option<&[f64]>,
         (steps, tolerance): (usize, f64),
-        spread_of_levels: f64,
+        [spread_of_levels, most_between]: [f64; 2],
     ) -> Option<ActuatorRefit> {
-        let most_between = if spread_of_levels == HELD_SPREAD { HELD_SPREAD } else { MOST_BETWEEN };
         let gaps = self.context.gap_spreads.iter().map(|spread| restrict(*spread, HELD_SPREAD, most_between));
         // Each direction has its own errors between settings.
         let spreads: Vec<f64> =

@@ -52,6 +52,8 @@ pub struct ActuatorSearch {
     pub parts: Vec<ActuatorPart>,
     /// Other forms that the records do not rule out, with their log posterior minus that of the best form.
     pub alternatives: Vec<(f64, ActuatorRefit)>,
+    /// Refit of the same form without errors of the force between the settings; `None` if it gives no finite force.
+    pub without_errors_between: Option<ActuatorRefit>,
     /// Derivatives of the residuals with respect to the instant of the command change within a sample: see
     /// [`ActuatorProblem::timing_derivatives`].
     pub timing: Vec<Vec<f64>>,
@@ -302,5 +304,6 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     let problem = ActuatorProblem::new(context, best.form);
     let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
     let timing = problem.timing_derivatives(&best.theta)?;
-    Some(ActuatorSearch { best, parts, alternatives, timing })
+    let without_errors_between = problem.refit_without_errors_between(best.form, &best.theta, FINE.0, FINE.1);
+    Some(ActuatorSearch { best, parts, alternatives, without_errors_between, timing })
 }

@@ -91,7 +91,8 @@ pub fn identify_actuator(
         sample_times: &sample_times,
         gap_spreads: &interpolation_errors(damper, reports),
     };
-    let ActuatorSearch { best, parts, alternatives, timing } = search_actuator(&context, progress)?;
+    let ActuatorSearch { best, parts, alternatives, without_errors_between, timing } =
+        search_actuator(&context, progress)?;
     let axis = axis_with(&damper.axis, &best.numbers, &best.theta)?;
     damper.axis = axis;
     let decision = |of: &dashpot_estimation::family::actuator_search::ActuatorPart| ActuatorDecision {
@@ -106,12 +107,31 @@ pub fn identify_actuator(
             (libm::exp(difference / TEMPERATURE), estimates(refit, &timing, damper, ways_of(records)))
         })
         .collect();
+    if let Some(without) = without_errors_between {
+        hold_effect_of_interpolation(&mut known, &estimates(&without, &timing, damper, ways_of(records)));
+    }
     known.iter_mut().for_each(|estimate| mix_interval(estimate, &others));
     Some(ActuatorFit {
         estimates: known,
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
+}
+
+/// Widens the intervals to both sides until they hold the effect of the errors of the force between the settings on each number.
+///
+/// A valve on its way passes these settings, where no record shows the force. The records determine these errors only together with the
+/// times of the valve, and the errors are bounded. So the intervals of the times alone would be too narrow.
+fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
+    for estimate in known {
+        let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
+        let effect = (other.value - estimate.value).abs();
+        if let (Some(low), Some(high)) = (estimate.low, estimate.high) {
+            // Times and widths are not negative.
+            estimate.low = Some(low.min((estimate.value - effect).max(0.0)));
+            estimate.high = Some(high.max(estimate.value + effect));
+        }
+    }
 }
 
 /// Estimates the standard deviation of the interpolated force midway between each pair of grid neighbors, as a fraction of the force. It is
