@@ -9,6 +9,7 @@ use crate::unknowns::Unknown;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Computes the covariance of the free parameters in the sandwich form (White, Econometrica 48, 1980), and the degree
 /// of determination of each parameter.
@@ -156,6 +157,42 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
     Some((&bread * meat * &bread, determined))
 }
 
+/// Computes the covariance of free parameters from groups of samples whose errors are correlated in any way (Liang &
+/// Zeger, Biometrika 73, 1986).
+///
+/// A block contains derivatives and weighted residuals of one test, and `groups` contains the group of each of its
+/// samples. Returns `None` for fewer than two groups, or if the Hessian is singular.
+pub fn grouped_covariance(
+    blocks: &[(DMatrix<f64>, Vec<f64>)],
+    precisions: &[f64],
+    groups: &[Vec<usize>],
+) -> Option<DMatrix<f64>> {
+    let n = precisions.len();
+    let mut hessian = DMatrix::zeros(n, n);
+    let mut gradients: BTreeMap<usize, DVector<f64>> = BTreeMap::new();
+    for ((rows, residual), own) in blocks.iter().zip(groups) {
+        hessian += gram(rows);
+        for (row, (residual, group)) in residual.iter().zip(own).enumerate() {
+            let gradient = gradients.entry(*group).or_insert_with(|| DVector::zeros(n));
+            gradient.axpy(*residual, &rows.row(row).transpose(), 1.0);
+        }
+    }
+    precisions.iter().enumerate().for_each(|(i, precision)| hessian[(i, i)] += precision);
+    let (scaled, scale) = to_unit_diagonal(&hessian);
+    let inverse = scaled.try_inverse()?;
+    let count = gradients.len() as f64;
+    if count < 2.0 {
+        return None;
+    }
+    let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
+    let mut covariance = DMatrix::zeros(n, n);
+    for gradient in gradients.values() {
+        let shift = &bread * gradient;
+        covariance.ger(count / (count - 1.0), &shift, &shift, 1.0);
+    }
+    Some(covariance)
+}
+
 /// Scales rows and columns of a Hessian by the square roots of its diagonal, so that parameters of all units are
 /// comparable. Also returns the roots.
 fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
@@ -215,6 +252,21 @@ fn correlation_factor(residual: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn errors_that_groups_share_widen_a_mean_and_independent_ones_do_not() {
+        // The mean of 40 samples in 8 groups: equal errors in a group, then alternating ones.
+        let rows = DMatrix::from_element(40, 1, 1.0);
+        let groups = vec![(0..40).map(|k| k / 5).collect::<Vec<usize>>()];
+        let deviation = |residual: Vec<f64>| {
+            grouped_covariance(&[(rows.clone(), residual)], &[0.0], &groups).unwrap()[(0, 0)].sqrt()
+        };
+        let shared = deviation((0..40).map(|k| if k / 5 % 2 == 0 { 1.0 } else { -1.0 }).collect());
+        assert!((shared - (8.0f64 * 25.0 * 8.0 / 7.0).sqrt() / 40.0).abs() < 1e-12, "{shared}");
+        assert!(deviation((0..40).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect()) < 0.3 * shared);
+        let one = [vec![0; 40]];
+        assert_eq!(grouped_covariance(&[(rows.clone(), vec![1.0; 40])], &[0.0], &one), None);
+    }
 
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {

@@ -7,7 +7,7 @@ use crate::intervals::{Estimate, Standing, Z};
 use crate::phrases;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
-use dashpot_estimation::deviations::{considered_shift, robust_covariance};
+use dashpot_estimation::deviations::{considered_shift, grouped_covariance, robust_covariance};
 use dashpot_estimation::family::actuator::{ActuatorContext, ActuatorRefit, axis_with};
 use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuator};
 use dashpot_estimation::family::command_time::SPREAD;
@@ -100,7 +100,9 @@ pub fn identify_actuator(
         is_present: of.is_present,
         probability: 1.0 / (1.0 + libm::exp(-of.log_odds / TEMPERATURE)),
     };
+    let groups = groups_of_steps(&tests);
     let mut known = estimates(&best, &timing, damper, ways_of(records));
+    hold_errors_of_steps(&mut known, &best, &groups);
     let others: Vec<(f64, Vec<Estimate>)> = alternatives
         .iter()
         .map(|(difference, refit)| {
@@ -116,6 +118,56 @@ pub fn identify_actuator(
         parts: parts.iter().map(decision).collect(),
         tests: records.iter().map(|record| record.name.clone()).collect(),
     })
+}
+
+/// Shortest level of a setting, s, whose step is a group of its own in [`groups_of_steps`]. A shorter level does not let the valve come to
+/// rest.
+const LEVEL: f64 = 0.03;
+
+/// Returns the group of each scored sample of the tests: the samples after steps between the same two settings are one group.
+///
+/// All other samples of a test are one group. The model has the same error at all steps of a group.
+fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
+    let mut kinds: Vec<(u64, u64, usize)> = Vec::new();
+    let mut group_of = |kind: (u64, u64, usize)| {
+        kinds.iter().position(|known| *known == kind).unwrap_or_else(|| {
+            kinds.push(kind);
+            kinds.len() - 1
+        })
+    };
+    let of_test = |(index, test): (usize, &Test)| {
+        let segment = &test.segment;
+        let settings = segment.setting.as_deref().unwrap_or(&[]);
+        let mut groups = vec![group_of((0, 0, index + 1)); segment.force.len()];
+        let changes: Vec<usize> = (1..settings.len()).filter(|k| settings[*k] != settings[k - 1]).collect();
+        for (place, change) in changes.iter().enumerate() {
+            let end = changes.get(place + 1).copied().unwrap_or(settings.len());
+            if segment.dt[*change..end.min(segment.dt.len())].iter().sum::<f64>() >= LEVEL {
+                let group = group_of((settings[change - 1].to_bits(), settings[*change].to_bits(), 0));
+                groups[*change..end.min(segment.force.len())].fill(group);
+            }
+        }
+        groups.split_off(segment.from)
+    };
+    tests.iter().enumerate().map(of_test).collect()
+}
+
+/// Widens the intervals of the numbers of an actuator to those of errors that all steps between the same two settings share.
+///
+/// The model has such errors where the force between two settings, or the response of the valve, has another form. Many steps do not make
+/// them smaller.
+fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &[Vec<usize>]) {
+    let Some(covariance) = grouped_covariance(&refit.blocks, &refit.precisions(), groups) else { return };
+    for (place, number) in refit.numbers.iter().enumerate() {
+        let half = Z * covariance[(place, place)].max(0.0).sqrt();
+        let (low, high) = number.bounds;
+        let at = |moved: f64| number.value(dashpot_records::restrict(refit.theta[place] + moved, low, high));
+        for estimate in known.iter_mut().filter(|estimate| number.entries.contains(&estimate.name)) {
+            if let (Some(low), Some(high)) = (estimate.low, estimate.high) {
+                (estimate.low, estimate.high) = (Some(low.min(at(-half))), Some(high.max(at(half))));
+            }
+        }
+    }
 }
 
 /// Widens the intervals to both sides until they hold the effect of the errors of the force between the settings on each number.
