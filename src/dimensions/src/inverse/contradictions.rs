@@ -79,9 +79,10 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     Sentence::as_it_is(all.join(", "))
 }
 
-/// Formats a number as in the file, without digits due to rounding in the conversion to SI.
+/// Formats a number as in the file, without digits due to rounding in the conversion to SI. The center of a stated range may have many
+/// digits; it is rounded to three decimals.
 fn plain(value: f64) -> String {
-    let text = format!("{value:.6}");
+    let text = if value.abs() < 1.0 { format!("{value:.6}") } else { format!("{value:.3}") };
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 

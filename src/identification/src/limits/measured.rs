@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 /// Rigs reach their commanded speed with this error. With a larger value, the force at another speed could decide about a limit on a steep
 /// curve.
 pub const NEAR: f64 = 0.05;
-/// Largest ratio of two peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee that no test
-/// shows.
+/// Largest ratio of two commanded peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee that no
+/// test shows. The measured ratio may exceed it by [`NEAR`], so that a ladder of doubled speeds has no gap.
 pub const BETWEEN: f64 = 2.0;
 /// Largest relative difference of two amplitudes at which they count as the same stroke.
 const SAME_STROKE: f64 = 0.1;
@@ -143,7 +143,7 @@ fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let below = stroke.iter().filter(|p| speed(p) <= wanted).max_by(|a, b| speed(a).total_cmp(&speed(b)));
     let above = stroke.iter().filter(|p| speed(p) > wanted).min_by(|a, b| speed(a).total_cmp(&speed(b)));
     if let (Some(below), Some(above)) = (below, above)
-        && speed(above) <= BETWEEN * speed(below)
+        && speed(above) <= BETWEEN * (1.0 + NEAR) * speed(below)
     {
         let share = (wanted - speed(below)) / (speed(above) - speed(below));
         let value = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
