@@ -142,9 +142,10 @@ fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
         let changes: Vec<usize> = (1..settings.len()).filter(|k| settings[*k] != settings[k - 1]).collect();
         for (place, change) in changes.iter().enumerate() {
             let end = changes.get(place + 1).copied().unwrap_or(settings.len());
-            if segment.dt[*change..end.min(segment.dt.len())].iter().sum::<f64>() >= LEVEL {
+            let level = segment.dt.get(*change..end.min(segment.dt.len())).map_or(0.0, |dt| dt.iter().sum());
+            if level >= LEVEL {
                 let group = group_of((settings[change - 1].to_bits(), settings[*change].to_bits(), 0));
-                groups[*change..end.min(segment.force.len())].fill(group);
+                groups.iter_mut().take(end).skip(*change).for_each(|own| *own = group);
             }
         }
         groups.split_off(segment.from)
