@@ -150,10 +150,10 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
         hessian[(i, i)] += precision;
         meat[(i, i)] += precision;
     }
-    let (scaled, scale) = to_unit_diagonal(&hessian);
-    let inverse = scaled.try_inverse()?;
-    let determined = (0..n).map(|i| (information[i] / (scale[i] * scale[i])) / inverse[(i, i)].max(1.0)).collect();
-    let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
+    let inverse = Inverse::new(&hessian)?;
+    let Inverse { scaled, scale } = &inverse;
+    let determined = (0..n).map(|i| (information[i] / (scale[i] * scale[i])) / scaled[(i, i)].max(1.0)).collect();
+    let bread = inverse.matrix();
     Some((&bread * meat * &bread, determined))
 }
 
@@ -178,19 +178,37 @@ pub fn grouped_covariance(
         }
     }
     precisions.iter().enumerate().for_each(|(i, precision)| hessian[(i, i)] += precision);
-    let (scaled, scale) = to_unit_diagonal(&hessian);
-    let inverse = scaled.try_inverse()?;
+    let bread = Inverse::new(&hessian)?.matrix();
     let count = gradients.len() as f64;
     if count < 2.0 {
         return None;
     }
-    let bread = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)] / (scale[i] * scale[j]));
     let mut covariance = DMatrix::zeros(n, n);
     for gradient in gradients.values() {
         let shift = &bread * gradient;
         covariance.ger(count / (count - 1.0), &shift, &shift, 1.0);
     }
     Some(covariance)
+}
+
+/// Inverse of a Hessian with a unit diagonal, and the scales that give it this diagonal.
+struct Inverse {
+    scaled: DMatrix<f64>,
+    scale: Vec<f64>,
+}
+
+impl Inverse {
+    /// Inverts a Hessian. Returns `None` if it is singular.
+    fn new(hessian: &DMatrix<f64>) -> Option<Inverse> {
+        let (scaled, scale) = to_unit_diagonal(hessian);
+        Some(Inverse { scaled: scaled.try_inverse()?, scale })
+    }
+
+    /// Returns the inverse of the unscaled Hessian.
+    fn matrix(&self) -> DMatrix<f64> {
+        let (n, Inverse { scaled, scale }) = (self.scale.len(), self);
+        DMatrix::from_fn(n, n, |i, j| scaled[(i, j)] / (scale[i] * scale[j]))
+    }
 }
 
 /// Scales rows and columns of a Hessian by the square roots of its diagonal, so that parameters of all units are

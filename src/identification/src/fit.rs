@@ -24,7 +24,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
-use dashpot_estimation::structure::alternatives::{Alternative, Part, alternatives, mixed_interval};
+use dashpot_estimation::structure::alternatives::{Alternative, alternatives};
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
@@ -191,17 +191,13 @@ impl Found {
 /// Mixes the intervals with the intervals of alternative structures. `others` gives a weight for each alternative, relative to 1 for the
 /// structure of `estimates`.
 fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
-    let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
     for estimate in estimates {
-        let Some(own) = part(1.0, estimate) else { continue };
-        let of_others = others.iter().filter_map(|(weight, all)| {
-            let same = all.iter().find(|e| e.name == estimate.name && e.index == estimate.index)?;
-            part(*weight, same)
-        });
-        let parts: Vec<Part> = std::iter::once(own).chain(of_others).collect();
-        if let Some([low, high]) = mixed_interval(&parts) {
-            (estimate.low, estimate.high) = (Some(low), Some(high));
-        }
+        let (name, index) = (estimate.name, estimate.index);
+        estimate.mix(
+            others
+                .iter()
+                .filter_map(|(weight, all)| all.iter().find(|e| e.name == name && e.index == index)?.part(*weight)),
+        );
     }
 }
 
@@ -210,8 +206,8 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
     for estimate in estimates {
         let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
         let Some(other) = others.clone().find(same) else { continue };
-        if let (Some(low), Some(high), Some(from), Some(to)) = (estimate.low, estimate.high, other.low, other.high) {
-            (estimate.low, estimate.high) = (Some(low.min(from)), Some(high.max(to)));
+        if let (Some(from), Some(to)) = (other.low, other.high) {
+            estimate.widen([from, to]);
         }
     }
 }

@@ -10,6 +10,7 @@ use dashpot_estimation::hypothesis::{Free, Hypothesis};
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
+use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor};
 use dashpot_messages::Sentence;
 use nalgebra::DMatrix;
@@ -46,6 +47,29 @@ pub struct Estimate {
     pub from: Sentence,
     /// Whether the data determines the number.
     pub standing: Standing,
+}
+
+impl Estimate {
+    /// Returns the value and the ends of the interval as a part of a mean over structures, or `None` without an interval.
+    pub(crate) fn part(&self, weight: f64) -> Option<Part> {
+        Some(Part { weight, value: self.value, ends: [self.low?, self.high?] })
+    }
+
+    /// Replaces the interval by that of the mean over this estimate, with weight 1, and others. An estimate without an interval keeps none.
+    pub(crate) fn mix(&mut self, others: impl Iterator<Item = Part>) {
+        let Some(own) = self.part(1.0) else { return };
+        let parts: Vec<Part> = std::iter::once(own).chain(others).collect();
+        if let Some([low, high]) = mixed_interval(&parts) {
+            (self.low, self.high) = (Some(low), Some(high));
+        }
+    }
+
+    /// Widens the interval until it contains another one. An estimate without an interval keeps none.
+    pub(crate) fn widen(&mut self, [from, to]: [f64; 2]) {
+        if let (Some(low), Some(high)) = (self.low, self.high) {
+            (self.low, self.high) = (Some(low.min(from)), Some(high.max(to)));
+        }
+    }
 }
 
 /// Whether the data determines a parameter.

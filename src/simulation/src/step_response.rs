@@ -9,7 +9,7 @@ use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
-use dashpot_identification::validation::{ResponseTimes, StepGroup, StepResponse, measured_times};
+use dashpot_identification::validation::{ResponseTimes, SHORTEST_LEVEL, StepGroup, StepResponse, measured_times};
 use dashpot_records::smoothing::smooth;
 use dashpot_records::{Record, SettingPattern, is_same_setting};
 use std::collections::BTreeMap;
@@ -26,9 +26,6 @@ const LONG: f64 = 0.5;
 /// Smallest number of steps of one test in one stroke direction for a separate response. With fewer steps, the noise would determine the
 /// slowest response.
 const FEWEST: usize = 3;
-/// Shortest duration of the levels before and after a step, s, at which the step is used. Shorter levels do not show the end of the
-/// response.
-const SHORTEST: f64 = 0.03;
 /// Fraction of a level, at its end, over which the final value of the response is averaged.
 const SETTLED: f64 = 0.25;
 /// Smallest force change due to the step, relative to the largest, at which an instant of a step is used.
@@ -236,7 +233,7 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
             // The instant of the change within a sampling interval is unknown, so use the middle of the interval.
             let instant = 0.5 * (record.time[step.index] + record.time[step.index.saturating_sub(1)]);
             let end = record.time[step.end.min(record.time.len()) - 1];
-            let has_settled = instant - starts_at >= SHORTEST && end - instant >= SHORTEST;
+            let has_settled = instant - starts_at >= SHORTEST_LEVEL && end - instant >= SHORTEST_LEVEL;
             starts_at = instant;
             if !has_settled {
                 continue;

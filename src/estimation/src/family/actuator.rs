@@ -180,6 +180,7 @@ pub struct ActuatorContext<'a> {
 /// Least-squares problem of an actuator with its free parameters.
 pub struct ActuatorProblem<'a> {
     context: &'a ActuatorContext<'a>,
+    form: ActuatorForm,
     numbers: Vec<ActuatorNumber>,
 }
 
@@ -257,7 +258,7 @@ impl<'a> ActuatorProblem<'a> {
     /// Makes the problem of an actuator of a form.
     pub fn new(context: &'a ActuatorContext<'a>, form: ActuatorForm) -> ActuatorProblem<'a> {
         let (low, high) = context.definition.axis.range();
-        ActuatorProblem { context, numbers: ActuatorNumber::of_form(form, high - low) }
+        ActuatorProblem { context, form, numbers: ActuatorNumber::of_form(form, high - low) }
     }
 
     fn grid(&self) -> &[f64] {
@@ -313,49 +314,30 @@ impl<'a> ActuatorProblem<'a> {
         residual.iter().all(|r| r.is_finite()).then_some(residual)
     }
 
-    /// Refits the parameters from a start. Without a start, the refit begins with the typical valve. Returns `None` if
-    /// the model gives no finite force.
-    pub fn refit(
-        &self,
-        form: ActuatorForm,
-        start: Option<&[f64]>,
-        steps: usize,
-        tolerance: f64,
-    ) -> Option<ActuatorRefit> {
-        self.refit_with(form, start, (steps, tolerance), [LEVEL_SPREAD, MOST_BETWEEN])
+    /// Refits the parameters from a start. Without a start, the refit begins with the typical valve. `effort` is the
+    /// largest number of steps and the tolerance. Returns `None` if the model gives no finite force.
+    pub fn refit(&self, start: Option<&[f64]>, effort: (usize, f64)) -> Option<ActuatorRefit> {
+        self.refit_with(start, effort, [LEVEL_SPREAD, MOST_BETWEEN])
     }
 
     /// Refits the parameters without errors of the force between the settings. Returns `None` if the model gives no
     /// finite force.
-    pub fn refit_without_errors_between(
-        &self,
-        form: ActuatorForm,
-        start: &[f64],
-        steps: usize,
-        tolerance: f64,
-    ) -> Option<ActuatorRefit> {
+    pub fn refit_without_errors_between(&self, start: &[f64], effort: (usize, f64)) -> Option<ActuatorRefit> {
         let mut from = start.to_vec();
         from.iter_mut().skip(self.numbers.len() + 2 * self.grid().len()).for_each(|error| *error = 0.0);
-        self.refit_with(form, Some(&from), (steps, tolerance), [LEVEL_SPREAD, HELD_SPREAD])
+        self.refit_with(Some(&from), effort, [LEVEL_SPREAD, HELD_SPREAD])
     }
 
     /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start,
     /// free force errors absorb a part of the response. In a test with one command step, the estimate was then 61 ms
     /// instead of 30 ms.
-    pub fn refit_from_far(
-        &self,
-        form: ActuatorForm,
-        start: &[f64],
-        steps: usize,
-        tolerance: f64,
-    ) -> Option<ActuatorRefit> {
-        let near = self.refit_with(form, Some(start), (steps, tolerance), [HELD_SPREAD; 2])?;
-        self.refit(form, Some(&near.theta), steps, tolerance)
+    pub fn refit_from_far(&self, start: &[f64], effort: (usize, f64)) -> Option<ActuatorRefit> {
+        let near = self.refit_with(Some(start), effort, [HELD_SPREAD; 2])?;
+        self.refit(Some(&near.theta), effort)
     }
 
     fn refit_with(
         &self,
-        form: ActuatorForm,
         start: Option<&[f64]>,
         (steps, tolerance): (usize, f64),
         [spread_of_levels, most_between]: [f64; 2],
@@ -406,7 +388,7 @@ impl<'a> ActuatorProblem<'a> {
         let negative_log_prior_between = distances.sum();
         let blocks = |Rows { residual, jacobian }| (jacobian, Vec::from(residual.data));
         Some(ActuatorRefit {
-            form,
+            form: self.form,
             numbers: self.numbers.clone(),
             theta: found.x,
             spreads,

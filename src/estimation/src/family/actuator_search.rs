@@ -222,8 +222,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         let found: Vec<ActuatorRefit> = starts
             .into_par_iter()
             .filter_map(|start| match start {
-                Some(start) if is_far => problem.refit_from_far(form, &start, COMPARE.0, COMPARE.1),
-                start => problem.refit(form, start.as_deref(), COMPARE.0, COMPARE.1),
+                Some(start) if is_far => problem.refit_from_far(&start, COMPARE),
+                start => problem.refit(start.as_deref(), COMPARE),
             })
             .collect();
         let scored =
@@ -252,16 +252,20 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     };
     let further: Vec<_> = VALVES.into_par_iter().filter_map(with_hysteresis).collect();
     trials.0.extend(further);
+    // Tries the forms that have one part more or less than a form.
+    let try_parts = |trials: &mut Trials, of: ActuatorForm| {
+        let own = trials.find(of).map(|trial| &trial.refit);
+        let forms = PARTS.iter().filter_map(|part| toggled(of, part)).filter(|form| !trials.0.contains_key(form));
+        let forms: Vec<ActuatorForm> = forms.collect();
+        let found: Vec<_> = forms.into_par_iter().map(|form| (form, fit(form, own))).collect();
+        trials.0.extend(found);
+    };
     let mut best = trials.best(ActuatorForm::NONE);
     for _ in 0..2 * PARTS.len() {
         if cancel::asked() {
             break;
         }
-        let own = &trials.find(best)?.refit;
-        let new = PARTS.iter().filter_map(|part| toggled(best, part)).filter(|form| !trials.0.contains_key(form));
-        let new: Vec<ActuatorForm> = new.collect();
-        let found: Vec<_> = new.into_par_iter().map(|form| (form, fit(form, Some(own)))).collect();
-        trials.0.extend(found);
+        try_parts(&mut trials, best);
         let next = trials.best(best);
         if next == best {
             break;
@@ -279,11 +283,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
     let closest = tied.filter_map(alone).max_by(|a, b| a.0.total_cmp(&b.0));
     let best = closest.map_or(best, |(_, form)| form);
     // Every part of the chosen form gets its log odds, which compare the form with and without it.
-    let own = &trials.find(best)?.refit;
-    let missing = PARTS.iter().filter_map(|part| toggled(best, part)).filter(|form| !trials.0.contains_key(form));
-    let missing: Vec<ActuatorForm> = missing.collect();
-    let found: Vec<_> = missing.into_par_iter().map(|form| (form, fit(form, Some(own)))).collect();
-    trials.0.extend(found);
+    try_parts(&mut trials, best);
     let (most, own) = trials.scored(best)?;
     let parts = PARTS
         .iter()
@@ -299,11 +299,9 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         .map(|trial| (trials.log_posterior(trial) - most, trial.refit.clone()))
         .filter(|(difference, _)| *difference > -RULED_OUT)
         .collect();
-    let best = own.refit.clone();
-    let start = best.theta.clone();
-    let problem = ActuatorProblem::new(context, best.form);
-    let best = problem.refit(best.form, Some(&start), FINE.0, FINE.1)?;
+    let problem = ActuatorProblem::new(context, best);
+    let best = problem.refit(Some(&own.refit.theta), FINE)?;
     let timing = problem.timing_derivatives(&best.theta)?;
-    let without_errors_between = problem.refit_without_errors_between(best.form, &best.theta, FINE.0, FINE.1);
+    let without_errors_between = problem.refit_without_errors_between(&best.theta, FINE);
     Some(ActuatorSearch { best, parts, alternatives, without_errors_between, timing })
 }

@@ -15,10 +15,6 @@ use dashpot_core::curve::Interpolation;
 use dashpot_core::elements::fv_curve::fv_interpolation;
 use rayon::prelude::*;
 
-/// Largest deficit of log posterior, relative to the most probable family, at which the search keeps another family.
-/// With the divisor 2 of the log odds, the probability beyond it is below 1 %. Each kept family costs memory only.
-pub const RIVAL: f64 = 10.0;
-
 /// A family that a search refitted, without its derivatives.
 #[derive(Clone)]
 pub struct Rival {
@@ -47,10 +43,8 @@ fn key(hypothesis: &FamilyHypothesis, components: &[Component]) -> (Vec<Form>, V
     (forms, sites, fv_interpolation(&hypothesis.template.base))
 }
 
-/// Returns the rivals that are not far below the most probable family and differ from it and from each other, the most
-/// probable first.
+/// Returns the rivals that differ from the most probable family and from each other, the most probable first.
 pub(super) fn distinct_rivals(mut rivals: Vec<Rival>, best: &FamilyStructure) -> Vec<Rival> {
-    rivals.retain(|rival| rival.log_posterior > best.log_posterior - RIVAL);
     rivals.sort_by(|a, b| b.log_posterior.total_cmp(&a.log_posterior));
     let mut known = vec![key(&best.hypothesis, &best.components)];
     rivals.retain(|rival| {

@@ -6,7 +6,7 @@
 //! a setting. Moves end when the log posterior no longer rises. The result is the most probable family at the end of
 //! the moves.
 
-use super::alternatives::{RIVAL, Rival, distinct_rivals};
+use super::alternatives::{Rival, distinct_rivals};
 use super::pattern::{Site, sites};
 use super::prediction::Linearization;
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -56,7 +56,7 @@ pub struct Dependence {
 pub struct FamilySearch {
     /// The most probable family.
     pub best: FamilyStructure,
-    /// Other families that the search refitted, without those of clearly lower log posterior, the most probable first.
+    /// Other families that the search refitted, the most probable first.
     pub rivals: Vec<Rival>,
 }
 
@@ -118,7 +118,7 @@ fn by_form_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> (FamilySt
 }
 
 /// Makes moves as long as the log posterior rises, but at most [`MOVES`]. Also returns the other families that were
-/// refitted on the way and are not far below the result.
+/// refitted on the way.
 fn climb(
     start: FamilyStructure,
     settings: &[SettingTests],
@@ -144,7 +144,6 @@ fn climb(
         rivals.push(Rival::from(&best));
         best = next;
     }
-    rivals.retain(|rival| rival.log_posterior > best.log_posterior - RIVAL);
     (best, rivals)
 }
 

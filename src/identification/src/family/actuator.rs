@@ -5,6 +5,7 @@ use super::interpolation_error::InterpolationError;
 use super::left_out::SettingReport;
 use crate::intervals::{Estimate, Standing, Z};
 use crate::phrases;
+use crate::validation::SHORTEST_LEVEL;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
 use dashpot_estimation::deviations::{considered_shift, grouped_covariance, robust_covariance};
@@ -13,7 +14,7 @@ use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuato
 use dashpot_estimation::family::command_time::SPREAD;
 use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
-use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
+use dashpot_estimation::structure::alternatives::Part;
 use dashpot_messages::Sentence;
 use dashpot_records::{Record, is_same_setting};
 use serde::Serialize;
@@ -120,10 +121,6 @@ pub fn identify_actuator(
     })
 }
 
-/// Shortest level of a setting, s, whose step is a group of its own in [`groups_of_steps`]. A shorter level does not let the valve come to
-/// rest.
-const LEVEL: f64 = 0.03;
-
 /// Returns the group of each scored sample of the tests: the samples after steps between the same two settings are one group.
 ///
 /// All other samples of a test are one group. The model has the same error at all steps of a group.
@@ -143,7 +140,7 @@ fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
         for (place, change) in changes.iter().enumerate() {
             let end = changes.get(place + 1).copied().unwrap_or(settings.len());
             let level = segment.dt.get(*change..end.min(segment.dt.len())).map_or(0.0, |dt| dt.iter().sum());
-            if level >= LEVEL {
+            if level >= SHORTEST_LEVEL {
                 let group = group_of((settings[change - 1].to_bits(), settings[*change].to_bits(), 0));
                 groups.iter_mut().take(end).skip(*change).for_each(|own| *own = group);
             }
@@ -164,9 +161,7 @@ fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &
         let (low, high) = number.bounds;
         let at = |moved: f64| number.value(dashpot_records::restrict(refit.theta[place] + moved, low, high));
         for estimate in known.iter_mut().filter(|estimate| number.entries.contains(&estimate.name)) {
-            if let (Some(low), Some(high)) = (estimate.low, estimate.high) {
-                (estimate.low, estimate.high) = (Some(low.min(at(-half))), Some(high.max(at(half))));
-            }
+            estimate.widen([at(-half), at(half)]);
         }
     }
 }
@@ -179,11 +174,8 @@ fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
     for estimate in known {
         let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
         let effect = (other.value - estimate.value).abs();
-        if let (Some(low), Some(high)) = (estimate.low, estimate.high) {
-            // Times and widths are not negative.
-            estimate.low = Some(low.min((estimate.value - effect).max(0.0)));
-            estimate.high = Some(high.max(estimate.value + effect));
-        }
+        // Times and widths are not negative.
+        estimate.widen([(estimate.value - effect).max(0.0), estimate.value + effect]);
     }
 }
 
@@ -267,15 +259,8 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
         let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
     };
-    if estimate.low.is_none() || estimate.high.is_none() {
-        return;
-    }
-    let own = part(1.0, Some(estimate));
-    let other = |(weight, all): &(f64, Vec<Estimate>)| part(*weight, all.iter().find(|of| of.name == estimate.name));
-    let parts: Vec<Part> = std::iter::once(own).chain(others.iter().map(other)).collect();
-    if let Some([low, high]) = mixed_interval(&parts) {
-        (estimate.low, estimate.high) = (Some(low), Some(high));
-    }
+    let name = estimate.name;
+    estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
 }
 
 /// Returns the unit of a number of the axis. In the table, `*` stands for the unit of the setting, which the user chooses. Only A and V are

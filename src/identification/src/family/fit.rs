@@ -26,7 +26,7 @@ use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test, segments};
-use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
+use dashpot_estimation::structure::alternatives::Part;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
@@ -267,24 +267,20 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
 /// Mixes the intervals with those of the alternative families, by their weights. A number that an alternative shares has the same interval
 /// there at every setting. A number that only the alternative varies has one interval for each setting, which share the weight.
 fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], settings: &[SettingTests]) {
-    let part = |weight: f64, e: &Estimate| Some(Part { weight, value: e.value, ends: [e.low?, e.high?] });
     let others: Vec<(f64, Vec<FamilyEstimate>)> =
         others.iter().map(|of| (of.weight, estimates(&of.family.hypothesis, &of.family.refit, settings))).collect();
     for FamilyEstimate { setting, estimate } in all {
-        let Some(own) = part(1.0, estimate) else { continue };
+        let (name, index) = (estimate.name, estimate.index);
         let of_other = |(weight, theirs): &(f64, Vec<FamilyEstimate>)| -> Vec<Part> {
             let is_of_same_number = |of: &&FamilyEstimate| {
                 let is_at_setting = setting.is_none() || of.setting.is_none() || of.setting == *setting;
-                is_at_setting && of.estimate.name == estimate.name && of.estimate.index == estimate.index
+                is_at_setting && of.estimate.name == name && of.estimate.index == index
             };
             let same: Vec<&FamilyEstimate> = theirs.iter().filter(is_of_same_number).collect();
             let weight = weight / same.len().max(1) as f64;
-            same.into_iter().filter_map(|of| part(weight, &of.estimate)).collect()
+            same.into_iter().filter_map(|of| of.estimate.part(weight)).collect()
         };
-        let parts: Vec<Part> = std::iter::once(own).chain(others.iter().flat_map(of_other)).collect();
-        if let Some([low, high]) = mixed_interval(&parts) {
-            (estimate.low, estimate.high) = (Some(low), Some(high));
-        }
+        estimate.mix(others.iter().flat_map(of_other));
     }
 }
 

@@ -74,6 +74,11 @@ pub fn notes(
     notes
 }
 
+/// Returns whether values rise throughout, with `sign` 1, or fall throughout, with `sign` −1. A change of `flat` counts as none.
+fn goes(values: &[f64], sign: f64, flat: f64) -> bool {
+    values.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat)
+}
+
 /// Smallest ratio of the largest to the smallest force of a velocity over the settings that counts as a trend. Test:
 /// `tests_counted_from_the_other_end_give_opposite_trends`.
 const TREND: f64 = 1.2;
@@ -94,9 +99,8 @@ fn opposite_trends(sets: &[Params]) -> Option<[f64; 2]> {
         let (first, last) = (forces[0], forces[forces.len() - 1]);
         let sign = if last > first { 1.0 } else { -1.0 };
         let flat = FLAT * (last - first).abs();
-        let is_monotone = forces.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat);
         let ratio = first.max(last) / first.min(last).max(f64::MIN_POSITIVE);
-        if is_monotone && ratio > TREND { sign * ratio } else { 0.0 }
+        if goes(&forces, sign, flat) && ratio > TREND { sign * ratio } else { 0.0 }
     };
     let of_stroke = |stroke: f64| {
         let trends: Vec<(f64, f64)> = (0..velocities.len())
@@ -224,10 +228,7 @@ fn strength(params: &Params) -> f64 {
 fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
     let (least, most) = strengths.iter().fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(*s), b.max(*s)));
     let flat = FLAT * (most - least);
-    let is_monotone = |all: &[f64]| {
-        let holds = |sign: f64| all.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat);
-        holds(1.0) || holds(-1.0)
-    };
+    let is_monotone = |all: &[f64]| goes(all, 1.0, flat) || goes(all, -1.0, flat);
     if strengths.len() < 3 || is_monotone(strengths) {
         return None;
     }

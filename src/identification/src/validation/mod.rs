@@ -32,5 +32,5 @@ pub use deviation::{Deviation, Errors, REGION_BOUNDARY};
 pub use hysteresis::{GapBin, Hysteresis, OfEach};
 pub use matrix::{ErrorMatrix, MatrixCell, MatrixRow, SLOW_PEAK_VELOCITY};
 pub use of_test::{PeakForce, TestValidation};
-pub use response::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty, measured_times};
+pub use response::{ResponseTimes, SHORTEST_LEVEL, StepGroup, StepResponse, TimeUncertainty, measured_times};
 pub use setting_doubt::SettingDoubt;

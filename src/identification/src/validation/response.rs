@@ -49,6 +49,9 @@ impl ResponseTimes {
     }
 }
 
+/// Shortest duration of the levels before and after a step, s, at which the step is used. Shorter levels do not show the end of the
+/// response.
+pub const SHORTEST_LEVEL: f64 = 0.03;
 /// Largest noise of a measured response, in the width of a 95 % interval. With more, 63 % of the way cannot be told from its end.
 const MOST_NOISE: f64 = 1.0 - 0.632;
 
