@@ -51,13 +51,13 @@ const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// The method of three stages requires n² ≥ `EVEN` f L^1.6, that of four stages n³ ≥ `CUBIC` L f². Here f is the
 /// frequency times the step, and L the overshoot of the mass. The limits come from masses of 0.1 to 2 kg, springs of
 /// 0.3 to 30 MN/m and 0.3 to 3 times the default FV curve. The error is below a thousandth in all these cases
-/// (core/tests/accuracy.rs). With smaller limits, the error exceeds a thousandth in some cases.
+/// (core/tests/kernel/accuracy.rs). With smaller limits, the error exceeds a thousandth in some cases.
 const EVEN: f64 = 0.4;
 const CUBIC: f64 = 0.12;
 
 /// Factors on [`EVEN`] and [`CUBIC`] for elements of the force path, whose forces are nonlinear within a step.
 ///
-/// The factors were determined with the test matrix (core/tests/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for
+/// The factors were determined with the test matrix (core/tests/kernel/paths_accuracy.rs). `KNEE` is for a knee, `SEVERAL` for
 /// a void or several elements. `TURNS` is for a column whose stiffness changes with the sign of the force, `WHOLE` for
 /// friction that reverses behind the spring. A bushing has a smooth force. It uses the fourth-order method, with n² ≥
 /// `RUBBER` f.

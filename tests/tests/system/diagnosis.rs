@@ -78,7 +78,17 @@ fn describe(d: &Diagnosis) -> String {
 
 #[test]
 fn nothing_is_missing_where_nothing_is() {
-    for seed in 1..=2 {
+    find_nothing(1..=1);
+}
+
+#[test]
+#[ignore = "more seeds of the test before; half a minute on two cores"]
+fn nothing_is_missing_with_more_seeds() {
+    find_nothing(2..=5);
+}
+
+fn find_nothing(seeds: std::ops::RangeInclusive<u64>) {
+    for seed in seeds {
         let found = of(&campaign(&base(), &fewer_tests(), seed, 0.02), &base());
         println!("{}", describe(&found));
         assert_eq!(found.verdict, Verdict::NothingMissing, "{}", describe(&found));
@@ -128,6 +138,7 @@ fn a_bump_stop_is_named() {
 /// The thermal state changes more slowly than a cycle. A simulation that is compared with a mean cycle must therefore
 /// start from the state on the rig.
 #[test]
+#[ignore = "20 s, for the night; every run finds this gas with half of the tests"]
 fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     let gap = names("gas_spring", &[("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)]);
     assert!(gap > 0.95, "{gap}");
@@ -144,6 +155,7 @@ fn an_interval_holds_what_a_less_probable_structure_says() {
     }
     let found = of(&campaign(&truth, &fewer_tests(), 12, 0.02), &base());
     assert_eq!(found.findings[0].effect, "gas_spring", "{}", describe(&found));
+    assert!(found.gap_closed.unwrap() > 0.95, "{}", describe(&found));
     let parameters = &found.findings[0].parameters;
     for (name, value) in [("gas_stiffness", 2500.0), ("gas_length", 0.12), ("gas_thermal_time", 3.0)] {
         let of = &parameters[name];
@@ -233,7 +245,8 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     truth.enable(Element::find("bump_stop").unwrap(), true);
     truth.set(Number::find("bump_stop_clearance").unwrap(), 0.03).unwrap();
     truth.set(Number::find("bump_stop_stiffness").unwrap(), 3e4).unwrap();
-    let records = campaign(&truth, &fewer_tests(), 23, 0.02);
+    let few: Vec<Sine> = fewer_tests().into_iter().step_by(2).collect();
+    let records = campaign(&truth, &few, 23, 0.02);
     let without = |elements: &[&str]| {
         let mut model = base();
         elements.iter().for_each(|name| model.enable(Element::find(name).unwrap(), false));
@@ -275,7 +288,7 @@ fn a_spring_that_stood_for_a_stop_is_replaced() {
     for name in ["spring_linear", "spring_quadratic"] {
         model.set(Number::find(name).unwrap(), if name == "spring_linear" { 300.0 } else { 2e4 }).unwrap();
     }
-    let found = diagnosed(&truth, &model, 31);
+    let found = of(&campaign(&truth, &fewer_tests(), 31, 0.02), &model);
     let item = |effect: &str| found.inventory.iter().find(|i| i.effect == effect);
     assert_eq!(item("bump_stop").map(|i| i.status), Some(Status::Added), "{}", describe(&found));
     let spring = item("parallel_spring").map(|i| i.status);

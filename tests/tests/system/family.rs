@@ -84,9 +84,13 @@ fn elements_of_truth() -> FitOptions {
 }
 
 fn fitted(damper: &Definition, seed: u64) -> FamilyFit {
+    fitted_with(&FitOptions::default(), damper, seed)
+}
+
+fn fitted_with(options: &FitOptions, damper: &Definition, seed: u64) -> FamilyFit {
     let records: Vec<Record> =
         CURRENTS.iter().enumerate().flat_map(|(k, current)| records_at(damper, *current, seed + k as u64)).collect();
-    fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
+    fit_family(&records.iter().collect::<Vec<_>>(), "current", options, |_| ()).unwrap()
 }
 
 /// Coulomb friction at the currents, N, of the damper with growing friction.
@@ -187,7 +191,7 @@ fn with_sharp_knees() -> Definition {
 
 #[test]
 fn a_knee_that_moves_with_the_current_is_as_sharp_as_in_a_fit_of_one_current() {
-    let found = fitted(&with_sharp_knees(), 51);
+    let found = fitted_with(&elements_of_truth(), &with_sharp_knees(), 51);
     for of in &found.settings {
         let (family, alone) = (of.family.mean_error_n, of.own_fit.mean_error_n);
         assert!(family < 1.2 * alone, "{} A: {family} N, alone {alone} N", of.setting);
@@ -225,7 +229,7 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     let slipped = records.iter_mut().find(is_fast).unwrap();
     slipped.setting.as_mut().unwrap().value = 4.0;
     let of_soft = slipped.name.clone();
-    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
     let notes = said(&found);
     assert_eq!(notes.len(), 2, "{notes:?}");
     assert!(notes[0].starts_with(&format!("{of_hard} states current 0 A")), "{notes:?}");

@@ -16,13 +16,23 @@ fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
 }
 
 #[test]
-fn known_effects_are_named() {
-    // The strengths give severity 2 (`Case::strengths`). The seeds are used only here.
-    let hidden = [("presliding_friction", 0.3), ("channel_delay", 1.7548)];
-    let one = |((name, strength), seed): (&(&str, f64), u64)| {
-        outcome_at(&[*strength], "single", &Case::nothing(seed).hiding(name, 2.0))
+fn a_known_effect_is_named() {
+    name_effects(&[("presliding_friction", 0.3, 90_001)]);
+}
+
+#[test]
+#[ignore = "half a minute on two cores; every run finds a delay in reported campaigns and in a diagnosis"]
+fn a_late_channel_is_named() {
+    name_effects(&[("channel_delay", 1.7548, 90_002)]);
+}
+
+/// Diagnoses dampers with an effect each: its name, its strength, and the seed. The strengths give severity 2
+/// (`Case::strengths`). The seeds are used only here.
+fn name_effects(hidden: &[(&str, f64, u64)]) {
+    let one = |(name, strength, seed): &(&str, f64, u64)| {
+        outcome_at(&[*strength], "single", &Case::nothing(*seed).hiding(name, 2.0))
     };
-    let all: Vec<Outcome> = hidden.iter().zip(90_001..).map(one).collect();
+    let all: Vec<Outcome> = hidden.iter().map(one).collect();
     println!("{}\n{}", score::table(&all), score::confusion(&all));
     let right = all.iter().filter(|o| o.named.first().is_some_and(|(n, _)| Some(n.as_str()) == o.truth())).count();
     assert_eq!(right, all.len(), "{all:?}");

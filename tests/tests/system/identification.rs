@@ -81,14 +81,26 @@ fn an_oil_column_is_found_by_a_fit() {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,
-    // and all parameters together have about two hundred.
-    const SEEDS: u64 = 13;
+    // Each seed takes three to five seconds on one core. With six seeds, each parameter has six intervals, and all
+    // parameters together have about ninety.
+    cover_the_truth(1..=6);
+}
+
+#[test]
+#[ignore = "more seeds of the test before; half a minute on two cores"]
+fn intervals_of_more_seeds_cover_the_truth() {
+    cover_the_truth(1..=20);
+}
+
+/// Fits campaigns with these seeds. Asserts that 90 to 99 % of all intervals contain the true value, and that each
+/// parameter's fraction agrees with 95 %.
+fn cover_the_truth(seeds: std::ops::RangeInclusive<u64>) {
+    let count_of_seeds = seeds.clone().count() as u32;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
     // Two numbers for each parameter: all intervals, and the intervals that contain the true value.
     let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
-    for seed in 1..=SEEDS {
+    for seed in seeds {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
         assert_eq!(effects(&found), ["gas_preload", "parallel_spring", "series_compliance", "stribeck_friction"]);
         for e in found.estimates.iter().filter(|e| e.standing == Standing::Identified) {
@@ -111,7 +123,7 @@ fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     }
     let always = ["series_stiffness", "spring_quadratic", "gas_force", "stribeck_coulomb_force", "fv_force"];
     for name in always {
-        assert!(covered[name].0 >= SEEDS as u32, "{name} was not always identified: {covered:?}");
+        assert!(covered[name].0 >= count_of_seeds, "{name} was not always identified: {covered:?}");
     }
     for (name, (count, hits)) in &covered {
         let share = f64::from(*hits) / f64::from(*count);
@@ -143,31 +155,34 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
 
 #[test]
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
-    // One seed has too few intervals to test a coverage of 95 %. At least six of eight contain the true value with
-    // probability 0.994.
-    find_measurement_errors(1..=1, 0.75);
+    // One fit has too few intervals to test a coverage of 95 %. At least three of four contain the true value with
+    // probability 0.986.
+    find_measurement_errors(&[], 1..=1, 0.75);
 }
 
 #[test]
-#[ignore = "more seeds of the test before; half a minute on two cores"]
+#[ignore = "each error alone, and more seeds of the test before; a minute on two cores"]
 fn intervals_of_measurement_errors_hold_the_truth() {
-    find_measurement_errors(2..=4, 0.85);
+    find_measurement_errors(&["delay", "rig_mass", "gain_drift", "zero_drift"], 1..=4, 0.85);
 }
 
-/// Fits campaigns with each measurement error and with all of them. Asserts the fraction of intervals that contain the
-/// true value.
-fn find_measurement_errors(seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
+/// Fits campaigns with each of the named measurement errors alone, and with all four errors. Asserts the fraction of
+/// intervals that contain the true value.
+fn find_measurement_errors(alone: &[&str], seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
     let truth = truth();
     // The mass is much larger than that of a rod, which is about a kilogram.
     let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
-    let one = |off: MeasurementError| (off, 1);
-    let cases = [
-        one(MeasurementError { delay_s: all.delay_s, ..MeasurementError::NONE }),
-        one(MeasurementError { mass_kg: all.mass_kg, ..MeasurementError::NONE }),
-        one(MeasurementError { gain_per_s: all.gain_per_s, ..MeasurementError::NONE }),
-        one(MeasurementError { zero_n_per_s: all.zero_n_per_s, ..MeasurementError::NONE }),
-        (all, 4),
-    ];
+    let one = |name: &&str| {
+        let none = MeasurementError::NONE;
+        let error = match *name {
+            "delay" => MeasurementError { delay_s: all.delay_s, ..none },
+            "rig_mass" => MeasurementError { mass_kg: all.mass_kg, ..none },
+            "gain_drift" => MeasurementError { gain_per_s: all.gain_per_s, ..none },
+            _ => MeasurementError { zero_n_per_s: all.zero_n_per_s, ..none },
+        };
+        (error, 1)
+    };
+    let cases: Vec<(MeasurementError, usize)> = alone.iter().map(one).chain([(all, 4)]).collect();
     let (mut count, mut hits) = (0, 0);
     for (case, (off, numbers)) in cases.iter().enumerate() {
         for seed in seeds.clone() {
@@ -204,7 +219,7 @@ fn find_measurement_errors(seeds: std::ops::RangeInclusive<u64>, coverage: f64) 
 /// without the delay.
 #[test]
 fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
-    const SEEDS: u64 = 6;
+    const SEEDS: u64 = 4;
     let truth = truth();
     let stiffness = truth.number(number!("series_stiffness"));
     let (mut unbelieved, mut far) = (0, 0);
@@ -223,7 +238,7 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
     // Without seeds of this kind, the test would be meaningless.
-    assert!(unbelieved >= 3 && far >= 3, "{unbelieved} {far}");
+    assert!(unbelieved >= 2 && far >= 2, "{unbelieved} {far}");
 }
 
 #[test]
@@ -242,7 +257,7 @@ fn what_the_user_gave_is_part_of_what_is_found() {
 
 #[test]
 fn a_zero_that_moves_from_test_to_test_is_told() {
-    let mut records = campaign(&truth(), 13, 0.01, |_| None);
+    let mut records: Vec<Record> = campaign(&truth(), 13, 0.01, |_| None).into_iter().step_by(2).collect();
     let is_told =
         |records: &[Record]| fitted(records).notes.iter().any(|n| n.to_string().contains("another constant force"));
     assert!(!is_told(&records));
@@ -365,14 +380,9 @@ fn effects(found: &Fit) -> Vec<&'static str> {
 }
 
 #[test]
-fn a_stop_is_found_as_a_stop_and_hides_no_friction() {
-    find_stops(&[("rebound_stop", 0.033)]);
-}
-
-#[test]
-#[ignore = "the other side of the test before; a quarter of a minute on two cores"]
-fn a_bump_stop_is_found_as_a_stop_and_hides_no_friction() {
-    find_stops(&[("bump_stop", 0.038)]);
+#[ignore = "half a minute on two cores; every run finds the stop of another laboratory, and one in a diagnosis"]
+fn stops_are_found_as_stops_and_hide_no_friction() {
+    find_stops(&[("rebound_stop", 0.033), ("bump_stop", 0.038)]);
 }
 
 /// Fits dampers with a stop at a displacement, m.

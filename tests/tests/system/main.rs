@@ -7,6 +7,7 @@ mod crates;
 mod diagnosis;
 mod dimensions;
 mod family;
+mod fuzzing;
 mod hidden_effects;
 mod hostile_texts;
 mod hosts;

@@ -70,49 +70,57 @@ fn diagnosed(records: &[Record], model: &Params) -> Diagnosis {
     diagnose(&refs, &choose_left_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap()
 }
 
+const FRICTION: Hidden = ("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]);
+const PLAY: Hidden = ("free_play", &[("free_play_gap", 4e-4), ("free_play_force", 8.0)]);
+
 #[test]
 fn what_is_hidden_in_a_damper_of_another_size_has_the_same_name() {
-    has_the_same_name(&[
-        ("presliding_friction", &[("presliding_force", 25.0), ("presliding_length", 4e-4)]),
-        ("free_play", &[("free_play_gap", 4e-4), ("free_play_force", 8.0)]),
-    ]);
+    let [small, large] = FACTORS;
+    has_the_same_name(&FRICTION, &[small]);
+    has_the_same_name(&PLAY, &[large]);
+}
+
+#[test]
+#[ignore = "the other sizes of the test before; a quarter of a minute on two cores"]
+fn what_is_hidden_in_a_damper_of_the_other_size_has_the_same_name() {
+    let [small, large] = FACTORS;
+    has_the_same_name(&FRICTION, &[large]);
+    has_the_same_name(&PLAY, &[small]);
 }
 
 #[test]
 #[ignore = "fails: the prior of the internal mass is 2.3 times that of the same damper at a car's size, and holds the moving mass as well"]
 fn a_mass_in_a_damper_of_another_size_has_the_same_name() {
-    has_the_same_name(&[("moving_mass", &[("moving_mass", 2.0)])]);
+    has_the_same_name(&("moving_mass", &[("moving_mass", 2.0)]), &FACTORS);
 }
 
-/// Injected effects with their parameters.
+/// Injected effect with its parameters.
 type Hidden<'a> = (&'a str, &'a [(&'a str, f64)]);
 
-fn has_the_same_name(hidden: &[Hidden]) {
-    for (effect, numbers) in hidden.iter().copied() {
-        let mut truth = base();
-        truth.enable(Element::find(effect).unwrap(), true);
-        for (name, value) in numbers {
-            truth.set(Number::find(name).unwrap(), *value).unwrap();
-        }
-        let records = campaign(&truth, &tests(), 11, 0.02);
-        for factor in FACTORS {
-            let model = model_times(&base(), factor);
-            assert!(
-                model
-                    .list(list!("fv_force"))
-                    .iter()
-                    .zip(base().list(list!("fv_force")))
-                    .all(|(is, was)| { (is - factor * was).abs() <= 1e-9 * (factor * was).abs() })
-            );
-            let found = diagnosed(&times(&records, factor), &model);
-            assert_eq!(found.verdict, Verdict::Named, "{effect} {factor}: {}", found.summary);
-            assert_eq!(found.findings[0].effect, effect, "{factor}: {}", found.summary);
-            for (name, value) in numbers.iter().take(1) {
-                let unit = Number::find(name).unwrap().parameter().unit;
-                let grown = if unit == "m" { *value } else { factor * value };
-                let is = found.findings[0].parameters[*name].value;
-                assert!((is / grown - 1.0).abs() < 0.3, "{name} {is} for {grown}");
-            }
+fn has_the_same_name((effect, numbers): &Hidden, factors: &[f64]) {
+    let mut truth = base();
+    truth.enable(Element::find(effect).unwrap(), true);
+    for (name, value) in *numbers {
+        truth.set(Number::find(name).unwrap(), *value).unwrap();
+    }
+    let records = campaign(&truth, &tests(), 11, 0.02);
+    for factor in factors.iter().copied() {
+        let model = model_times(&base(), factor);
+        assert!(
+            model
+                .list(list!("fv_force"))
+                .iter()
+                .zip(base().list(list!("fv_force")))
+                .all(|(is, was)| { (is - factor * was).abs() <= 1e-9 * (factor * was).abs() })
+        );
+        let found = diagnosed(&times(&records, factor), &model);
+        assert_eq!(found.verdict, Verdict::Named, "{effect} {factor}: {}", found.summary);
+        assert_eq!(found.findings[0].effect, *effect, "{factor}: {}", found.summary);
+        for (name, value) in numbers.iter().take(1) {
+            let unit = Number::find(name).unwrap().parameter().unit;
+            let grown = if unit == "m" { *value } else { factor * value };
+            let is = found.findings[0].parameters[*name].value;
+            assert!((is / grown - 1.0).abs() < 0.3, "{name} {is} for {grown}");
         }
     }
 }

@@ -1,7 +1,6 @@
 //! Tests of the parallel elements with internal states, and of the stops.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Reason, State, evaluate};
 use std::f64::consts::TAU;

@@ -1,7 +1,6 @@
 //! All derivatives that the kernel returns equal differences of its outputs.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::evaluate::partials;
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::step::{Integration, step};

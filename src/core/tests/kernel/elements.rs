@@ -1,7 +1,6 @@
 //! Tests of the elements: symmetry, peaks, limits, and no effect of an element that is off.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
@@ -244,7 +243,7 @@ fn numbers_of_other_forms_do_not_count() {
             let forces = |params: &Params| -> Vec<f64> {
                 let model = Model::new(params).unwrap();
                 let mut state = model.steady_state(&Input::motion(0.0, 0.0));
-                let motion = common::sine(0.03, 4.0);
+                let motion = crate::common::sine(0.03, 4.0);
                 let mut heated = |i: usize| {
                     let (x, v) = motion(i as f64 * 1e-3);
                     let output;

@@ -1,8 +1,8 @@
 //! Sends cases to the program with the equations of the book and reads its results.
 
-use crate::draw::Case;
-use crate::kernel::states;
-use crate::python;
+use super::draw::Case;
+use super::kernel::states;
+use super::python;
 use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use std::fmt::Debug;

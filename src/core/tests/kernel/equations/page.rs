@@ -1,6 +1,6 @@
 //! Names and constants of the page of equations.
 
-use crate::exchange::Constant;
+use super::exchange::Constant;
 use std::path::{Path, PathBuf};
 
 /// Returns the path of the page of equations.

@@ -4,8 +4,7 @@
 //! (semi-implicit: MuJoCo's Euler, game engines) or the old velocity. Every element must behave as in a host that
 //! samples a motion.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Runs the Python programs in the folder of this test.
 
-use crate::page;
+use super::page;
 use dashpot_test_support::skipped;
 use std::io::Write as _;
 use std::path::Path;
@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 
 /// Runs a program on the page and returns its output. Without Python, reports the skipped test and returns `None`.
 pub fn run(program: &str, asked: &str) -> Option<String> {
-    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/equations").join(program);
+    let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kernel/equations").join(program);
     let mut python = Command::new("python3");
     // Write no compiled files next to the sources.
     python.arg("-B").args([program, page::path()]);

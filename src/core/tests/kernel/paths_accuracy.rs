@@ -1,7 +1,6 @@
 //! Tests of the guaranteed accuracy with each element of the coupled paths on, by comparison with a finer solution.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::element;
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::step::{Integration, Method};

@@ -1,6 +1,6 @@
 //! Results of the kernel for a case, under the names of the page.
 
-use crate::draw::Case;
+use super::draw::Case;
 use dashpot_core::{Model, State, evaluate};
 
 /// Returns the states of a model with their names, in the order of the model.

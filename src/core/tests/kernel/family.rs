@@ -2,8 +2,7 @@
 //!
 //! The actuator changes the setting over time.
 
-mod common;
-use common::{any_params, describe, params, paths, sine};
+use crate::common::{any_params, describe, params, paths, sine};
 use dashpot_core::evaluate::partials;
 use dashpot_core::family::{Axis, Delay, Family};
 use dashpot_core::parameter::{Number, Shape, table};

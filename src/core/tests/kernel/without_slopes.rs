@@ -1,7 +1,6 @@
 //! A step without derivatives gives bitwise the result of a step with derivatives.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::step::{force_in_place, step_in_place};
 use dashpot_core::{Input, Model, Output};
 use dashpot_test_support::drawn;

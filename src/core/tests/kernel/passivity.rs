@@ -1,7 +1,6 @@
 //! A damper of friction, series compliance and FV curve only dissipates energy.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::assembly::Elements;
 use dashpot_core::parameter::Element;
 use dashpot_core::paths::hydraulic::column_force;

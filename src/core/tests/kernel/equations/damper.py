@@ -1,6 +1,6 @@
 """The damper model as docs/book/src/equations.md has it, and in its order: force, rates of all states and the settled state.
 
-The page is proved by it (src/core/tests/equations/main.rs). So nothing here may be taken from the kernel, and the constants come from the
+The page is proved by it (src/core/tests/kernel/equations/mod.rs). So nothing here may be taken from the kernel, and the constants come from the
 tables of the page.
 """
 

@@ -30,7 +30,7 @@ fn page() -> String {
     let default = Params::new();
     let mut out = String::from(
         "# Elements and parameters\n\n\
-         Written from the kernel's parameter table by `UPDATE_DOCS=1 cargo test --release --test parameter_page`.\n\n\
+         Written from the kernel's parameter table by `UPDATE_DOCS=1 cargo test --release --test source parameter_page`.\n\n\
          SI units; extension (rebound) velocity and tension force positive. Names are those of the model file, of\n\
          `dashpot_params_set` in C, and of reports. A model file names the elements that are on; parameters that it does\n\
          not name keep their defaults.\n\n\

@@ -1,7 +1,6 @@
 //! Each method converges with its order for a smooth damper.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};

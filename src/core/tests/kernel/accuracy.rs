@@ -1,7 +1,6 @@
 //! Tests of the guaranteed accuracy over the corners of the test matrix, by comparison with an independent reference.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::list;
 use dashpot_core::step::Method;
 

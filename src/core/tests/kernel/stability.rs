@@ -1,7 +1,6 @@
 //! The step does not diverge for any parameter set inside the bounds, any step length and any motion.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model};
 use dashpot_core::{element, list, number};

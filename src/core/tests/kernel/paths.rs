@@ -1,7 +1,6 @@
 //! Tests of the elements of the series and the hydraulic path.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::parameter::{Element, Params};
 use dashpot_core::step::paths::{FollowPaths, StageDerivatives};
 use dashpot_core::step::{Integration, Method, advance_paths, step};

@@ -4,9 +4,7 @@
 //! Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a contact) that do not scale. For
 //! these elements, the search of the C interface draws dampers of all sizes.
 
-mod common;
-
-use common::{any_params, describe};
+use crate::common::{any_params, describe};
 use dashpot_core::parameter::{List, Number, table};
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, Reason, element, number};

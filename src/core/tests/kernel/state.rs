@@ -1,7 +1,6 @@
 //! A state contains all data of a run, so a run can be copied, restored, repeated and paused.
 
-mod common;
-use common::*;
+use crate::common::*;
 use dashpot_core::parameter::Element;
 use dashpot_core::step::{Integration, step, step_batch};
 use dashpot_core::{Input, Model, Output, State, element, list};

@@ -3,8 +3,7 @@
 //! In such steps, the position about which a spring is linearized depends on the inputs. The stiffness of the tangent
 //! therefore also depends on them.
 
-mod common;
-use common::METHODS;
+use crate::common::METHODS;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params};
 use dashpot_core::{list, number};
