@@ -76,19 +76,9 @@ pub struct FilesUnit {
 
 impl FilesUnit {
     fn sentence(&self) -> Sentence {
-        let several = |tests: &[String]| {
-            /// Largest number of tests that the message names. The message states only the number of the other tests,
-            /// to stay readable.
-            const NAMED: usize = 12;
-            let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
-            match tests.len().saturating_sub(NAMED) {
-                0 => named,
-                more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
-            }
-        };
         // If the other tests are not clearly in the majority, the wrong unit may be that of the other tests.
         let either = (2 * self.others.len() < 3 * self.tests.len())
-            .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", several(&self.others)));
+            .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", name_several(&self.others)));
         let figure = |value: f64| match value {
             v if v < 0.1 => format!("{v:.2e}"),
             v if v < 10.0 => format!("{v:.3}"),
@@ -98,7 +88,7 @@ impl FilesUnit {
         Sentence::from(phrases::FILES_UNIT)
             .with("count", self.tests.len())
             .with("all", self.all)
-            .with_sentence("tests", several(&self.tests))
+            .with_sentence("tests", name_several(&self.tests))
             .with("test", &self.shown)
             .with("force", figure(self.at.1))
             .with("velocity", figure(1e3 * self.at.0))
@@ -109,6 +99,16 @@ impl FilesUnit {
             .with("channel", self.channel)
             .with("first", first)
             .with_any("either", either)
+    }
+}
+
+/// Names tests in a list. Names at most twelve and states the number of the others, so that the text stays readable.
+pub(crate) fn name_several(tests: &[String]) -> Sentence {
+    const NAMED: usize = 12;
+    let named = Sentence::list(tests.iter().take(NAMED).map(Sentence::as_it_is).collect(), phrases::COMMA);
+    match tests.len().saturating_sub(NAMED) {
+        0 => named,
+        more => Sentence::from(phrases::AND_MORE).with_sentence("names", named).with("count", more),
     }
 }
 

@@ -2,7 +2,7 @@
 //! a module here.
 //!
 //! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled or halved,
-//! or changed by a factor of five if doubling and halving have no effect. `tests/tests/tuning.rs` checks the form.
+//! or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs` checks the form.
 //! Budgets of readers, names and physical constants are in the files that use them.
 
 /// Constants of `campaign/date_agreement.rs`.
@@ -241,8 +241,8 @@ pub(crate) mod truncated_test {
     pub(crate) const LAST: usize = 5;
 }
 
-/// Constants of `checks/file_units.rs`.
-pub(crate) mod file_units {
+/// Constants of `checks/deviating_tests`.
+pub(crate) mod deviating_tests {
     /// Natural logarithm of the force ratio below which two tests agree.
     ///
     /// The limit includes a damper that is 30 % softer when warm, and the two branches of a hysteresis loop. Two tests

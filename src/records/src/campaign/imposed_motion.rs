@@ -29,11 +29,13 @@ pub struct MotionRecord {
     pub temperature: Option<Vec<f64>>,
     /// Setting of an adjustable damper, if the file states one.
     pub setting: Option<MotionSetting>,
+    /// Positive direction of the file as stated by the options or by a profile, if stated.
+    pub positive: Option<Positive>,
 }
 
-/// Reads a motion. `options` state units, columns and ignored channels, but no signs. Extension is positive unless a
-/// profile in the file's folder states another direction. The force column is not read. The setting is recognized as in
-/// records.
+/// Reads a motion. `options` state units, columns, ignored channels and signs, with precedence over a profile in the
+/// file's folder. Extension is positive unless one of them states another direction. The force column is not read. The
+/// setting is recognized as in records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not
@@ -43,8 +45,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
         return Err(RecordError::NotFound { file: file.into() });
     }
     let setting_column = options.columns.get(&Channel::Setting).filter(|_| !options.ignore.contains(&Channel::Setting));
-    let profile = Profile::read(&profile::folder_of(file))?.map(|p| p.options().unwrap_or_default());
-    let mut options = profile.as_ref().map_or_else(|| options.clone(), |profile| options.over(profile));
+    let mut options = with_profile(file, options)?;
     options.ignore.insert(Channel::Force);
     let mut tests = read_file(file, &options)?;
     let Some(mut samples) = tests.pop() else {
@@ -65,14 +66,32 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     }
     let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
-    // A profile states the signs of the files in its folder. Without a profile, extension is positive.
-    if let Some(profile) = profile {
-        let turned = profile.flip_motion != (profile.positive == Some(Positive::Compression));
-        let sign = if turned { -1.0 } else { 1.0 };
-        displacement.iter_mut().flatten().for_each(|x| *x = sign * (*x - profile.displacement_zero_m));
-        velocity.iter_mut().flatten().for_each(|v| *v *= sign);
-    }
-    Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting })
+    let sign = turn(&options);
+    displacement.iter_mut().flatten().for_each(|x| *x = sign * (*x - options.displacement_zero_m));
+    velocity.iter_mut().flatten().for_each(|v| *v *= sign);
+    Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting, positive: options.positive })
+}
+
+/// Reads the force that was recorded with a motion, N, tension positive if the signs of [`read_motion`] are right.
+/// Returns `None` if the file has no force, or one that has missing values or cannot be read.
+pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
+    let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
+    let mut force = read_file(file, &options).ok()?.pop()?.force;
+    let sign = if options.positive == Some(Positive::Compression) { -1.0 } else { 1.0 };
+    let sign = if options.flip_force { -sign } else { sign };
+    force.iter_mut().for_each(|force| *force = sign * options.gain * (*force - options.force_zero_n));
+    (!force.is_empty() && force.iter().all(|force| force.is_finite())).then_some(force)
+}
+
+/// Returns the options with those of the profile in the file's folder.
+fn with_profile(file: &Path, options: &Options) -> Result<Options, RecordError> {
+    let profile = Profile::read(&profile::folder_of(file))?.map(|profile| profile.options().unwrap_or_default());
+    Ok(profile.map_or_else(|| options.clone(), |profile| options.over(&profile)))
+}
+
+/// Returns the factor from the sign of displacement and velocity in the file to extension positive.
+fn turn(options: &Options) -> f64 {
+    if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
 }
 
 fn check(samples: &Samples) -> Result<(), RecordError> {
@@ -120,6 +139,31 @@ mod tests {
         let options = Options { units: [(Channel::Velocity, Unit::MillimetrePerSecond)].into(), ..Options::default() };
         let motion = read("time [s],velocity\n0,5\n1,6\n", &options).unwrap();
         assert_eq!(motion.velocity.unwrap(), [0.005, 0.006]);
+    }
+
+    #[test]
+    fn options_and_profile_state_the_sign_of_motion_and_force() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("road.csv");
+        std::fs::write(&file, "time_s,x_m,force_N\n0,1,10\n1,2,20\n").unwrap();
+        let read = |positive: Option<Positive>| {
+            let options = Options { positive, ..Options::default() };
+            let motion = read_motion(&file, &options).unwrap();
+            (motion.displacement.unwrap(), read_force_of_motion(&file, &options).unwrap(), motion.positive)
+        };
+        let (as_it_is, reversed) = ((vec![1.0, 2.0], vec![10.0, 20.0]), (vec![-1.0, -2.0], vec![-10.0, -20.0]));
+        assert_eq!(read(None), (as_it_is.0.clone(), as_it_is.1.clone(), None));
+        let compression = Some(Positive::Compression);
+        assert_eq!(read(compression), (reversed.0.clone(), reversed.1.clone(), compression));
+        let profile = "format = \"dashpot campaign profile 1\"\npositive = \"compression\"\n";
+        std::fs::write(folder.path().join("campaign.toml"), profile).unwrap();
+        assert_eq!(read(None), (reversed.0, reversed.1, compression));
+        let rebound = Some(Positive::Rebound);
+        assert_eq!(read(rebound), (as_it_is.0, as_it_is.1, rebound));
+        std::fs::write(&file, "time_s,x_m\n0,1\n1,2\n").unwrap();
+        assert_eq!(read_force_of_motion(&file, &Options::default()), None);
+        std::fs::write(&file, "time_s,x_m,force_N\n0,1,\n1,2,3\n").unwrap();
+        assert_eq!(read_force_of_motion(&file, &Options::default()), None);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::record_file::read_file;
 use super::unusable::{self, Sieve, Unusable};
 use super::{common_clock, date_agreement};
 use crate::checks::sign::{self, SignFinding};
-use crate::checks::{file_units, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
+use crate::checks::{deviating_tests, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
 use crate::cleaning;
 use crate::data::complete_motion::Motion;
 use crate::data::record::{Note, Record};
@@ -147,7 +147,9 @@ pub fn load(
     }
     let readings = pieces
         .iter()
-        .map(|(options, piece)| (piece.at.to_string(), file_units::Reading { units: piece.units.clone(), options }))
+        .map(|(options, piece)| {
+            (piece.at.to_string(), deviating_tests::Reading { units: piece.units.clone(), options })
+        })
         .collect();
     let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
     let counts_inches = pieces.iter().any(|(_, piece)| {
@@ -192,7 +194,7 @@ pub fn load(
     assignment::assign_settings(&mut records, &options.settings, &mut notes);
     common_clock::settle(&mut records, &mut notes);
     unit_magnitude::refuse(&records, options)?;
-    file_units::refuse(&records, &readings)?;
+    deviating_tests::check(&records, &readings, &mut notes)?;
     plausibility::remark(&records, options, &mut notes)?;
     let in_the_middle = force_levels::in_the_middle(&records);
     force_offset::tell(&records, &in_the_middle, &mut notes);

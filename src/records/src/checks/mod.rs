@@ -1,6 +1,6 @@
 //! Checks of cleaned records: signs, energy, units, magnitudes, and agreement of the tests of a campaign.
 
-pub(crate) mod file_units;
+pub(crate) mod deviating_tests;
 pub(crate) mod force_levels;
 pub(crate) mod force_offset;
 pub(crate) mod plausibility;

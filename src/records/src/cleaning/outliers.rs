@@ -1,4 +1,5 @@
-//! Replaces spikes: one to three samples far from both neighbors. No mechanical motion produces them.
+//! Replaces spikes: one to three samples far from both neighbors, or from the neighbor at an end of the record. No
+//! mechanical motion produces them.
 
 use crate::data::samples::Samples;
 use crate::messages::phrases;
@@ -31,7 +32,10 @@ pub(crate) fn replace(samples: &mut Samples) {
         }
         let mut largest = 0.0_f64;
         for &(start, length) in &spikes {
-            let (from, to) = (values[start - 1], values[start + length]);
+            // At an end of the record, the line is constant.
+            let before = start.checked_sub(1).and_then(|k| values.get(k));
+            let after = values.get(start + length);
+            let Some((from, to)) = before.or(after).copied().zip(after.or(before).copied()) else { continue };
             for k in 0..length {
                 let line = from + (to - from) * (k + 1) as f64 / (length + 1) as f64;
                 largest = largest.max((values[start + k] - line).abs());
@@ -51,6 +55,9 @@ pub(crate) fn replace(samples: &mut Samples) {
         );
     }
 }
+
+/// Smallest number of steps of the record without a spike at its start. With fewer steps, the largest of them says little.
+const FEWEST_STEPS: usize = 20;
 
 /// Returns start and length of every spike.
 ///
@@ -81,7 +88,31 @@ fn find(values: &[f64]) -> Vec<(usize, usize)> {
             i += 1;
         }
     }
+    let first = at_start(&steps, sigma);
+    let last = at_start(&steps.iter().rev().copied().collect::<Vec<_>>(), sigma);
+    if let Some(length) = first.filter(|length| spikes.first().is_none_or(|spike| spike.0 > *length)) {
+        spikes.insert(0, (0, length));
+    }
+    if let Some(length) = last.filter(|length| spikes.last().is_none_or(|spike| spike.0 + spike.1 < n - length)) {
+        spikes.push((n - length, length));
+    }
     spikes
+}
+
+/// Returns the length of a spike at the start of a record with these steps between its samples.
+///
+/// The step from the spike to the record must be by far the largest of the record: friction may reverse at the start, but
+/// then reverses again. Within a spike, the steps are smaller.
+fn at_start(steps: &[f64], sigma: f64) -> Option<usize> {
+    /// Smallest ratio of the step from the spike to the largest step of the record.
+    const LARGER: f64 = 1.5;
+    (1..=LONGEST.min(steps.len().saturating_sub(FEWEST_STEPS))).find(|length| {
+        let step = steps[length - 1];
+        let largest = steps[*length..].iter().fold(0.0_f64, |most, step| most.max(*step));
+        let nearby = steps[*length..].iter().take(8).fold(0.0_f64, |most, step| most.max(*step));
+        let within = steps[..length - 1].iter().sum::<f64>();
+        step > 8.0 * sigma && step > LARGER * largest && step > 3.0 * nearby && step > 2.0 * within
+    })
 }
 
 fn is_spike(values: &[f64], steps: &[f64], sigma: f64, start: usize, length: usize) -> bool {
@@ -124,6 +155,22 @@ mod tests {
         }
         let (a, b) = (samples.displacement.unwrap()[640], sound.displacement.unwrap()[640]);
         assert!((a - b).abs() < 2e-4, "{a} {b}");
+    }
+
+    #[test]
+    fn wrong_samples_at_an_end_are_replaced_and_a_reversal_at_the_start_is_not() {
+        let sound = SineTest::default().samples();
+        let n = sound.len();
+        for (at, height) in [(0..1, 900.0), (0..2, -900.0), (n - 1..n, 900.0), (n - 3..n, -2000.0)] {
+            let mut samples = sound.clone();
+            samples.force[at.clone()].iter_mut().for_each(|f| *f += height);
+            replace(&mut samples);
+            let off = |k: usize| (samples.force[k] - sound.force[k]).abs();
+            assert!((0..n).all(|k| if at.contains(&k) { off(k) < 60.0 } else { off(k) == 0.0 }), "{at:?}");
+        }
+        // Friction that reverses after the first sample.
+        let force: Vec<f64> = (0..200).map(|k| if k == 0 || (k / 50) % 2 == 1 { -40.0 } else { 40.0 }).collect();
+        assert!(find(&force).is_empty());
     }
 
     /// Checks that effects of a damper do not count as spikes. The effects are friction that reverses within a sample,

@@ -161,7 +161,7 @@ pub struct Note {
 impl Note {
     /// Returns whether the note is a warning: a result may be wrong unless the user reacts.
     pub fn is_loud(&self) -> bool {
-        ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off"].contains(&self.kind)
+        ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off", "label"].contains(&self.kind)
     }
 
     /// Returns whether the note reports damage to a record or an assumption, instead of a routine step.

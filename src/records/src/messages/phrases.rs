@@ -176,6 +176,11 @@ dashpot_messages::phrases! {
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
     FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
     OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
+    LABELS_DEVIATE: "the forces of {count} of {all} tests contradict the other tests at their {name} and agree with those at another one: {groups}. {advice}";
+    LABEL_GROUP: "{tests} (label {stated}, forces of {fitting})";
+    LABEL_GROUP_OR_UNIT: "{group}, or {likely} written as {written}";
+    LABELS_CHECK: "Check the labels of these tests; a corrected value goes into campaign.toml under settings";
+    LABELS_MIRRORED: "Each of them has the force of the {name} counted from the other end. Check which end these and the other tests count from; corrected values go into campaign.toml under settings";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";
     UNITS_TOO: ". Units are missing too: give them as the file has them, as in {options}";
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";

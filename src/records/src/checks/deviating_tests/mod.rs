@@ -1,0 +1,384 @@
+//! Finds tests whose forces contradict the other tests of the campaign at similar velocities, and explains them.
+//!
+//! The tests of a campaign at one setting are of one damper, so they have similar forces at equal velocities,
+//! regardless of their strokes. Heat, mounts, stops and free play change the force by tens of percent.
+//!
+//! The largest set of tests that agree is the reference of a setting. Two explanations of a test that deviates from it
+//! compete:
+//!
+//! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
+//! - With the label of another setting, the forces are those of the reference of that setting.
+//!
+//! The explanation with the smaller residual is stated. A wrong unit rejects the campaign. A wrong label gives a note.
+//!
+//! | Module | Contents |
+//! |---|---|
+//! | [`reference`] | the reference of a setting |
+//! | [`unit`] | another unit of a channel |
+//! | [`label`] | the label of another setting |
+
+mod label;
+mod reference;
+mod unit;
+
+use self::label::find_wrong_label;
+use self::reference::{Reference, largest_agreeing};
+use self::unit::{WrongUnit, find_wrong_unit};
+use super::force_levels::{Levels, levels, velocity};
+use super::plausibility::shows_noise_alone;
+use crate::data::record::{Note, Record};
+use crate::error::{FilesUnit, RecordError, name_several};
+use crate::messages::phrases;
+use crate::numbers::sample_time;
+use crate::options::Options;
+use crate::quantities::channel::Channel;
+use crate::quantities::setting_value::{Setting, setting_in_words};
+use crate::quantities::unit::Unit;
+use crate::tuning::deviating_tests::AS_LIKELY;
+use dashpot_messages::Sentence;
+use std::collections::{BTreeMap, HashMap};
+
+/// Units and options with which a test was read.
+#[derive(Debug)]
+pub(crate) struct Reading<'a> {
+    /// Units in which the channels of the test were read.
+    pub units: Vec<(Channel, Unit)>,
+    /// The user's options for the file of the test.
+    pub options: &'a Options,
+}
+
+/// A test with its force levels.
+struct Seen<'a> {
+    record: &'a Record,
+    reading: &'a Reading<'a>,
+    levels: Levels,
+}
+
+impl Seen<'_> {
+    fn unit(&self, channel: Channel) -> Option<Unit> {
+        self.reading.units.iter().find(|(c, _)| *c == channel).map(|(_, unit)| *unit)
+    }
+
+    fn step(&self) -> f64 {
+        sample_time(&self.record.time).max(1e-12)
+    }
+}
+
+/// Rejects a campaign if some of its files likely use another unit than they state. A unit given by the user counts as
+/// correct. Adds a note about tests that likely have the label of another setting.
+pub(crate) fn check(
+    records: &[Record],
+    readings: &HashMap<String, Reading<'_>>,
+    notes: &mut Vec<Note>,
+) -> Result<(), RecordError> {
+    let seen: Vec<Seen<'_>> = records
+        .iter()
+        // Neither explains a force that consists of noise. The plausibility check reports that case.
+        .filter(|record| !shows_noise_alone(record))
+        .filter_map(|record| {
+            let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
+            Some(Seen { record, reading: readings.get(&record.source)?, levels })
+        })
+        .filter(|seen| !seen.levels.is_empty())
+        .collect();
+    let settings = by_setting(seen);
+    let references: Vec<Option<Reference<'_>>> = settings
+        .iter()
+        .map(|tests| {
+            let agreeing = largest_agreeing(tests);
+            (agreeing.len() >= 2).then(|| Reference::new(agreeing.iter().map(|&i| &tests[i]).collect()))
+        })
+        .collect();
+    let mut labels: BTreeMap<(usize, usize), Labeled<'_>> = BTreeMap::new();
+    for (stated, tests) in settings.iter().enumerate() {
+        let Some(reference) = &references[stated] else { continue };
+        let mut units: BTreeMap<(Channel, Unit, Vec<Unit>), Vec<&Seen<'_>>> = BTreeMap::new();
+        for test in tests.iter().filter(|test| !reference.tests.iter().any(|own| std::ptr::eq(*own, *test))) {
+            let unit = find_wrong_unit(test, reference);
+            let label = find_wrong_label(test, stated, &references);
+            match (unit, label) {
+                (unit, Some(label)) if unit.as_ref().is_none_or(|unit| label.left < unit.left + AS_LIKELY) => {
+                    let own = labels.entry((stated, label.fitting)).or_default();
+                    own.tests.push(test);
+                    own.unit = own.unit.take().or(unit);
+                }
+                (Some(unit), _) => {
+                    units.entry((unit.channel, unit.written, unit.likely)).or_default().push(test);
+                }
+                (None, _) => (),
+            }
+        }
+        refuse_units(units, reference, records.len())?;
+    }
+    notes.extend(label_note(labels.into_iter().collect(), &settings, records.len()));
+    Ok(())
+}
+
+/// Tests of one setting with the forces of another one.
+#[derive(Default)]
+struct Labeled<'a> {
+    tests: Vec<&'a Seen<'a>>,
+    /// Another unit of a test, which explains its forces about as well.
+    unit: Option<WrongUnit>,
+}
+
+/// Groups the tests by the setting of an adjustable damper, in ascending order. Leaves out tests whose setting changes.
+///
+/// The reference of a setting holds tests of this setting alone, because the forces at two settings may differ by the
+/// ratio of two units.
+fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
+    let mut groups: Vec<Vec<Seen<'_>>> = Vec::new();
+    for test in seen.into_iter().filter(|test| test.record.setting_signal.is_none()) {
+        let is_own = |group: &&mut Vec<Seen<'_>>| match (&group[0].record.setting, &test.record.setting) {
+            (Some(a), Some(b)) => a.is_same(b),
+            (None, None) => true,
+            _ => false,
+        };
+        match groups.iter_mut().find(is_own) {
+            Some(group) => group.push(test),
+            None => groups.push(vec![test]),
+        }
+    }
+    let value = |group: &Vec<Seen<'_>>| group[0].record.setting.as_ref().map_or(f64::NEG_INFINITY, |of| of.value);
+    groups.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    groups
+}
+
+/// Rejects tests of one damper at one setting that likely use another unit. `all` is the number of tests read.
+fn refuse_units(
+    found: BTreeMap<(Channel, Unit, Vec<Unit>), Vec<&Seen<'_>>>,
+    reference: &Reference<'_>,
+    all: usize,
+) -> Result<(), RecordError> {
+    let Some(((channel, written, likely), tests)) = found.into_iter().max_by_key(|(_, tests)| tests.len()) else {
+        return Ok(());
+    };
+    // The error reports the values of the deviating test with the largest force.
+    let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
+    let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
+    let Some((level, other)) = reference.closest_levels(shown) else { return Ok(()) };
+    Err(RecordError::FilesUnit(Box::new(FilesUnit {
+        tests: tests.iter().map(|t| t.record.source.clone()).collect(),
+        others: reference.tests.iter().map(|t| t.record.source.clone()).collect(),
+        all,
+        shown: shown.record.name.clone(),
+        at: (velocity(level), shown.levels[&level].against),
+        expected: (velocity(other), libm::exp(reference.curve[&other])),
+        channel,
+        written,
+        likely,
+    })))
+}
+
+/// Returns a note about tests that likely have the label of another setting. `found` holds them by the indices of the
+/// stated setting and of the setting with their forces. `all` is the number of tests read.
+fn label_note(found: Vec<((usize, usize), Labeled<'_>)>, settings: &[Vec<Seen<'_>>], all: usize) -> Option<Note> {
+    let setting = |index: usize| -> Option<&Setting> { settings[index][0].record.setting.as_ref() };
+    let name = &setting(found.first()?.0.0)?.name;
+    let in_words = |index: usize| setting(index).map_or(String::new(), |of| setting_in_words(of.value, &of.unit));
+    let groups = found.iter().map(|((stated, fitting), labeled)| {
+        let tests: Vec<String> = labeled.tests.iter().map(|test| test.record.source.clone()).collect();
+        let group = Sentence::from(phrases::LABEL_GROUP)
+            .with_sentence("tests", name_several(&tests))
+            .with("stated", in_words(*stated))
+            .with("fitting", in_words(*fitting));
+        match &labeled.unit {
+            Some(unit) => Sentence::from(phrases::LABEL_GROUP_OR_UNIT)
+                .with_sentence("group", group)
+                .with_names("likely", &unit.likely, phrases::OR)
+                .with("written", unit.written),
+            None => group,
+        }
+    });
+    let count: usize = found.iter().map(|(_, labeled)| labeled.tests.len()).sum();
+    // Settings without a label are first in the order.
+    let first = settings.iter().position(|tests| tests[0].record.setting.is_some())?;
+    let is_mirrored =
+        found.len() > 1 && found.iter().all(|((stated, fitting), _)| stated - first + fitting + 1 == settings.len());
+    let advice = if is_mirrored { phrases::LABELS_MIRRORED } else { phrases::LABELS_CHECK };
+    let text = Sentence::from(phrases::LABELS_DEVIATE)
+        .with("count", count)
+        .with("all", all)
+        .with("name", name)
+        .with_sentence("groups", Sentence::list(groups.collect(), phrases::SEMICOLON))
+        .with_sentence("advice", Sentence::from(advice).with("name", name));
+    Some(Note { kind: "label", text })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::{Random, sine_record};
+
+    /// Makes sines of (amplitude, peak velocity) on a damper with gas, friction and a mount that reduces the force of
+    /// short strokes.
+    fn campaign(strength: f64, tests: &[(f64, f64)]) -> Vec<Record> {
+        let mut random = Random::new(7);
+        let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
+            // The damper is up to 30 % softer with warm oil, and softer in short strokes.
+            let warm = 1.0 - 0.3 * random.uniform();
+            let share = amplitude / (amplitude + 3e-4);
+            let law = |v: f64| strength * if v > 0.0 { 1.6 * libm::pow(v, 0.8) } else { -0.8 * libm::pow(-v, 0.8) };
+            sine_record(k, amplitude, speed, |_, v| warm * share * law(v) + 25.0 * libm::tanh(v / 0.002) - 180.0)
+        };
+        tests.iter().enumerate().map(test).collect()
+    }
+
+    const PLAN: [(f64, f64); 9] = [
+        (0.025, 0.052),
+        (0.025, 0.131),
+        (0.025, 0.262),
+        (0.025, 0.524),
+        (0.01, 0.002),
+        (0.01, 0.131),
+        (0.01, 0.262),
+        (0.002, 0.052),
+        (0.0005, 0.131),
+    ];
+
+    fn times(record: &mut Record, channel: Channel, factor: f64) {
+        let scale = |values: &mut Vec<f64>, by: f64| values.iter_mut().for_each(|v| *v *= by);
+        match channel {
+            Channel::Force => scale(&mut record.force, factor),
+            Channel::Time => {
+                scale(&mut record.time, factor);
+                scale(&mut record.velocity, 1.0 / factor);
+                record.peak_velocity /= factor;
+            }
+            _ => {
+                scale(&mut record.displacement, factor);
+                scale(&mut record.velocity, factor);
+                record.amplitude *= factor;
+                record.peak_velocity *= factor;
+            }
+        }
+    }
+
+    fn said(records: &[Record], options: &Options) -> String {
+        let units = vec![
+            (Channel::Time, Unit::Second),
+            (Channel::Displacement, Unit::Millimetre),
+            (Channel::Force, Unit::Newton),
+        ];
+        let readings = records.iter().map(|r| (r.source.clone(), Reading { units: units.clone(), options })).collect();
+        let mut notes = Vec::new();
+        let checked = check(records, &readings, &mut notes);
+        checked.map_or_else(|e| e.to_string(), |()| notes.iter().map(|note| note.text.to_string()).collect())
+    }
+
+    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times a power of
+    /// `ratio`. The label of a test is a function of its setting and of its index.
+    fn adjustable(ratio: f64, values: &[f64], label: impl Fn(f64, usize) -> f64) -> Vec<Record> {
+        let at = |value: f64| {
+            let tests = campaign(450.0 * libm::pow(ratio, value), &PLAN[..6]);
+            let label = &label;
+            tests.into_iter().enumerate().map(move |(i, mut record)| {
+                record.force.iter_mut().for_each(|f| *f += 180.0);
+                let value = label(value, i);
+                let name = format!("{value} {} {i}", record.name);
+                let setting = Setting { name: "clicks".into(), unit: String::new(), value };
+                Record { source: name.clone(), name, setting: Some(setting), ..record }
+            })
+        };
+        values.iter().copied().flat_map(at).collect()
+    }
+
+    #[test]
+    fn labels_of_another_setting_are_told_from_wrong_units() {
+        let values = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let options = Options::default();
+        assert_eq!(said(&adjustable(1.8, &values, |value, _| value), &options), "");
+        // One test at the hardest setting has the label of the softest one.
+        let one =
+            said(&adjustable(1.8, &values, |value, i| if (value, i) == (4.0, 3) { 0.0 } else { value }), &options);
+        assert!(one.contains("1 of 30 tests") && one.contains("(label 0, forces of 4)"), "{one}");
+        assert!(!one.contains("counted from the other end"), "{one}");
+        // At this ratio, the two ends differ like newton and decanewton.
+        for ratio in [1.8, libm::pow(10.0, 0.25)] {
+            let labels = |value: f64, i: usize| if i % 3 == 2 { 4.0 - value } else { value };
+            let mirrored = said(&adjustable(ratio, &values, labels), &options);
+            let groups = ["(label 0, forces of 4)", "(label 1, forces of 3)", "(label 4, forces of 0)"];
+            assert!(groups.iter().all(|group| mirrored.contains(group)), "{mirrored}");
+            assert!(mirrored.contains("counted from the other end"), "{mirrored}");
+        }
+    }
+
+    #[test]
+    fn tests_of_one_damper_pass_whatever_their_strokes_and_heat() {
+        for strength in [100.0, 1000.0, 10_000.0] {
+            assert_eq!(said(&campaign(strength, &PLAN), &Options::default()), "");
+        }
+        // The settings differ by a factor of four and a half in force. The gas force is the same.
+        let mut records = campaign(2000.0, &PLAN);
+        for record in campaign(450.0, &PLAN) {
+            records.push(Record {
+                name: format!("soft {}", record.name),
+                source: format!("soft {}", record.source),
+                ..record
+            });
+        }
+        assert_eq!(said(&records, &Options::default()), "");
+    }
+
+    /// A semi-active damper without gas, whose settings differ in force by a typical ratio of two units. A file in kN
+    /// is found by comparison with the tests at its own setting.
+    #[test]
+    fn settings_are_told_by_their_own_tests() {
+        let at = |value: f64| {
+            let setting = crate::quantities::setting_value::Setting { name: "current".into(), unit: "A".into(), value };
+            campaign(450.0 * libm::pow(4.45, value), &PLAN[..6]).into_iter().map(move |mut record| {
+                record.force.iter_mut().for_each(|f| *f += 180.0);
+                let name = format!("{value} {}", record.name);
+                Record { source: name.clone(), name, setting: Some(setting.clone()), ..record }
+            })
+        };
+        let mut records: Vec<Record> = [0.0, 0.5, 1.0].into_iter().flat_map(at).collect();
+        assert_eq!(said(&records, &Options::default()), "");
+        times(&mut records[8], Channel::Force, 1e-3);
+        let found = said(&records, &Options::default());
+        assert!(found.contains("0.5 t2") && found.contains("speaks for kN written as N"), "{found}");
+    }
+
+    #[test]
+    fn a_file_in_another_unit_is_named_with_the_unit() {
+        for (channel, factor, likely) in [
+            (Channel::Force, 1e-3, "speaks for kN written as N"),
+            (Channel::Force, 0.1, "speaks for daN or kgf written as N"),
+            (Channel::Force, 1.0 / 4.448, "speaks for lbf written as N"),
+            (Channel::Displacement, 1.0 / 25.4, "speaks for in written as mm"),
+            (Channel::Displacement, 0.1, "speaks for cm written as mm"),
+            (Channel::Time, 1e3, "speaks for ms written as s"),
+        ] {
+            for at in [2, 3, 6] {
+                let mut records = campaign(1500.0, &PLAN);
+                times(&mut records[at], channel, factor);
+                let message = said(&records, &Options::default());
+                assert!(
+                    message.contains(likely) && message.contains(&format!("t{at}.csv")),
+                    "{channel} {factor} {at}: {message}"
+                );
+                assert!(message.contains(&format!("--unit {channel}=")), "{message}");
+                let mut insisted = Options::default();
+                insisted.units.insert(channel, if channel == Channel::Force { Unit::Newton } else { Unit::Millimetre });
+                if channel == Channel::Force {
+                    assert_eq!(said(&records, &insisted), "", "{factor}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_half_of_them_are_off_both_are_named() {
+        for from in [0, 4, 5] {
+            let mut records = campaign(1500.0, &PLAN);
+            records[from..].iter_mut().for_each(|r| times(r, Channel::Force, 1e-3));
+            let message = said(&records, &Options::default());
+            if from == 0 {
+                // The plausibility check finds a unit that is wrong in all files.
+                assert_eq!(message, "");
+            } else {
+                assert!(message.contains("t1.csv") && message.contains("t6.csv"), "{message}");
+            }
+        }
+    }
+}

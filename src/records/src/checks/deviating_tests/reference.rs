@@ -1,0 +1,117 @@
+//! The reference of a test: the largest set of tests that agree, with their typical forces.
+
+use super::Seen;
+use crate::checks::force_levels::{Level, Levels, apart};
+use crate::numbers::median;
+use crate::tuning::deviating_tests::{AGREE, AS_LONG, CELL_OFFSET, OF_SCATTER};
+use std::collections::BTreeMap;
+
+/// Returns the indices of the largest set of tests that are connected by agreement of pairs. A set may have only one
+/// test. The order is that of `seen`.
+pub(super) fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
+    let mut set: Vec<usize> = (0..seen.len()).collect();
+    fn root(set: &mut [usize], mut i: usize) -> usize {
+        while set[i] != i {
+            set[i] = set[set[i]];
+            i = set[i];
+        }
+        i
+    }
+    for i in 0..seen.len() {
+        for j in 0..i {
+            let (a, b) = (root(&mut set, i), root(&mut set, j));
+            if a != b && agree(&seen[i].levels, &seen[j].levels) {
+                set[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for i in 0..seen.len() {
+        members.entry(root(&mut set, i)).or_default().push(i);
+    }
+    // Of sets of equal size, use the set with the earliest test.
+    members.into_values().rev().max_by_key(Vec::len).unwrap_or_default()
+}
+
+fn agree(one: &Levels, other: &Levels) -> bool {
+    let mut ratios: Vec<f64> =
+        one.iter().filter_map(|(k, l)| Some(libm::log(l.against / other.get(k)?.against))).collect();
+    !ratios.is_empty() && median(&mut ratios).abs() < AGREE
+}
+
+/// The reference: tests that agree with each other, and their forces at each velocity.
+pub(super) struct Reference<'a> {
+    pub(super) tests: Vec<&'a Seen<'a>>,
+    /// Natural logarithm of the median force, N, against the motion, by velocity level.
+    pub(super) curve: BTreeMap<i32, f64>,
+    /// Mean of the forces in rebound and compression, N, by velocity level: its median and its median absolute
+    /// deviation between tests.
+    between: BTreeMap<i32, (f64, f64)>,
+}
+
+impl<'a> Reference<'a> {
+    pub(super) fn new(tests: Vec<&'a Seen<'a>>) -> Self {
+        let mut at: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();
+        for (k, Level { against, between }) in tests.iter().flat_map(|test| &test.levels) {
+            let [forces, middles] = at.entry(*k).or_default();
+            forces.push(libm::log(*against));
+            middles.push(*between);
+        }
+        let (mut curve, mut between) = (BTreeMap::new(), BTreeMap::new());
+        for (k, [mut forces, mut middles]) in at {
+            curve.insert(k, median(&mut forces));
+            let middle = median(&mut middles);
+            let scatter = median(&mut middles.iter().map(|m| (m - middle).abs()).collect::<Vec<_>>());
+            between.insert(k, (middle, scatter));
+        }
+        Reference { tests, curve, between }
+    }
+
+    /// Returns the logarithm of the typical force, interpolated between velocity levels. Returns `None` outside the
+    /// levels of the reference.
+    fn usual(&self, level: f64) -> Option<f64> {
+        let (below, part) = (level.floor(), level - level.floor());
+        // The level of every positive double is within the range of an i32.
+        let low = self.curve.get(&(below as i32))?;
+        if part < 1e-9 {
+            return Some(*low);
+        }
+        Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
+    }
+
+    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
+    /// common level, returns the two closest levels.
+    pub(super) fn closest_levels(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
+        let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
+        pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
+    }
+
+    /// Returns the deviations of a test from the others at their common velocities, as logarithms of the force ratio.
+    /// The test's forces and velocities are first scaled by the given factors.
+    pub(super) fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
+        let shift = apart(of_velocity);
+        let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
+        test.levels.iter().filter_map(at).collect()
+    }
+
+    /// Returns whether some other test at a common velocity has at most about the given amplitude, m. [`AS_LONG`] is
+    /// the tolerance.
+    pub(super) fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
+        let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
+        self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
+    }
+
+    /// Returns whether the mean force of the two directions contradicts a factor on the force. It does if the factor
+    /// increases its deviation from the other tests beyond the acceptable one.
+    pub(super) fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
+        let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, level) in &test.levels {
+            let Some((middle, scatter)) = self.between.get(k) else { continue };
+            as_read.push((level.between - middle).abs());
+            otherwise.push((factor * level.between - middle).abs());
+            allowed.push(CELL_OFFSET + OF_SCATTER * scatter);
+        }
+        let otherwise = median(&mut otherwise);
+        otherwise > median(&mut as_read) && otherwise > median(&mut allowed)
+    }
+}
