@@ -206,6 +206,13 @@ pub fn expectations(of: &Dimensions) -> Vec<Expectation> {
     RULES.iter().filter(follows).filter_map(|rule| rule.expectation(of)).collect()
 }
 
+/// Returns the central value of a parameter that a drawing implies, or `None` if it implies none.
+pub(crate) fn central(of: &Dimensions, number: Number) -> Option<f64> {
+    let rule = Rule::of(number)?;
+    let inputs: Vec<f64> = of.all(rule.needs)?.iter().map(|input| input.value).collect();
+    Some((rule.formula)(&inputs))
+}
+
 impl Rule {
     fn expectation(&self, of: &Dimensions) -> Option<Expectation> {
         let mut inputs = of.all(self.needs)?;

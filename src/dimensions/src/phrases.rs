@@ -24,6 +24,7 @@ dashpot_messages::phrases! {
     // Remarks on a quantity.
     BY_COMPRESSION: "by the column in compression";
     LESS_THE_EYES: "the series spring less the eyes";
+    COLUMN_LESS_THE_EYES: "the oil column less the eyes, for the model has no series spring";
     A_BOUND: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them";
     WITH_AIR: "with the air in it";
     NO_ORIFICE: "no orifice shows beside the leak";
@@ -36,8 +37,10 @@ dashpot_messages::phrases! {
     IN_DOUBT: "uses {entries} as drawn, which the contradiction below puts in doubt";
     SEMICOLON: "; ";
     // Contradictions.
-    CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives.";
-    CONTRADICTS_SEVERAL: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} give.";
+    CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives. {cause}";
+    CONTRADICTS_SEVERAL: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} give. {cause}";
+    EXPLAINED_BY: "The smallest single change of the drawing that explains it is {entry} = {value}.";
+    NO_CAUSE: "No single entry of the drawing explains it.";
     PRESSURE_ON_ROD: "{pressure} bar on a rod of {diameter} mm";
 }
 
@@ -57,7 +60,7 @@ pub(crate) const QUANTITIES: [(&str, &str); 11] = [
 ];
 
 /// English names of the implied parameters in a contradiction.
-pub(crate) const NOUNS: [&str; 11] = [
+pub(crate) const NOUNS: [&str; 12] = [
     "gas force",
     "growth of the gas force with temperature",
     "gas stiffness",
@@ -69,6 +72,7 @@ pub(crate) const NOUNS: [&str; 11] = [
     "force that halves the air's stroke",
     "stroke that the air yields",
     "series stiffness",
+    "parallel spring",
 ];
 
 /// Units that contain words, and partly missing parameters of a model.

@@ -89,6 +89,57 @@ proptest! {
     }
 
     #[test]
+    fn a_wrong_entry_is_named_with_its_value_and_doubts_no_other(
+        length in 80.0f64..200.0,
+        factor in prop_oneof![0.35f64..0.5, 2.0f64..3.0],
+    ) {
+        let text = |length: f64| format!(
+            "bore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = {length}\ngas_pressure_bar = 20\noil_modulus_gpa = [1.2, 1.3]\n{RIGID}"
+        );
+        let (right, wrong) = (drawing(&text(length)), drawing(&text(factor * length)));
+        let model = of_text(
+            &format!(
+                "format = 1\nelements = [\"gas_preload\", \"oil_compressibility\"]\ngas_force = {}\noil_stiffness = {}\noil_shortening = 0.0\n",
+                expected(&right, "gas_force"), expected(&right, "oil_stiffness"),
+            ),
+            Path::new("model.toml"),
+        ).unwrap();
+        prop_assert!(explain(&model, &right).contradictions.is_empty());
+        let explanation = explain(&model, &wrong);
+        let found = &explanation.contradictions[0];
+        prop_assert_eq!(found.causes[0].entry, "rebound_chamber_mm");
+        prop_assert!((found.causes[0].value / length - 1.0).abs() < 0.02, "{found:?}");
+        // The diameter of the rod would have to be that of another damper.
+        let pressure = explanation.find("gas_pressure").unwrap();
+        prop_assert!(pressure.note.is_none(), "{pressure:?}");
+        let modulus = explanation.find("oil_modulus_effective").unwrap();
+        prop_assert!(modulus.note.as_ref().unwrap().to_string().contains("rebound_chamber_mm"), "{modulus:?}");
+    }
+
+    #[test]
+    fn eyes_belong_to_the_column_of_a_model_without_a_series_spring(
+        length in 80.0f64..200.0,
+        modulus in 0.9f64..1.5,
+        share in 4.0f64..8.0,
+    ) {
+        let text = format!("bore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = {length}\noil_modulus_gpa = {modulus}\n{RIGID}");
+        let column = expected(&drawing(&text), "oil_stiffness");
+        let eyes = share * column;
+        let stated = drawing(&format!("{text}eye_stiffness_n_mm = {}\n", 1e-3 * eyes));
+        let model = of_text(
+            &format!(
+                "format = 1\nelements = [\"oil_compressibility\"]\noil_stiffness = {}\noil_shortening = 0.0\n",
+                1.0 / (1.0 / column + 1.0 / eyes),
+            ),
+            Path::new("model.toml"),
+        ).unwrap();
+        let explanation = explain(&model, &stated);
+        prop_assert!(explanation.contradictions.is_empty(), "{explanation:?}");
+        let found = explanation.find("oil_modulus").unwrap();
+        prop_assert!((found.value.unwrap() / modulus - 1.0).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
     fn no_text_makes_the_reader_panic(text in "[a-z_0-9 =.\\[\\]\"\n-]{0,80}", key in 0usize..5) {
         let key = ["bore_mm", "rod_mm", "design", "gas_pressure_bar", "air_percent"][key];
         let _ = read::parse(&text, Path::new("drawing.toml"));

@@ -1,66 +1,187 @@
 //! Contradictions between the parameters of a model and the drawing.
 
 use super::model::{Identified, Standing};
-use super::report::{Contradiction, Explanation, digits};
+use super::report::{Cause, Contradiction, Explanation, digits};
 use crate::dimensions::Dimensions;
-use crate::entry::ENTRIES;
-use crate::forward::{Expectation, expectations};
+use crate::entry::{ENTRIES, Entry};
+use crate::forward::{Expectation, central, expectations};
 use crate::phrases;
-use crate::uncertain::Uncertain;
+use crate::uncertain::{Uncertain, through};
 use dashpot_core::number;
+use dashpot_core::parameter::Number;
 use dashpot_messages::Sentence;
+
+/// Largest factor by which a cause changes an entry, as a natural logarithm. With a larger factor, the damper would be
+/// another one.
+const LARGEST_CHANGE: f64 = 1.4;
+/// Step of the search for a cause, as a natural logarithm. The result is interpolated within the step.
+const STEP: f64 = 0.02;
+/// Smallest tolerance of an entry, as a fraction. It is that of a bore.
+const SMALLEST_TOLERANCE: f64 = 0.005;
+/// Largest ratio of the tolerances of a cause to those of the first cause at which an entry is in doubt.
+///
+/// With a larger ratio, the diameter of the rod would be in doubt wherever the oil column is, and with it every
+/// quantity. Test: `round_trip.rs`.
+const AS_LIKELY: f64 = 2.0;
+
+impl Contradiction {
+    /// Returns the causes that need about as few tolerances as the first one.
+    pub(super) fn likely_causes(&self) -> impl Iterator<Item = &Cause> {
+        let least = self.causes.first().map_or(0.0, |cause| cause.tolerances);
+        self.causes.iter().filter(move |cause| cause.tolerances <= AS_LIKELY * least)
+    }
+}
+
+/// Parameter of the model, with the formula for its value from a drawing.
+struct Stand<'a> {
+    number: Number,
+    noun: &'static str,
+    /// Computes the central value that a drawing implies.
+    central: &'a dyn Fn(&Dimensions) -> Option<f64>,
+}
 
 /// Adds the contradictions: parameters whose interval in the model does not overlap the interval that the drawing
 /// implies.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
-    let column = all.iter().find(|e| e.number == number!("oil_stiffness"));
+    let find = |number: Number| all.iter().find(|expectation| expectation.number == number).cloned();
     let has_column = model.number(number!("oil_stiffness")) != Standing::Off;
+    let has_series = model.number(number!("series_stiffness")) != Standing::Off;
     for expectation in &all {
-        let Standing::Known(own) = model.number(expectation.number) else { continue };
+        let number = expectation.number;
+        let Standing::Known(own) = model.number(number) else { continue };
         // A shortening of zero means a column of constant length, not an estimate.
-        if expectation.number == number!("oil_shortening") && own.value == 0.0 {
+        if number == number!("oil_shortening") && own.value == 0.0 {
             continue;
         }
-        let is_series = expectation.number == number!("series_stiffness");
+        let is_series = number == number!("series_stiffness");
+        // Without a series spring, the oil column of the model includes the eyes.
+        let with_eyes = number == number!("oil_stiffness") && !has_series;
+        let expectation =
+            if with_eyes { in_series_with_eyes(expectation.clone(), drawing) } else { expectation.clone() };
         // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes.
         let is_below = own.high < expectation.expected.low && (!is_series || has_column);
         if is_below || own.low > expectation.expected.high {
-            to.contradictions.push(contradiction(own, expectation, drawing));
+            let of_drawing = |of: &Dimensions| {
+                let value = central(of, number)?;
+                let eyes = of.stated(Entry::EyeStiffness).filter(|_| with_eyes);
+                Some(eyes.map_or(value, |eyes| in_series(value, eyes.value)))
+            };
+            let stand = Stand { number, noun: expectation.noun, central: &of_drawing };
+            to.contradictions.push(contradiction(own, expectation, &stand, drawing));
         }
     }
-    if let (Some(column), false, Standing::Known(own)) = (column, has_column, model.number(number!("series_stiffness")))
+    if let (Some(column), false, Standing::Known(own)) =
+        (find(number!("oil_stiffness")), has_column, model.number(number!("series_stiffness")))
         && own.low > column.expected.high
     {
-        let own_of_series =
-            Expectation { number: number!("series_stiffness"), noun: "series stiffness", ..column.clone() };
-        to.contradictions.push(contradiction(own, &own_of_series, drawing));
+        let of_drawing = |of: &Dimensions| central(of, number!("oil_stiffness"));
+        let stand = Stand { number: number!("series_stiffness"), noun: "series stiffness", central: &of_drawing };
+        to.contradictions.push(contradiction(own, column, &stand, drawing));
+    }
+    // A parallel spring holds at least the stiffness of the gas.
+    if let (Some(gas), Standing::Off, Standing::Known(own)) =
+        (find(number!("gas_stiffness")), model.number(number!("gas_stiffness")), model.number(number!("spring_linear")))
+        && own.high < gas.expected.low
+    {
+        let of_drawing = |of: &Dimensions| central(of, number!("gas_stiffness"));
+        let stand = Stand { number: number!("spring_linear"), noun: "parallel spring", central: &of_drawing };
+        to.contradictions.push(contradiction(own, gas, &stand, drawing));
     }
 }
 
-fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions) -> Contradiction {
+/// Computes the stiffness of two springs in series.
+fn in_series(one: f64, other: f64) -> f64 {
+    1.0 / (1.0 / one + 1.0 / other)
+}
+
+/// Returns the expected stiffness of an oil column in series with the eyes, if the drawing states these.
+fn in_series_with_eyes(column: Expectation, of: &Dimensions) -> Expectation {
+    let Some(eyes) = of.stated(Entry::EyeStiffness) else { return column };
+    let found = through(&[column.expected, eyes], |x| in_series(x[0], x[1]));
+    match (found.value, found.low, found.high) {
+        (Some(value), Some(low), Some(high)) => {
+            let from = column.from.into_iter().chain([Entry::EyeStiffness.key()]).collect();
+            Expectation { expected: Uncertain { value, low, high }, from, ..column }
+        }
+        _ => column,
+    }
+}
+
+fn contradiction(own: Uncertain, expectation: Expectation, stand: &Stand<'_>, drawing: &Dimensions) -> Contradiction {
     let (model, dimensions) = (own.value, expectation.expected.value);
-    let unit = expectation.number.parameter().unit;
+    let unit = stand.number.parameter().unit;
     let with_unit = |value: f64| {
         let digits = digits(value);
         if unit == "-" { digits } else { format!("{digits} {unit}") }
     };
     let is_one = expectation.from.len() == 1 && expectation.number != number!("gas_force");
+    let causes = causes(own.value, &expectation, stand, drawing);
+    let cause = match causes.first() {
+        Some(cause) => {
+            Sentence::from(phrases::EXPLAINED_BY).with("entry", cause.entry).with("value", digits(cause.value))
+        }
+        None => phrases::NO_CAUSE.into(),
+    };
     let text = Sentence::from(if is_one { phrases::CONTRADICTS_ONE } else { phrases::CONTRADICTS_SEVERAL })
-        .with_word("noun", expectation.noun)
+        .with_word("noun", stand.noun)
         .with("model", with_unit(model))
         .with("ratio", two_digits(model / dimensions))
         .with("dimensions", with_unit(dimensions))
-        .with_sentence("facts", facts(expectation, drawing));
+        .with_sentence("facts", facts(&expectation, drawing))
+        .with_sentence("cause", cause);
     Contradiction {
-        parameter: expectation.number.name(),
+        parameter: stand.number.name(),
         model,
         dimensions,
         ratio: model / dimensions,
         unit,
-        entries: expectation.from.clone(),
+        entries: expectation.from,
+        causes,
         text,
     }
+}
+
+/// Returns the stated entries that alone explain the value of the model with another value, the smallest change first.
+fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dimensions) -> Vec<Cause> {
+    let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
+    let mut causes: Vec<Cause> = rows
+        .filter_map(|row| {
+            let stated = drawing.stated(row.entry)?;
+            let bounds = (row.bounds.0 * row.to_si, row.bounds.1 * row.to_si);
+            let log_ratio = |change: f64| {
+                let by = libm::exp(change);
+                let value = Uncertain { value: by * stated.value, low: by * stated.low, high: by * stated.high };
+                let is_possible = (bounds.0..=bounds.1).contains(&value.value);
+                let central = (stand.central)(&drawing.clone().with(row.entry, value)).filter(|_| is_possible)?;
+                Some(libm::log(central / own)).filter(|ratio| ratio.is_finite())
+            };
+            let change = [1.0, -1.0]
+                .into_iter()
+                .filter_map(|direction| first_zero(|size| log_ratio(direction * size)).map(|size| direction * size))
+                .min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+            let tolerance = (0.5 * libm::log(stated.high / stated.low)).max(SMALLEST_TOLERANCE);
+            let value = libm::exp(change) * stated.value / row.to_si;
+            Some(Cause { entry: row.key, value, tolerances: change.abs() / tolerance })
+        })
+        .collect();
+    causes.sort_by(|a, b| a.tolerances.total_cmp(&b.tolerances));
+    causes
+}
+
+/// Returns the smallest positive change up to [`LARGEST_CHANGE`] at which a function changes its sign. Stops where the
+/// function has no value.
+fn first_zero(function: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let mut last = function(0.0)?;
+    let steps = (LARGEST_CHANGE / STEP) as usize;
+    for step in 1..=steps {
+        let next = function(STEP * step as f64)?;
+        if (next > 0.0) != (last > 0.0) {
+            return Some(STEP * (step as f64 - next / (next - last)));
+        }
+        last = next;
+    }
+    None
 }
 
 /// Formats the entries with their values, as in a drawing.

@@ -8,7 +8,7 @@ mod oil;
 mod report;
 mod valves;
 
-pub use report::{Contradiction, Explanation, Gap, Quantity};
+pub use report::{Cause, Contradiction, Explanation, Gap, Quantity};
 
 use crate::dimensions::Dimensions;
 use crate::phrases;
@@ -26,7 +26,7 @@ pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     valves::explain(&model, drawing, &mut to);
     contradictions::explain(&model, drawing, &mut to);
     let mut doubted: Vec<&'static str> =
-        to.contradictions.iter().flat_map(|found| found.entries.iter().copied()).collect();
+        to.contradictions.iter().flat_map(|found| found.likely_causes().map(|cause| cause.entry)).collect();
     doubted.sort_unstable();
     doubted.dedup();
     for quantity in &mut to.quantities {

@@ -54,6 +54,15 @@ struct Column {
 /// Returns the column stiffness: from the model's oil column, from its series spring without the eyes, or as a bound
 /// from the whole series spring. The error contains the missing parameters of the model.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
+    // Without a series spring in the model, its oil column includes the eyes.
+    let has_series = model.number(number!("series_stiffness")) != Standing::Off;
+    let eyes = drawing.stated(Entry::EyeStiffness);
+    let included: Vec<Uncertain> = eyes
+        .filter(|_| !has_series)
+        .into_iter()
+        .flat_map(|eyes| [eyes, Uncertain::within_factor(1.0, errors::EYES)])
+        .collect();
+    let note_of = |note: Option<Template>| if included.is_empty() { note } else { Some(phrases::COLUMN_LESS_THE_EYES) };
     // The stiffness in compression comes first, because in compression, the column of a twin tube is the softest
     // element in series. In rebound, the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
@@ -62,25 +71,25 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         && drawing.missing(BOTH_CHAMBERS).is_empty()
     {
         return Ok(Column {
-            inputs: vec![own, ratio],
-            stiffness: |x| x[0] * x[1],
+            inputs: [own, ratio].into_iter().chain(included.iter().copied()).collect(),
+            stiffness: |x| in_line_with(x[0] * x[1], stiffness_of_eyes(&x[2..])),
             from: vec!["oil_stiffness", "oil_compression"],
             chamber: BOTH_CHAMBERS,
             modulus: by_compression,
             error: errors::MODULUS,
-            note: Some(phrases::BY_COMPRESSION),
+            note: note_of(Some(phrases::BY_COMPRESSION)),
             is_bound: false,
         });
     }
     if let Standing::Known(own) = model.number(number!("oil_stiffness")) {
         return Ok(Column {
-            inputs: vec![own],
-            stiffness: |x| x[0],
+            inputs: [own].into_iter().chain(included.iter().copied()).collect(),
+            stiffness: |x| in_line_with(x[0], stiffness_of_eyes(&x[1..])),
             from: vec!["oil_stiffness"],
             chamber: CHAMBER,
             modulus: by_rebound,
             error: errors::MODULUS,
-            note: None,
+            note: note_of(None),
             is_bound: false,
         });
     }
@@ -88,7 +97,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         return Err(vec!["oil_stiffness", "series_stiffness"]);
     };
     let is_open = model.number(number!("oil_stiffness")) == Standing::Off;
-    match drawing.stated(Entry::EyeStiffness) {
+    match eyes {
         Some(eyes) if is_open => Ok(Column {
             inputs: vec![series, eyes, Uncertain::within_factor(1.0, errors::EYES)],
             stiffness: |x| in_line_with(x[0], x[1] * x[2]),
@@ -111,6 +120,11 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         }),
         _ => Err(vec!["oil_stiffness"]),
     }
+}
+
+/// Computes the stiffness of the eyes from their stiffness and its error factor. Infinite if both are missing.
+fn stiffness_of_eyes(inputs: &[f64]) -> f64 {
+    if inputs.is_empty() { f64::INFINITY } else { inputs.iter().product() }
 }
 
 /// Computes the stiffness of a series spring without one of its parts. Infinite if the part is softer than the whole.

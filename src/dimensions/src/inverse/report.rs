@@ -55,8 +55,21 @@ pub struct Contradiction {
     pub unit: &'static str,
     /// Entries of the drawing from which the value was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
+    /// Entries that alone would explain the contradiction with another value, the smallest change first.
+    pub causes: Vec<Cause>,
     /// The contradiction as a sentence.
     pub text: Sentence,
+}
+
+/// An entry of the drawing that alone explains a contradiction if it has another value.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Cause {
+    /// Entry.
+    pub entry: &'static str,
+    /// Value that explains the contradiction, in the unit of the drawing.
+    pub value: f64,
+    /// Ratio of the logarithmic change to the tolerance of the entry.
+    pub tolerances: f64,
 }
 
 /// Physical quantities of a damper, explained from its model.
@@ -133,7 +146,11 @@ impl Quantity {
         };
         let note = self.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
         let name = self.name.replace('_', " ");
-        let value = self.value.map_or_else(|| format!("{unit}, "), |value| format!("{} {unit}, ", digits(value)));
+        let value = match self.value {
+            Some(value) => format!("{} {unit}, ", digits(value)),
+            None if self.low.is_some() || self.high.is_some() => format!("{unit}, "),
+            None => String::new(),
+        };
         format!("{name:<24} {value}{range}, from {}{note}", self.from.join(", "))
     }
 }
