@@ -216,8 +216,8 @@ impl Model {
             velocity: channel("velocity_m_s", velocity)?,
             side_force: channel("side_force_n", side_force)?,
             temperature: channel("temperature_c", temperature)?,
-            setting: None,
             time: time.clone(),
+            ..MotionRecord::default()
         };
         if time.len() < 2 {
             return Err(PyValueError::new_err("a motion has at least two times"));

@@ -95,7 +95,7 @@ impl ImposedMotion {
     /// # Errors
     /// An initial position is given for a motion with displacement, the initial position is not finite, or a velocity is not finite.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
-        let MotionRecord { time, displacement, velocity, side_force, temperature, setting } = record;
+        let MotionRecord { time, displacement, velocity, side_force, temperature, setting, .. } = record;
         let setting = setting.map(|of| of.values);
         let (initial_position, velocity) = match (&displacement, velocity) {
             (Some(_), _) if initial_position.is_some() => return Err(ImposeError::InitialPositionKnown),
@@ -176,6 +176,14 @@ impl ImposedMotion {
             }
         }
         Ok(out)
+    }
+
+    /// Returns the motion with the opposite direction positive.
+    pub fn reversed(&self) -> ImposedMotion {
+        let mut out = self.clone();
+        out.displacement.iter_mut().flatten().chain(&mut out.velocity).for_each(|value| *value = -*value);
+        out.initial_position = -out.initial_position;
+        out
     }
 
     /// Computes the displacement from the velocity with the kernel's rule: the velocity is linear between samples.

@@ -12,6 +12,7 @@
 //! | [`against`] | comparison with models of the literature |
 //! | [`whole_records`] | errors of a model over every sample of records |
 //! | [`imposed_motion`] | motions that a user imposes on a model |
+//! | [`motion_sign`] | sign of an imposed motion, from the force recorded with it |
 //! | [`vehicle`] | a vehicle on four dampers, and its maneuvers |
 //! | [`chatter`] | chatter of a damper in a host with a zero-order hold of its force |
 //! | [`followed`] | check whether a step resolves an oscillating internal mass |
@@ -25,6 +26,7 @@ pub mod comparison;
 pub mod followed;
 pub mod imposed_motion;
 mod limit;
+pub mod motion_sign;
 pub mod own_setting;
 pub mod prediction;
 pub mod setting_doubts;

@@ -10,14 +10,16 @@ use dashpot_core::family::Family;
 use dashpot_core::step::LONG_STEP;
 use dashpot_identification::model_file::prepared;
 use dashpot_identification::setting_units::restate;
-use dashpot_records::read_motion;
+use dashpot_records::{Options, Positive, read_force_of_motion, read_motion};
 use dashpot_simulation::imposed_motion::{ImposedMotion, SimulatedSample};
+use dashpot_simulation::motion_sign::doubt_sign;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
 /// Compute the force of a model for any motion
 ///
-/// The motion is used unchanged, without smoothing; extension (rebound) is positive. If the file has displacement and velocity, both drive
+/// The motion is used unchanged, without smoothing. Extension (rebound) is positive unless --positive or a campaign.toml in the folder of
+/// the motion says otherwise. If the file also has the recorded force, a note says when the other direction fits it better. If the file has displacement and velocity, both drive
 /// the model. Displacement alone is differentiated by a cubic spline. Velocity alone is integrated. Noise of a measured displacement
 /// appears in the force, multiplied by the series stiffness. `dashpot validate` smooths the motion; `simulate` does not. The damper starts
 /// at rest at the first displacement, or in steady motion if the first velocity is not zero. The output has the columns time_s,
@@ -27,7 +29,7 @@ use std::path::PathBuf;
 /// setting, --setting applies, or else the start setting of the model file.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv\n  dashpot simulate adjuster.toml road.csv --column setting=\"p pilot [bar]\" -o force.csv"
+    after_help = "Examples:\n  dashpot simulate damper.toml road.csv -o force.csv\n  dashpot simulate damper.toml road.csv --step 0.001 -o - | head\n  dashpot simulate damper.toml bench.csv --positive compression -o force.csv\n  dashpot simulate semi_active.toml road.csv --setting 0:0.4,1.5:1.2 -o force.csv\n  dashpot simulate adjuster.toml road.csv --column setting=\"p pilot [bar]\" -o force.csv"
 )]
 pub struct Args {
     /// Model file
@@ -46,6 +48,9 @@ pub struct Args {
     /// such as 0:0.4,1.5:1.2. Before the first time, the start setting of the model applies
     #[arg(long, value_name = "SETTING", value_parser = Schedule::parse, allow_negative_numbers = true)]
     setting: Option<Schedule>,
+    /// Direction that is positive in the motion file; rebound if neither this nor a campaign.toml states it
+    #[arg(long, value_name = "rebound|compression")]
+    positive: Option<Positive>,
     #[command(flatten)]
     columns: ColumnArgs,
     /// Displacement at the first sample, m, for a motion with velocity alone; 0 if not given
@@ -61,7 +66,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.setting.is_some() && !file.axis.is_some() {
         anyhow::bail!("{} depends on no setting; leave --setting out", args.model.display());
     }
-    let mut record = read_motion(&args.motion, &args.columns.options()?)?;
+    let options = Options { positive: args.positive, ..args.columns.options()? };
+    let mut record = read_motion(&args.motion, &options)?;
+    // A stated direction is not doubted.
+    let recorded = record.positive.is_none().then(|| read_force_of_motion(&args.motion, &options)).flatten();
     if let Some(of) = &mut record.setting {
         // [`Commands::choose`] rejects an incompatible unit later, if the setting is used.
         restate(&file.axis, &of.name, &mut of.unit, &mut of.values);
@@ -79,22 +87,31 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
                 of.name
             )
         });
-    let mut motion = ImposedMotion::new(record, args.initial_position)?;
-    if let Some(step) = args.step {
-        motion = motion.resampled(step)?;
-    }
+    let as_read = ImposedMotion::new(record, args.initial_position)?;
+    let motion = args.step.map_or_else(|| Ok(as_read.clone()), |step| as_read.resampled(step))?;
     let progress = Progress::new("simulating");
     progress.set(0.2);
-    let answers = match &commands {
-        Some(commands) => {
-            let mut family = Box::new(Family::OFF);
-            // The reader of the model file has already checked the parameters.
-            family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
-            motion.drive_family(&family, &|sample| commands.command(&motion, sample))?
-        }
-        None => motion.drive(&model)?,
+    let mut family = Box::new(Family::OFF);
+    if commands.is_some() {
+        // The reader of the model file has already checked the parameters.
+        family.set(&file.params, &file.axis).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
+    }
+    let simulate = |motion: &ImposedMotion| match &commands {
+        Some(commands) => motion.drive_family(&family, &|sample| commands.command(motion, sample)),
+        None => motion.drive(&model),
     };
+    let answers = simulate(&motion)?;
+    let doubt = recorded.map(|force| doubt_sign(&as_read, &force, &simulate)).transpose()?.flatten();
     drop(progress);
+    let of_sign = doubt.map(|doubt| {
+        format!(
+            "{} seems to count compression positive: then the model is {:.3} N (rms) off the force in the file, now {:.3} N. \
+             Give --positive compression, or --positive rebound to keep it as it is",
+            args.motion.display(),
+            doubt.reversed_error,
+            doubt.error
+        )
+    });
     let settings = commands.as_ref().map(|commands| {
         let settings = (0..answers.len()).map(|sample| commands.setting(&motion, sample)).collect();
         (heading(&file.axis), settings)
@@ -105,7 +122,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let clamped = commands.as_ref().and_then(|commands| commands.clamped(&motion, file.axis.range()));
     let of_setting =
         commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached).chain(clamped);
-    for remark in beyond(&model, &answers).into_iter().chain(coarse(&answers)).chain(of_setting).chain(unread) {
+    for remark in
+        of_sign.into_iter().chain(beyond(&model, &answers)).chain(coarse(&answers)).chain(of_setting).chain(unread)
+    {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
     dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))

@@ -1,0 +1,74 @@
+//! Sign of an imposed motion, from the force that was recorded with it.
+
+use crate::imposed_motion::{ImposeError, ImposedMotion, SimulatedSample};
+
+/// Smallest ratio of the error as read to the error with the opposite direction at which the sign is doubted.
+///
+/// A damper that is nearly symmetric has a ratio near 1 in the right direction, too. Test:
+/// `a_motion_with_compression_positive_is_noticed_by_its_force`.
+const CLEAR: f64 = 2.0;
+/// Largest error with the opposite direction, as a fraction of the force, at which the model describes the damper. With a larger error,
+/// the recorded force may be that of another damper.
+const DESCRIBES: f64 = 0.35;
+
+/// Errors of a model for a motion in both directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SignDoubt {
+    /// Root mean square error of the force as read, N.
+    pub error: f64,
+    /// Root mean square error with the opposite direction positive, N.
+    pub reversed_error: f64,
+}
+
+/// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if the opposite
+/// direction of motion and force is clearly the right one.
+///
+/// `simulate` computes the force of a motion. `recorded` has one force for each sample, in N, with the sign of the motion.
+///
+/// # Errors
+/// The errors of `simulate`.
+pub fn doubt_sign(
+    motion: &ImposedMotion,
+    recorded: &[f64],
+    simulate: &dyn Fn(&ImposedMotion) -> Result<Vec<SimulatedSample>, ImposeError>,
+) -> Result<Option<SignDoubt>, ImposeError> {
+    if recorded.len() != motion.time.len() {
+        return Ok(None);
+    }
+    let rms = |values: &mut dyn Iterator<Item = f64>| {
+        (values.map(|value| value * value).sum::<f64>() / recorded.len() as f64).sqrt()
+    };
+    let error = |of: &ImposedMotion, sign: f64| {
+        let simulated = simulate(of)?;
+        Ok(rms(&mut simulated.iter().zip(recorded).map(|(sample, force)| sample.force - sign * force)))
+    };
+    let doubt = SignDoubt { error: error(motion, 1.0)?, reversed_error: error(&motion.reversed(), -1.0)? };
+    let force = rms(&mut recorded.iter().copied());
+    Ok((doubt.error > CLEAR * doubt.reversed_error && doubt.reversed_error < DESCRIBES * force).then_some(doubt))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dashpot_core::{Model, Params};
+    use dashpot_records::MotionRecord;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_motion_with_compression_positive_is_noticed_by_its_force() {
+        let model = Model::new(&Params::new()).unwrap();
+        let time: Vec<f64> = (0..2000).map(|k| 1e-3 * f64::from(k)).collect();
+        let displacement = time.iter().map(|t| 0.02 * libm::sin(2.0 * TAU * t)).collect();
+        let record = MotionRecord { time, displacement: Some(displacement), ..MotionRecord::default() };
+        let motion = ImposedMotion::new(record, None).unwrap();
+        let simulate = |of: &ImposedMotion| of.drive(&model);
+        let forces: Vec<f64> = simulate(&motion).unwrap().iter().map(|sample| sample.force).collect();
+        let of_file = |sign: f64, scale: f64| -> Vec<f64> { forces.iter().map(|force| sign * scale * force).collect() };
+        assert_eq!(doubt_sign(&motion, &of_file(1.0, 1.1), &simulate).unwrap(), None);
+        let doubt = doubt_sign(&motion.reversed(), &of_file(-1.0, 1.1), &simulate).unwrap().unwrap();
+        assert!(doubt.error > 3.0 * doubt.reversed_error, "{doubt:?}");
+        // The force of another damper says nothing, nor does one of another length.
+        assert_eq!(doubt_sign(&motion.reversed(), &of_file(-1.0, 5.0), &simulate).unwrap(), None);
+        assert_eq!(doubt_sign(&motion, &forces[1..], &simulate).unwrap(), None);
+    }
+}
