@@ -80,8 +80,11 @@ fn row(one: &Checked) -> String {
     let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {
         format!(", but not sure: the measured time is known to ± {} ms", digits(1e3 * uncertainty, 2))
     });
+    let damping = one.damping_in_friction().map_or_else(String::new, |damping| {
+        format!(", but {} N of it grow with velocity, so they are damping", digits(damping, 2))
+    });
     format!(
-        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{unsure}",
+        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{unsure}{damping}",
         known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),

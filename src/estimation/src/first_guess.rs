@@ -61,6 +61,23 @@ pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
 
+/// Computes the part of the friction of slow tests that grows with velocity, N: damping. The tests must contain samples at
+/// half of their peak velocity and less.
+///
+/// The friction near full speed and below half of it lie on a line over the velocity. Returns zero for friction that falls
+/// with velocity.
+pub fn sliding_damping(slow: &[Segment]) -> Option<f64> {
+    /// Limits of the slower samples and typical velocity, as fractions of the peak velocity of a sine. Below the limits,
+    /// presliding reduces the friction.
+    const SLOWER: (f64, f64, f64) = (0.2, 0.5, 0.36);
+    /// Typical velocity of the faster samples of a sine: the median between half and full speed.
+    const FASTER: f64 = 0.87;
+    let (low, high, at) = SLOWER;
+    let (slower, faster) = (strokes(slow.iter(), low, high)?, sliding(slow)?);
+    let damping = (faster.friction - slower.friction) * FASTER / (FASTER - at);
+    Some(damping.min(faster.friction).max(0.0))
+}
+
 /// Computes the size of the damper from the largest force of its tests, before an FV curve exists.
 pub fn size(segments: &[Segment]) -> Scale {
     Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))

@@ -161,8 +161,8 @@ test-sentence = Größte Kraft { $force } N. Mittlerer Fehler des Modells { $err
 ## The literature.
 
 family-section = Über der Einstellung
-family-between = Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein.
-family-between-worse = Zwischen seinen Einstellungen ist das Modell schlechter als bei ihnen: Eine Familie, die { $at } nicht gesehen hat, liegt dort um { $error } N ({ $percent } %) daneben, { $ratio } mal so viel wie eine Anpassung an { $at } allein. { $advice }
+family-between = Zur Probe weggelassen, wird { $at } von einer Familie, die es nicht gesehen hat, mit einem Fehler von { $error } N ({ $percent } %) vorhergesagt, { $ratio } mal dem einer Anpassung an { $at } allein.
+family-between-worse = Zwischen seinen Einstellungen ist das Modell unsicher. Zur Probe weggelassen, wird { $at } von einer Familie, die es nicht gesehen hat, mit einem Fehler von { $error } N ({ $percent } %) vorhergesagt, { $ratio } mal dem einer Anpassung an { $at } allein. Das Modell selbst enthält { $at }. { $advice }
 family-between-records = Messungen zwischen { $at } und den Nachbarn helfen am meisten.
 family-between-labels = Zuerst die bezweifelten Einstellungen der Versuche prüfen.
 family-between-unknown = Keine Einstellung konnte weggelassen werden; der Fehler zwischen den Einstellungen ist daher unbekannt. Eine dritte Einstellung würde ihn zeigen.
@@ -247,6 +247,7 @@ certificate-nothing-tested = UNVOLLSTÄNDIG. Keiner der { $count } Grenzwerte wa
 certificate-why-untested = es fehlt ein Versuch bei dieser Geschwindigkeit oder einer, der für Reibung und Gaskraft langsam genug ist
 certificate-why-untested-at-setting = es fehlt ein Versuch bei dieser Geschwindigkeit und Einstellung, einer, der für Reibung und Gaskraft langsam genug ist, oder ein solcher Sprung der Einstellung
 certificate-unsure = { $verdict }, nicht sicher: die gemessene Zeit ist auf ± { $value } ms bekannt
+certificate-damping = { $verdict }; { $value } N davon wachsen mit der Geschwindigkeit, sind also Dämpfung
 certificate-interpolated = { $tests }, interpoliert
 certificate-model-passes = Das Modell kommt bei jedem Grenzwert zum selben Urteil.
 certificate-model-fails = Das Modell kommt bei { $count } der Grenzwerte zu einem anderen Urteil als die Messung; eine Simulation zeigt dort also einen anderen Dämpfer.
@@ -1199,6 +1200,11 @@ records-swapped = { $at }: die Überschriften „{ $first }“ und „{ $second 
 records-wrong-unit = { $evidence }; das spricht für { $likely }, als { $written } geschrieben. --unit { $channel }={ $likely } angeben, oder mit --unit { $channel }={ $written } darauf bestehen
 records-files-unit = { $count } von { $all } Versuchen passen nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: { $tests }. { $test } zeigt ±{ $force } N bei { $velocity } mm/s, die anderen ±{ $usual } N bei { $there } mm/s; das spricht für { $likely }, als { $written } geschrieben.{ $either } Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit { $channel }={ $first } aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit { $channel }={ $written } darauf bestehen, dass alle Dateien in { $written } sind
 records-or-the-others = { " " }Sind diese richtig, so sind umgekehrt die anderen falsch: { $others }.
+records-labels-deviate = die Kräfte von { $count } der { $all } Versuche widersprechen den anderen Versuchen bei ihrer Angabe { $name } und passen zu denen bei einer anderen: { $groups }. { $advice }
+records-label-group = { $tests } (Angabe { $stated }, Kräfte von { $fitting })
+records-label-group-or-unit = { $group }, oder { $likely } als { $written } geschrieben
+records-labels-check = Die Angaben dieser Versuche prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
+records-labels-mirrored = Jeder von ihnen hat die Kraft von { $name } vom anderen Ende gezählt. Prüfen, von welchem Ende diese und die anderen Versuche zählen; berichtigte Werte gehören in campaign.toml unter settings
 records-missing-column = { $at }, Zeile { $line }: keine Spalte für { $missing }; die Spalten sind { $found }.{ $near } Die Spalte mit --column { $example }="Überschrift" nennen{ $otherwise }{ $units }
 records-units-too = . Auch Einheiten fehlen: Geben Sie sie an, wie die Datei sie hat, etwa { $options }
 records-or-sample-rate = , oder, wo die Datei keine hat, --sample-rate 1000 angeben (Abtastwerte je Sekunde)
@@ -1412,7 +1418,7 @@ identification-idle = die Modelldatei gibt { $names } an, aber das Element { $el
 
 ## What a fit says. Numbers that a model file does not give, and numbers that are not those of its fit.
 
-identification-family-worse = die Familie weicht { $ratio }-mal so weit ab wie eine Identifikation dieser Einstellung allein: Eine Zahl, die alle teilen, mag hier eine andere sein, oder diese Versuche sind zu wenige, um das zu zeigen
+identification-family-worse = die Familie weicht { $ratio }-mal so weit ab wie eine Identifikation dieser Einstellung allein: Eine Zahl, die alle teilen, mag hier eine andere sein, manche dieser Versuche tragen vielleicht die Angabe einer anderen Einstellung, oder sie sind zu wenige, um einen Unterschied zu zeigen
 identification-alone-worse = ein Fit dieser Einstellung allein weicht { $ratio }-mal so weit ab wie die Familie, seine Suche endete also bei einer schlechteren Struktur: das Verhältnis dazu sagt nichts
 identification-on-defaults = das Element { $element } ist an, aber die Modelldatei gibt { $names } nicht an: Es gelten die Vorgaben aus docs/parameters.md
 identification-edited = { $names }: außerhalb des 95-%-Intervalls, das die Identifikation in der Modelldatei hinterließ, also seither geändert; was die Identifikation dazu wusste, entfällt
@@ -1647,6 +1653,7 @@ dimensions-bleed-passes-all = der Bypass lässt den ganzen Strom durch
 
 dimensions-by-compression = nach der Säule im Druck
 dimensions-less-the-eyes = die Reihenfeder ohne die Augen
+dimensions-column-less-the-eyes = die Ölsäule ohne die Augen, denn das Modell hat keine Feder in Reihe
 dimensions-a-bound = eine Grenze: die Reihenfeder enthält Augen und Öl; eye_stiffness_n_mm oder eine Ölsäule im Modell trennt sie
 dimensions-with-air = mit der Luft darin
 dimensions-no-orifice = neben dem Leck zeigt sich keine Drossel
@@ -1661,8 +1668,10 @@ dimensions-semicolon = ;{ " " }
 
 ## What is said of the dimensions of a damper. What contradicts.
 
-dimensions-contradicts-one = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die sich aus { $facts } ergeben.
-dimensions-contradicts-several = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die { $facts } ergeben.
+dimensions-contradicts-one = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die sich aus { $facts } ergeben. { $cause }
+dimensions-contradicts-several = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die { $facts } ergeben. { $cause }
+dimensions-explained-by = Die kleinste Änderung einer einzelnen Angabe der Zeichnung, die das erklärt, ist { $entry } = { $value }.
+dimensions-no-cause = Keine einzelne Angabe der Zeichnung erklärt das.
 dimensions-pressure-on-rod = { $pressure } bar auf einer Stange von { $diameter } mm
 
 ## Words in sentences. Words of records.
@@ -1790,6 +1799,7 @@ word-stiffness-of-the-oil-column-in-compression-over-that-in-rebound = Steifigke
 word-force-that-halves-the-air-s-stroke = Kraft, die den Weg der Luft halbiert
 word-stroke-that-the-air-yields = Weg, den die Luft nachgibt
 word-series-stiffness = Reihensteifigkeit
+word-parallel-spring = Parallelfeder
 word-bar-gauge = bar Überdruck
 word-at-1-013-bar-absolute = % bei 1,013 bar absolut
 word-fv-force-at-two-slow-speeds = fv_force bei zwei langsamen Geschwindigkeiten

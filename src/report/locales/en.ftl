@@ -161,8 +161,8 @@ test-sentence = Largest force { $force } N. Mean error of the model { $error } N
 ## The literature.
 
 family-section = Over the setting
-family-between = A family that did not see { $at } misses there by { $error } N ({ $percent } %), { $ratio } times as much as a fit of { $at } alone.
-family-between-worse = Between its settings the model is worse than at them: a family that did not see { $at } misses there by { $error } N ({ $percent } %), { $ratio } times as much as a fit of { $at } alone. { $advice }
+family-between = Left out as a test, { $at } is predicted by a family that did not see it with an error of { $error } N ({ $percent } %), { $ratio } times that of a fit of { $at } alone.
+family-between-worse = Between its settings the model is uncertain. Left out as a test, { $at } is predicted by a family that did not see it with an error of { $error } N ({ $percent } %), { $ratio } times that of a fit of { $at } alone. The model itself contains { $at }. { $advice }
 family-between-records = Records between { $at } and its neighbors would help most.
 family-between-labels = Check the doubted settings of the tests first.
 family-between-unknown = No setting could be left out, so the error between the settings is unknown; a third setting would show it.
@@ -247,6 +247,7 @@ certificate-nothing-tested = INCOMPLETE. None of the { $count } limits could be 
 certificate-why-untested = there is no test at that speed, or none slow enough for friction and gas force
 certificate-why-untested-at-setting = there is no test at that speed and setting, none slow enough for friction and gas force, or no such step of the setting
 certificate-unsure = { $verdict }, not sure: the measured time is known to ± { $value } ms
+certificate-damping = { $verdict }; { $value } N of it grow with velocity, so they are damping
 certificate-interpolated = { $tests }, interpolated
 certificate-model-passes = The model gives the same answer to every limit.
 certificate-model-fails = The model answers { $count } of the limits otherwise than the measurement, so a simulation shows another damper there.

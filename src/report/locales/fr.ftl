@@ -161,8 +161,8 @@ test-sentence = Effort maximal { $force } N. Écart moyen du modèle { $error } 
 ## The literature.
 
 family-section = Selon le réglage
-family-between = Une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul.
-family-between-worse = Entre ses réglages, le modèle est moins bon qu’à ceux-ci : une famille qui n’a pas vu { $at } s’y écarte de { $error } N ({ $percent } %), { $ratio } fois autant qu’un ajustement à { $at } seul. { $advice }
+family-between = Laissé de côté pour l’essai, { $at } est prédit par une famille qui ne l’a pas vu avec une erreur de { $error } N ({ $percent } %), { $ratio } fois celle d’un ajustement à { $at } seul.
+family-between-worse = Entre ses réglages, le modèle est incertain. Laissé de côté pour l’essai, { $at } est prédit par une famille qui ne l’a pas vu avec une erreur de { $error } N ({ $percent } %), { $ratio } fois celle d’un ajustement à { $at } seul. Le modèle lui-même contient { $at }. { $advice }
 family-between-records = Des mesures entre { $at } et ses voisins aideraient le plus.
 family-between-labels = Vérifier d’abord les réglages mis en doute des essais.
 family-between-unknown = Aucun réglage n’a pu être laissé de côté : l’erreur entre les réglages est donc inconnue ; un troisième réglage la montrerait.
@@ -247,6 +247,7 @@ certificate-nothing-tested = INCOMPLET. Aucune des { $count } limites n’a pu �
 certificate-why-untested = il n’y a pas d’essai à cette vitesse, ou aucun assez lent pour le frottement et l’effort du gaz
 certificate-why-untested-at-setting = il n’y a pas d’essai à cette vitesse et à ce réglage, aucun assez lent pour le frottement et l’effort du gaz, ou pas de tel saut du réglage
 certificate-unsure = { $verdict }, pas sûr : le temps mesuré est connu à ± { $value } ms près
+certificate-damping = { $verdict } ; { $value } N en croissent avec la vitesse, c’est donc de l’amortissement
 certificate-interpolated = { $tests }, interpolé
 certificate-model-passes = Le modèle donne la même réponse à chaque limite.
 certificate-model-fails = Le modèle répond autrement que la mesure à { $count } des limites : une simulation y montre un autre amortisseur.
@@ -1199,6 +1200,11 @@ records-swapped = { $at } : les en-têtes « { $first } » et « { $second } » 
 records-wrong-unit = { $evidence } ; cela indique des { $likely } écrits comme { $written }. Donner --unit { $channel }={ $likely }, ou insister par --unit { $channel }={ $written }
 records-files-unit = { $count } des { $all } essais ne vont pas avec les autres, d’une manière qu’une unité explique : { $tests }. { $test } montre ±{ $force } N à { $velocity } mm/s, les autres ±{ $usual } N à { $there } mm/s ; cela indique des { $likely } écrits comme { $written }.{ $either } Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit { $channel }={ $first }, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit { $channel }={ $written } que tous les fichiers sont en { $written }
 records-or-the-others = { " " }Si ceux-ci sont justes, ce sont, à l’inverse, les autres qui sont faux : { $others }.
+records-labels-deviate = les efforts de { $count } des { $all } essais contredisent ceux des autres essais à leur { $name } et s’accordent avec ceux d’un autre réglage : { $groups }. { $advice }
+records-label-group = { $tests } (indication { $stated }, efforts de { $fitting })
+records-label-group-or-unit = { $group }, ou { $likely } écrit { $written }
+records-labels-check = Vérifier les indications de ces essais ; une valeur corrigée se met dans campaign.toml sous settings
+records-labels-mirrored = Chacun a l’effort de { $name } compté depuis l’autre bout. Vérifier de quel bout comptent ces essais et les autres ; les valeurs corrigées se mettent dans campaign.toml sous settings
 records-missing-column = { $at }, ligne { $line } : aucune colonne pour { $missing } ; les colonnes sont { $found }.{ $near } Nommer la colonne par --column { $example }="en-tête"{ $otherwise }{ $units }
 records-units-too = . Des unités manquent aussi : donnez-les telles que le fichier les a, par exemple { $options }
 records-or-sample-rate = , ou, si le fichier n’en a pas, dire --sample-rate 1000 (échantillons par seconde)
@@ -1412,7 +1418,7 @@ identification-idle = le fichier de modèle donne { $names }, mais l’élément
 
 ## What a fit says. Numbers that a model file does not give, and numbers that are not those of its fit.
 
-identification-family-worse = la famille s’écarte { $ratio } fois autant qu’une identification de ce seul réglage : une valeur commune à tous peut être différente ici, ou ces essais sont trop peu nombreux pour le montrer
+identification-family-worse = la famille s’écarte { $ratio } fois autant qu’une identification de ce seul réglage : une valeur commune à tous peut être différente ici, certains de ces essais portent peut-être l’indication d’un autre réglage, ou ils sont trop peu nombreux pour montrer une différence
 identification-alone-worse = un ajustement de ce réglage seul s’écarte { $ratio } fois autant que la famille, sa recherche a donc fini à une structure moins bonne : le rapport à lui ne dit rien
 identification-on-defaults = l’élément { $element } est actif, mais le fichier de modèle ne donne pas { $names } : les valeurs par défaut de docs/parameters.md s’appliquent
 identification-edited = { $names } : hors de l’intervalle à 95 % laissé par l’identification dans le fichier de modèle, donc modifié depuis ; ce que l’identification en savait est omis
@@ -1647,6 +1653,7 @@ dimensions-bleed-passes-all = la fuite calibrée laisse passer tout le débit
 
 dimensions-by-compression = d’après la colonne en compression
 dimensions-less-the-eyes = le ressort en série sans les œillets
+dimensions-column-less-the-eyes = la colonne d’huile sans les œillets, car le modèle n’a pas de ressort en série
 dimensions-a-bound = une borne : le ressort en série contient œillets et huile ; eye_stiffness_n_mm ou une colonne d’huile dans le modèle les sépare
 dimensions-with-air = avec l’air qu’elle contient
 dimensions-no-orifice = aucun orifice n’apparaît à côté de la fuite
@@ -1661,8 +1668,10 @@ dimensions-semicolon = { " " };{ " " }
 
 ## What is said of the dimensions of a damper. What contradicts.
 
-dimensions-contradicts-one = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donne { $facts }.
-dimensions-contradicts-several = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donnent { $facts }.
+dimensions-contradicts-one = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donne { $facts }. { $cause }
+dimensions-contradicts-several = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donnent { $facts }. { $cause }
+dimensions-explained-by = Le plus petit changement d’une seule entrée du plan qui l’explique est { $entry } = { $value }.
+dimensions-no-cause = Aucune entrée du plan ne l’explique à elle seule.
 dimensions-pressure-on-rod = { $pressure } bar sur une tige de { $diameter } mm
 
 ## Words in sentences. Words of records.
@@ -1790,6 +1799,7 @@ word-stiffness-of-the-oil-column-in-compression-over-that-in-rebound = raideur d
 word-force-that-halves-the-air-s-stroke = effort qui réduit de moitié la course de l’air
 word-stroke-that-the-air-yields = course que cède l’air
 word-series-stiffness = raideur en série
+word-parallel-spring = ressort en parallèle
 word-bar-gauge = bar relatif
 word-at-1-013-bar-absolute = % à 1,013 bar absolu
 word-fv-force-at-two-slow-speeds = fv_force à deux vitesses lentes

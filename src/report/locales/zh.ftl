@@ -155,8 +155,8 @@ test-sentence = 最大力 { $force } N。模型平均误差 { $error } N，{ $pe
 ## The literature.
 
 family-section = 随设置变化
-family-between = 未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。
-family-between-worse = 模型在各设置之间不如在设置处：未见过 { $at } 的模型族在该处偏差 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。{ $advice }
+family-between = 作为检验留出 { $at } 时，未见过它的模型族预测误差为 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。
+family-between-worse = 模型在各设置之间不确定。作为检验留出 { $at } 时，未见过它的模型族预测误差为 { $error } N（{ $percent } %），是单独拟合 { $at } 的 { $ratio } 倍。模型本身包含 { $at }。{ $advice }
 family-between-records = 在 { $at } 与相邻设置之间测量最有帮助。
 family-between-labels = 请先检查有疑问的试验设定值。
 family-between-unknown = 无法留出任何设定值，因此设定值之间的误差未知；第三个设定值可以显示该误差。
@@ -241,6 +241,7 @@ certificate-nothing-tested = 不完整。{ $count } 项限值均无法用这些�
 certificate-why-untested = 没有该速度的试验，或没有足够慢的试验来测摩擦力和气体力
 certificate-why-untested-at-setting = 没有该速度和该设置的试验，没有足够慢的试验来测摩擦力和气体力，或没有这样的设置阶跃
 certificate-unsure = { $verdict }，但不确定：测得时间的不确定度为 ± { $value } ms
+certificate-damping = { $verdict }；其中 { $value } N 随速度增长，属于阻尼
 certificate-interpolated = { $tests }，插值
 certificate-model-passes = 模型对每项限值给出相同的判定。
 certificate-model-fails = 模型对其中 { $count } 项限值的判定与实测不同，因此仿真在那里表现的是另一个减振器。
@@ -1187,6 +1188,11 @@ records-swapped = { $at }：列名“{ $first }”与“{ $second }”似乎互�
 records-wrong-unit = { $evidence }；这说明实为 { $likely } 却写成了 { $written }。请给出 --unit { $channel }={ $likely }，或用 --unit { $channel }={ $written } 坚持
 records-files-unit = { $all } 个试验中有 { $count } 个与其他试验不符，且差异恰似单位之差：{ $tests }。{ $test } 在 { $velocity } mm/s 时为 ±{ $force } N，其他试验在 { $there } mm/s 时为 ±{ $usual } N；这说明实为 { $likely } 却写成了 { $written }。{ $either }请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit { $channel }={ $first }，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit { $channel }={ $written } 坚持所有文件均以 { $written } 为单位
 records-or-the-others = 若这些正确，则相反，出错的是其他试验：{ $others }。
+records-labels-deviate = { $all } 个试验中有 { $count } 个的力与同一 { $name } 的其他试验矛盾，而与另一设定的试验一致：{ $groups }。{ $advice }
+records-label-group = { $tests }（标注 { $stated }，力属于 { $fitting }）
+records-label-group-or-unit = { $group }，或 { $likely } 写成了 { $written }
+records-labels-check = 请检查这些试验的标注；更正值写入 campaign.toml 的 settings
+records-labels-mirrored = 每个试验的力都相当于从另一端计数的 { $name }。请检查这些试验与其他试验从哪一端计数；更正值写入 campaign.toml 的 settings
 records-missing-column = { $at }，第 { $line } 行：没有{ $missing }的列；现有各列为 { $found }。{ $near }请用 --column { $example }="列名" 指定{ $otherwise }{ $units }
 records-units-too = 。单位也缺失：请按文件实际单位给出，例如 { $options }
 records-or-sample-rate = ；文件中没有时，请给出 --sample-rate 1000（每秒采样数）
@@ -1400,7 +1406,7 @@ identification-idle = 模型文件给出了 { $names }，但元件 { $element } 
 
 ## What a fit says. Numbers that a model file does not give, and numbers that are not those of its fit.
 
-identification-family-worse = 该族模型的误差是仅对此设定单独辨识的 { $ratio } 倍：各设定共用的某个参数在此可能不同，或这些试验太少而无法表明这一点
+identification-family-worse = 该族模型的误差是仅对此设定单独辨识的 { $ratio } 倍：各设定共用的某个参数在此可能不同，其中一些试验可能标注了另一设定，或这些试验太少而无法显示差异
 identification-alone-worse = 单独拟合此设置的偏差是整族的 { $ratio } 倍，即其搜索停在较差的结构：与它之比没有意义
 identification-on-defaults = 元件 { $element } 已启用，但模型文件未给出 { $names }：采用 docs/parameters.md 中的默认值
 identification-edited = { $names }：超出辨识在模型文件中给出的 95 % 区间，因此此后被修改过；辨识对其所知的内容不再列出
@@ -1635,6 +1641,7 @@ dimensions-bleed-passes-all = 节流孔通过全部流量
 
 dimensions-by-compression = 根据压缩时的油柱
 dimensions-less-the-eyes = 串联弹簧减去吊环
+dimensions-column-less-the-eyes = 油柱扣除吊环柔度，因为模型没有串联弹簧
 dimensions-a-bound = 仅为界限：串联弹簧包含吊环和油液；eye_stiffness_n_mm 或模型中的油柱可将其分开
 dimensions-with-air = 含其中的空气
 dimensions-no-orifice = 除泄漏外未见节流孔
@@ -1649,8 +1656,10 @@ dimensions-semicolon = ；
 
 ## What is said of the dimensions of a damper. What contradicts.
 
-dimensions-contradicts-one = 模型的{ $noun }为 { $model }，是由 { $facts } 得出的 { $dimensions } 的 { $ratio } 倍。
-dimensions-contradicts-several = 模型的{ $noun }为 { $model }，是 { $facts } 给出的 { $dimensions } 的 { $ratio } 倍。
+dimensions-contradicts-one = 模型的{ $noun }为 { $model }，是由 { $facts } 得出的 { $dimensions } 的 { $ratio } 倍。{ $cause }
+dimensions-contradicts-several = 模型的{ $noun }为 { $model }，是 { $facts } 给出的 { $dimensions } 的 { $ratio } 倍。{ $cause }
+dimensions-explained-by = 能解释它的图纸单项最小改动是 { $entry } = { $value }。
+dimensions-no-cause = 图纸中没有任何单独一项能解释它。
 dimensions-pressure-on-rod = { $pressure } bar 作用于 { $diameter } mm 的活塞杆
 
 ## Words in sentences. Words of records.
@@ -1778,6 +1787,7 @@ word-stiffness-of-the-oil-column-in-compression-over-that-in-rebound = 油柱压
 word-force-that-halves-the-air-s-stroke = 使空气行程减半的力
 word-stroke-that-the-air-yields = 空气让出的行程
 word-series-stiffness = 串联刚度
+word-parallel-spring = 并联弹簧
 word-bar-gauge = bar（表压）
 word-at-1-013-bar-absolute = %（绝对压力 1.013 bar 时）
 word-fv-force-at-two-slow-speeds = 两个低速下的 fv_force

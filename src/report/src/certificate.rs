@@ -93,12 +93,14 @@ fn table(found: &Certificate, words: &Words) -> Table {
         Verdict::Fail => words.fail,
         Verdict::NotTested => words.not_tested,
     };
-    let measured_verdict = |one: &Checked| match one.deciding_uncertainty() {
-        None => verdict(one.verdict).to_owned(),
-        Some(uncertainty) => {
-            let figures = [("verdict", verdict(one.verdict)), ("value", &*digits(1e3 * uncertainty, 2))];
-            words.fill(words.certificate_unsure, &figures)
-        }
+    let remark = |text, one: &Checked, value: f64| {
+        words.fill(text, &[("verdict", verdict(one.verdict)), ("value", &*digits(value, 2))])
+    };
+    // Times have an uncertainty, frictions a part of damping.
+    let measured_verdict = |one: &Checked| match (one.deciding_uncertainty(), one.damping_in_friction()) {
+        (Some(uncertainty), _) => remark(words.certificate_unsure, one, 1e3 * uncertainty),
+        (None, Some(damping)) => remark(words.certificate_damping, one, damping),
+        (None, None) => verdict(one.verdict).to_owned(),
     };
     let row = |one: &Checked| {
         let limit = &one.limit;

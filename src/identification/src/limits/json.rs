@@ -18,6 +18,9 @@ impl Serialize for Figure<'_> {
         if let Some(uncertainty) = self.of.uncertainty {
             map.serialize_entry("uncertainty_s", &uncertainty)?;
         }
+        if let Some(damping) = self.of.damping {
+            map.serialize_entry("damping_n", &damping)?;
+        }
         map.serialize_entry("tests", &self.of.tests)?;
         map.end()
     }

@@ -47,13 +47,16 @@ pub struct Figures {
     gaps: Vec<Gap>,
     /// Names of the slow tests, with the friction and gas force of these tests. `None` if no slow test shows them.
     sliding: Option<(Vec<String>, first_guess::Dry)>,
+    /// Part of the friction of these tests that grows with velocity, N.
+    #[serde(default)]
+    damping: Option<f64>,
 }
 
 impl Figures {
     /// Measures the figures of the records. If `forces` is given, its forces at the samples of each record replace the measured forces.
     /// Records without whole cycles give no figure.
     pub fn measure(records: &[&Record], forces: Option<&[&[f64]]>) -> Self {
-        let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None };
+        let mut found = Figures { points: Vec::new(), gaps: Vec::new(), sliding: None, damping: None };
         let mut slow: Vec<Record> = Vec::new();
         for (k, record) in records.iter().enumerate() {
             let force = forces.map_or(record.force.as_slice(), |all| all[k]);
@@ -73,7 +76,9 @@ impl Figures {
             }
         }
         if !slow.is_empty() {
-            let dry = first_guess::sliding(&segments(&slow.iter().collect::<Vec<_>>()));
+            let all = segments(&slow.iter().collect::<Vec<_>>());
+            let dry = first_guess::sliding(&all);
+            found.damping = first_guess::sliding_damping(&all);
             found.sliding = dry.map(|dry| (slow.into_iter().map(|r| r.name).collect(), dry));
         }
         found
@@ -90,7 +95,10 @@ impl Figures {
             (Quantity::Force, Some(velocity)) => self.force(velocity, limit.amplitude_m),
             (Quantity::Force, None) => None,
             (Quantity::GasForce, _) => self.of_slow_tests(|dry| dry.gas),
-            (Quantity::Friction, _) => self.of_slow_tests(|dry| dry.friction),
+            (Quantity::Friction, _) => {
+                let value = self.of_slow_tests(|dry| dry.friction)?;
+                Some(Value { damping: self.damping, ..value })
+            }
             (Quantity::Hysteresis, velocity) => self.hysteresis(velocity, limit.amplitude_m),
             // `judge_over_settings` judges the response times, because they come from steps of a setting.
             (
@@ -101,7 +109,7 @@ impl Figures {
     }
 
     fn of_slow_tests(&self, of: impl Fn(&first_guess::Dry) -> f64) -> Option<Value> {
-        self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), uncertainty: None })
+        self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), ..Value::default() })
     }
 
     /// Returns the force at a velocity, N. The longest stroke that reaches this velocity supplies it, or the stroke of the given amplitude.
@@ -119,7 +127,7 @@ impl Figures {
     /// Returns the mean hysteresis, N, of a test at a speed. If several tests have this speed, the test with the longest stroke supplies
     /// it. Without a speed, returns the largest hysteresis of all tests.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
-        let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], uncertainty: None };
+        let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], ..Value::default() };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
         let Some(velocity) = velocity.map(f64::abs) else {
             return candidates.max_by(|a, b| a.mean_gap.total_cmp(&b.mean_gap)).map(value);
@@ -147,13 +155,13 @@ fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     {
         let share = (wanted - speed(below)) / (speed(above) - speed(below));
         let value = below.peak.force_n + share * (above.peak.force_n - below.peak.force_n);
-        return Some(Value { value, tests: vec![below.test.clone(), above.test.clone()], uncertainty: None });
+        return Some(Value { value, tests: vec![below.test.clone(), above.test.clone()], ..Value::default() });
     }
     let near = |p: &&&Point| (speed(p) - wanted).abs() <= NEAR * wanted;
     let nearest = below.into_iter().chain(above).filter(near);
     nearest.min_by(|a, b| (speed(a) - wanted).abs().total_cmp(&(speed(b) - wanted).abs())).map(|p| Value {
         value: p.peak.force_n,
         tests: vec![p.test.clone()],
-        uncertainty: None,
+        ..Value::default()
     })
 }

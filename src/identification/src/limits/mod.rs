@@ -57,7 +57,7 @@ impl Overall {
 }
 
 /// Figure of one quantity, and the tests from which it comes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Value {
     /// Figure: a force, N, or a time, s.
     pub value: f64,
@@ -65,6 +65,8 @@ pub struct Value {
     pub tests: Vec<String>,
     /// Half-width of the 95 % interval of a measured time, s, or `None` if it is unknown.
     pub uncertainty: Option<f64>,
+    /// Part of a friction that grows with velocity, N, or `None` if it is unknown. It is the damping at the speed of the slow tests.
+    pub damping: Option<f64>,
 }
 
 /// One limit with its figures and verdicts.
@@ -82,7 +84,17 @@ pub struct Checked {
     pub model_verdict: Option<Verdict>,
 }
 
+/// Smallest part of a friction that counts as damping worth a remark. Scatter of the median forces in slow tests stays below it. Test:
+/// `friction_of_a_stiff_valve_is_told_as_damping`.
+const DAMPING_SHARE: f64 = 0.25;
+
 impl Checked {
+    /// Returns the part of a measured friction that is damping, N, if it is a large one.
+    pub fn damping_in_friction(&self) -> Option<f64> {
+        let measured = self.measured.as_ref()?;
+        measured.damping.filter(|damping| *damping > DAMPING_SHARE * measured.value)
+    }
+
     /// Returns the uncertainty of the measured figure if it can change the verdict. It can if the lower or the upper limit lies within the
     /// uncertainty of the figure.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
@@ -212,6 +224,21 @@ mod tests {
         let forces: Vec<Vec<f64>> = records.iter().map(|r| r.force.iter().map(|f| model * f).collect()).collect();
         let forces: Vec<&[f64]> = forces.iter().map(Vec::as_slice).collect();
         judge(&parse(Path::new("l.csv"), text).unwrap(), &records, Some(&forces))
+    }
+
+    #[test]
+    fn friction_of_a_stiff_valve_is_told_as_damping() {
+        let limits = parse("l.csv".as_ref(), "quantity,high\nfriction,60\n").unwrap();
+        // Damping at the peak velocity, N.
+        for (damping, wanted) in [(1.5, None), (150.0, Some(0.87 * 150.0))] {
+            let mut record = test("slow", 0.05, 0.005);
+            record.force = record.velocity.iter().map(|v| damping * v / 0.005 + 30.0 * v.signum() - 150.0).collect();
+            let found = judge(&limits, &[&record], None);
+            let (told, measured) = (found.limits[0].damping_in_friction(), &found.limits[0].measured);
+            assert_eq!(told.is_some(), wanted.is_some(), "{measured:?}");
+            let is_near = |(told, wanted): (f64, f64)| (told / wanted - 1.0).abs() < 0.1;
+            assert!(told.zip(wanted).is_none_or(is_near), "{told:?}: {measured:?}");
+        }
     }
 
     #[test]

@@ -153,11 +153,16 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
     let uncertainty = |of: Option<TimeUncertainty>| of.map(|of| if is_rise { of.rise_s } else { of.t63_s });
     let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
         let of_all = own.iter().filter_map(|of| {
-            Some(Value { value: time(whole(of)?), tests: of.tests.clone(), uncertainty: uncertainty(of.uncertainty) })
+            Some(Value {
+                value: time(whole(of)?),
+                tests: of.tests.clone(),
+                uncertainty: uncertainty(of.uncertainty),
+                damping: None,
+            })
         });
         let of_each = own.iter().flat_map(|of| &of.groups).filter_map(|group| {
             let tests = vec![group.test.clone()];
-            Some(Value { value: time(part(group)?), tests, uncertainty: uncertainty(group.uncertainty) })
+            Some(Value { value: time(part(group)?), tests, uncertainty: uncertainty(group.uncertainty), damping: None })
         });
         // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))

@@ -237,6 +237,7 @@ dashpot_messages::interface! {
         certificate_why_untested_at_setting,
         certificate_interpolated(tests),
         certificate_unsure(value verdict),
+        certificate_damping(value verdict),
         certificate_model_passes,
         certificate_model_fails(count),
         certificate_caption(ratio percent),
