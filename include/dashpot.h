@@ -1,4 +1,4 @@
-// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test abi_header`; do not edit.
+// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test source abi_header`; do not edit.
 
 // dashpot: an automotive suspension damper for simulators.
 //
@@ -644,7 +644,7 @@ int32_t dashpot_jacobian(const dashpot_model *model,
 // ordinary one of the interpolated numbers.
 //
 // The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-// "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting if the host provides none. The actual setting of
+// "setting_time_down", "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest"; "setting_start" is the setting if the host provides none. The actual setting of
 // the valve is part of the state.
 //
 // An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.

@@ -14,7 +14,7 @@
 //! ordinary one of the interpolated numbers.
 //!
 //! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-//! "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting if the host provides none. The actual setting of
+//! "setting_time_down", "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest"; "setting_start" is the setting if the host provides none. The actual setting of
 //! the valve is part of the state.
 //!
 //! An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.

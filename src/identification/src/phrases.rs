@@ -47,7 +47,7 @@ dashpot_messages::phrases! {
     // Numbers of the model file that have no effect, because their element is off.
     IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
     // Errors of a family relative to separate fits, numbers that the model file lacks, and numbers that changed since the fit.
-    FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, or these tests are too few to show that it does";
+    FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, some of these tests may have the label of another setting, or they are too few to show a difference";
     ALONE_WORSE: "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing";
     ON_DEFAULTS: "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md";
     EDITED: "{names}: outside the 95 % interval that the fit left in the model file, so changed since; what the fit knew of it is left out";

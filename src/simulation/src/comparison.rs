@@ -12,7 +12,7 @@ use dashpot_identification::model_file::{ModelFile, NoModel, prepared, prepared_
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_identification::{Family, FitError, FitOptions, fit};
 use dashpot_records::smoothing::smooth;
-use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting};
+use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting, setting_in_words};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -27,13 +27,16 @@ pub enum CompareError {
     FvOnly(String),
     /// A record does not state the setting on which the damper depends, and the user gives none.
     #[error(
-        "test '{test}' does not say its {name}, which the model depends on: give it with --setting, in the name of the test, or in campaign.toml under settings"
+        "test '{test}' does not say its {name}, which the model depends on{}: give it with --setting, in the name of the test, or in campaign.toml under settings",
+        seen.as_ref().map_or_else(String::new, |seen| format!("; it says {seen}, which is another setting"))
     )]
     NoSetting {
         /// Name of the test.
         test: String,
         /// Name of the setting.
         name: String,
+        /// Setting with another name that the test states, in words.
+        seen: Option<String>,
     },
     /// The model file has no plain FV curve, and none can be fitted to the records.
     #[error(transparent)]
@@ -117,13 +120,15 @@ pub fn settings_of(
     let of = |record: &Record| match OwnSetting::find(&file.axis, record) {
         OwnSetting::Changing => Ok(None),
         OwnSetting::Constant(value) => Ok(Some(value)),
-        OwnSetting::Unstated => given.map(Some).ok_or_else(|| CompareError::NoSetting {
-            test: records_without_setting(campaign.records.iter(), name)
-                .first()
-                .map_or(record, |first| *first)
-                .name
-                .clone(),
-            name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
+        OwnSetting::Unstated => given.map(Some).ok_or_else(|| {
+            let without = records_without_setting(campaign.records.iter(), name);
+            let first = without.first().map_or(record, |first| *first);
+            let seen = first.setting.as_ref().map(|of| format!("{} {}", of.name, setting_in_words(of.value, &of.unit)));
+            CompareError::NoSetting {
+                test: first.name.clone(),
+                name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
+                seen,
+            }
         }),
     };
     campaign.records.iter().map(of).collect()

@@ -182,7 +182,7 @@ struct Valve<'a> {
 impl<'a> Valve<'a> {
     fn new(actuator: Actuator, record: &'a Record) -> Valve<'a> {
         let lagged = record.setting_signal.as_ref().and_then(|signal| signal.values.first()).copied().unwrap_or(0.0);
-        Valve { actuator, record, stand: Stand { lagged, turned: 0.0 }, sample: 0 }
+        Valve { actuator, record, stand: actuator.still(lagged), sample: 0 }
     }
 
     /// Advances the state to a later sample.

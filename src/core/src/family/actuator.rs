@@ -3,12 +3,15 @@
 //! ```text
 //! dead time   u(t) = command(t − t_d)
 //! lag, rate   dy/dt = (u − y)/τ within the rate limits, τ and limit those of rising or of falling
-//! hysteresis  s = y − h z,   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
+//! hysteresis  s = y − h (z − z_r),   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
 //! ```
 //!
 //! z is the state of a Dahl element driven by y: it tends to 1 while y rises and to −1 while y falls. The actual
-//! setting s therefore lies h below y while rising and h above it while falling. After a reversal ds/dy begins at 0 and
-//! tends to 1: s never moves against y.
+//! setting s is therefore 2 h smaller while y rises than while it falls. After a reversal ds/dy begins at 0 and tends to
+//! 1: s never moves against y.
+//!
+//! z_r is the state at rest, for which the damper's numbers over the setting apply: 1 if the valve reached each setting
+//! from below, −1 from above, 0 in the middle.
 
 use crate::math::{exp_below_bound, max, min};
 
@@ -27,6 +30,8 @@ pub struct Actuator {
     pub dead_time: f64,
     /// h, in the setting's unit.
     pub hysteresis: f64,
+    /// z_r, from −1 to 1.
+    pub rest: f64,
 }
 
 /// State of the valve's setting.
@@ -51,7 +56,7 @@ pub struct Rates {
 
 impl Actuator {
     /// No dynamics: the actual setting equals the command.
-    pub const NONE: Actuator = Actuator { time: [0.0; 2], rate: [0.0; 2], dead_time: 0.0, hysteresis: 0.0 };
+    pub const NONE: Actuator = Actuator { time: [0.0; 2], rate: [0.0; 2], dead_time: 0.0, hysteresis: 0.0, rest: 0.0 };
 
     /// Returns whether y is a state.
     #[inline(always)]
@@ -70,7 +75,13 @@ impl Actuator {
     /// Returns the actual setting s.
     #[inline(always)]
     pub fn setting(&self, stand: &Stand) -> f64 {
-        stand.lagged - self.hysteresis * stand.turned
+        stand.lagged - self.hysteresis * (stand.turned - self.rest)
+    }
+
+    /// Returns the state in which the damper's numbers at the setting u apply.
+    #[inline(always)]
+    pub fn still(&self, u: f64) -> Stand {
+        Stand { lagged: u, turned: if self.has_hysteresis() { self.rest } else { 0.0 } }
     }
 
     /// Returns the steady state under a constant u, the command after the dead time. The hysteresis depends on the
@@ -138,7 +149,8 @@ impl Actuator {
 mod tests {
     use super::*;
 
-    const VALVE: Actuator = Actuator { time: [8e-3, 20e-3], rate: [60.0, 0.0], dead_time: 0.0, hysteresis: 0.05 };
+    const VALVE: Actuator =
+        Actuator { time: [8e-3, 20e-3], rate: [60.0, 0.0], dead_time: 0.0, hysteresis: 0.05, rest: 0.0 };
 
     /// Integrates the state derivatives in tiny steps.
     fn integrated(valve: &Actuator, mut stand: Stand, u: f64, dt: f64) -> Stand {
@@ -199,6 +211,19 @@ mod tests {
         // Far from both ends the rising and the falling branch are 2 h apart.
         assert!((down[20] - up[20] - 0.2).abs() < 0.01, "{} {}", up[20], down[20]);
         assert!(up.iter().zip(&down).all(|(up, down)| up <= &(down + 1e-12)));
+    }
+
+    #[test]
+    fn at_rest_the_setting_is_the_command_and_the_way_back_lies_the_whole_hysteresis_apart() {
+        for rest in [-1.0, 0.0, 0.6, 1.0] {
+            let valve = Actuator { hysteresis: 0.1, rest, ..Actuator::NONE };
+            let still = valve.still(1.0);
+            assert_eq!(valve.setting(&still), 1.0);
+            let far = |u: f64| valve.setting(&valve.at_rest(&valve.at_rest(&still, u), 1.0));
+            assert!((far(-2.0) - (1.0 - 0.1 * (1.0 - rest))).abs() < 1e-6, "{rest}: {}", far(-2.0));
+            assert!((far(4.0) - (1.0 + 0.1 * (1.0 + rest))).abs() < 1e-6, "{rest}: {}", far(4.0));
+        }
+        assert_eq!(Actuator { rest: 1.0, ..Actuator::NONE }.still(0.5), Stand { lagged: 0.5, turned: 0.0 });
     }
 
     #[test]

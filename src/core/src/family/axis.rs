@@ -36,7 +36,7 @@ const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meani
 }
 
 /// Descriptions of the numbers of an axis, in the order of [`Axis::number`].
-pub const ENTRIES: [Entry; 7] = [
+pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_start",
         "*",
@@ -53,6 +53,12 @@ pub const ENTRIES: [Entry; 7] = [
         "*",
         (0.0, LARGEST),
         "how far the valve stands behind the setting after a long way up, and ahead of it after one down",
+    ),
+    entry(
+        "setting_hysteresis_rest",
+        "-",
+        (-1.0, 1.0),
+        "where in the hysteresis the numbers over the setting apply: 1 if settings were reached from below, -1 from above",
     ),
 ];
 
@@ -127,7 +133,7 @@ fn text(bytes: &[u8]) -> &[u8] {
 }
 
 impl Axis {
-    const NO_ENTRIES: [f64; ENTRIES.len()] = [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    const NO_ENTRIES: [f64; ENTRIES.len()] = [f64::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
     /// The axis without a setting.
     pub const NONE: Axis = Axis {
@@ -257,8 +263,8 @@ impl Axis {
 
     /// Returns the actuator.
     pub fn actuator(&self) -> Actuator {
-        let [_, up, down, dead_time, rising, falling, hysteresis] = self.entries;
-        Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis }
+        let [_, up, down, dead_time, rising, falling, hysteresis, rest] = self.entries;
+        Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis, rest }
     }
 
     /// Returns the parameters that depend on the setting.

@@ -503,7 +503,7 @@ impl Family {
 
     fn put_stand_if_any(&self, state: &mut State, command: f64) {
         if self.actuator.has_lag() {
-            self.put_stand(state, &Stand { lagged: command, turned: 0.0 });
+            self.put_stand(state, &self.actuator.still(command));
         }
     }
 

@@ -77,6 +77,9 @@ const DEAD_TIME: (f64, f64) = (0.003, 0.004);
 /// Mean and standard deviation of the hysteresis of solenoid valves, as a fraction of their range: friction and
 /// magnetic remanence cause one to six percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
+/// Mean and standard deviation of the place in the hysteresis at which tests at constant settings hold the valve. Rigs
+/// mostly switch the setting on from zero, so most settings are reached from below (1).
+const REST: (f64, f64) = (0.6, 0.6);
 /// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds. [`RATE_SPREAD`] is the standard
 /// deviation of its logarithm.
 const CROSSES: f64 = 0.03;
@@ -150,6 +153,15 @@ impl ActuatorNumber {
                 step: 1e-3 * range,
                 bounds: (0.0, MOST_HYSTERESIS * range),
                 prior: (mean * range, spread * range),
+            });
+            let (mean, spread) = REST;
+            numbers.push(ActuatorNumber {
+                entries: &["setting_hysteresis_rest"],
+                is_log: false,
+                start: mean,
+                step: 0.05,
+                bounds: (-1.0, 1.0),
+                prior: (mean, spread),
             });
         }
         numbers

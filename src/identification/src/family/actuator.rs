@@ -252,14 +252,16 @@ fn estimates(
 /// Mixes an interval with the intervals of `others`, the alternative actuators that the records do not rule out, by their weights. A number
 /// that an alternative lacks is 0 in this alternative.
 fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
+    let name = estimate.name;
     let part = |weight: f64, of: Option<&Estimate>| {
         let value = of.map_or(0.0, |of| of.value);
         // An alternative in which the number has no interval gets no weight.
-        let weight = if of.is_some_and(|of| of.low.is_none()) { 0.0 } else { weight };
+        // Nor does one without hysteresis, if the number is the place in it.
+        let is_open = of.map_or(name == "setting_hysteresis_rest", |of| of.low.is_none());
+        let weight = if is_open { 0.0 } else { weight };
         let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
     };
-    let name = estimate.name;
     estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
 }
 

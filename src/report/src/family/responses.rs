@@ -9,7 +9,7 @@ use crate::plot::palette::Role;
 use crate::words::Words;
 use dashpot_core::Model;
 use dashpot_core::family::Definition;
-use dashpot_core::family::actuator::{Actuator, Stand};
+use dashpot_core::family::actuator::Actuator;
 use dashpot_identification::family::{ActuatorDecision, actuator_numbers};
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, TimeUncertainty, Validation};
@@ -179,8 +179,8 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
     let velocity = VELOCITY * peaks.fold(0.0, f64::max);
     let (low, high) = damper.axis.range();
     // The setting changes slowly, so the valve is in equilibrium at each command. Thus, dead time and lag are omitted.
-    let still = Actuator { hysteresis: actuator.hysteresis, ..Actuator::NONE };
-    let mut stand = Stand { lagged: low, turned: 0.0 };
+    let still = Actuator { hysteresis: actuator.hysteresis, rest: actuator.rest, ..Actuator::NONE };
+    let mut stand = still.still(low);
     let mut way = |is_up: bool| -> Vec<[f64; 2]> {
         let mut points = Vec::new();
         for k in 0..POINTS {
