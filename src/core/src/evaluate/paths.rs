@@ -120,7 +120,7 @@ fn instant(
 const TOLERANCE: f64 = 1e-13;
 
 /// Finds the oil velocity w, from a guess, at which the residual `left` is 0. The arguments of `left` are w and the FV
-/// force at w.
+/// force at w. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
