@@ -61,14 +61,15 @@ pub(super) struct After {
     offset: f64,
 }
 
-/// Speed, m/s, added to |v̂| to avoid a division by zero. Far below all relevant speeds.
+/// Speed, m/s, added to |v̂| to avoid a division by zero. It is far below all relevant speeds.
 const STANDSTILL: f64 = 1e-9;
 
-/// Largest force of the line relative to the force at v̂. With a smaller value, more steps around a reversal are
-/// repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve by that factor. The value
-/// is not tuned: no other value was tried.
+/// Largest force of the line, relative to the force at v̂, at which a cheap step is accepted. With a smaller value, more
+/// steps around a reversal are repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve
+/// by that factor. The value is not tuned: no other value was tried.
 const BEYOND: f64 = 2.0;
-/// Allowed error of the springs' tangent, relative to the forces on the mass: about the error of the method.
+/// Largest error of the springs' tangent, relative to the forces on the mass, at which a cheap step is accepted. It is
+/// about the error of the method.
 const MISSED: f64 = 0.05;
 
 impl After {

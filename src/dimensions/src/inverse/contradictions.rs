@@ -10,8 +10,8 @@ use crate::uncertain::Uncertain;
 use dashpot_core::number;
 use dashpot_messages::Sentence;
 
-/// Adds the contradictions: parameters whose interval in the model does not overlap the interval that the drawing
-/// implies.
+/// Adds the contradictions to the explanation: parameters whose interval in the model does not overlap the interval that
+/// the drawing implies.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
     let column = all.iter().find(|e| e.number == number!("oil_stiffness"));
@@ -63,7 +63,7 @@ fn contradiction(own: Uncertain, expectation: &Expectation, drawing: &Dimensions
     }
 }
 
-/// Formats the entries with their values, as in a drawing.
+/// Formats the entries from which an expectation follows, with their values in the drawing.
 fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
     let value = |key: &str| {
