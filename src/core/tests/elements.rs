@@ -178,7 +178,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     }
 }
 
-/// Returns the travel with almost zero force during a slow sine.
+/// Returns the travel, m, with a force below 3 N during a slow sine of 3 mm amplitude.
 fn travel_without_force(model: &Model) -> f64 {
     let (steps, dt) = (8000, 2.5e-4);
     let motion = sine(3e-3, 0.5);
