@@ -452,7 +452,7 @@ fn answer_by_table(
 }
 
 /// Takes a step by one compiled variant. If the host gives no displacement, the displacement at the end of the step
-/// depends on the velocity there, and the derivative with respect to velocity includes this effect.
+/// depends on the velocity there. The derivative with respect to velocity includes this effect.
 #[inline(always)]
 fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     method: &Tableau,

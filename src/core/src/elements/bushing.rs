@@ -40,8 +40,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// Deflections z and y of the relaxing elements after an implicit stage. The derivatives are those with respect to the
-/// rate of the deflection, and to the parts of z and y that are known before the stage.
+/// Deflections z and y of the relaxing elements after an implicit stage. The derivatives are with respect to the rate
+/// of the deflection, and to the known parts of z and y.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],

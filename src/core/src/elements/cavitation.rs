@@ -12,8 +12,8 @@ use crate::schema::{Describe, Parameter, View};
 /// Cavitation: in one direction, the capped one, the oil transmits at most the force C, the cap.
 ///
 /// p = σ F_h is the hydraulic force in this direction, with σ = 1 for rebound and −1 for compression. Further stroke
-/// opens a void, whose depth e is measured along the stroke. u is the piston velocity, w the velocity of the oil at the
-/// valves, q the deflection of the oil column, and v the velocity of the moving end.
+/// opens a void, whose depth e is measured along the stroke. u is the velocity of the piston, v that of the moving end,
+/// and w that of the oil at the valves. q is the deflection of the oil column.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -28,7 +28,7 @@ use crate::schema::{Describe, Parameter, View};
 /// α)/(1 + e/e_1); α = 1 is a void of vapor alone.
 ///
 /// *Foot valve*: the force is not limited. Beyond the speed v_f in the direction σ, the valve does not refill the
-/// chamber behind the piston completely: a is the missing fraction of the further flow. The return then begins with a
+/// chamber behind the piston completely. The fraction a of the further flow is missing. The return then begins with a
 /// stroke without force, while the void closes at the rate c.
 ///
 /// ```text

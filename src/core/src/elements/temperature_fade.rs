@@ -12,7 +12,7 @@ use crate::schema::{Describe, Parameter, View};
 /// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
 /// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
 /// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt
-/// = F_h (w + b) − h ϑ, where w is the oil velocity at the valves and b the flow parallel to the valves.
+/// = F_h (w + b) − h ϑ. w is the oil velocity at the valves, and b the flow parallel to the valves.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,

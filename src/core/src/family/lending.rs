@@ -54,8 +54,8 @@ macro_rules! kept {
 }
 pub(crate) use kept;
 
-/// Returns an element with a large table at a setting: the element of the family with its table borrowed, or an element
-/// prepared from the parameters at the setting. Such an element has its own methods for this.
+/// Returns an element with a large table at a setting: borrowed from the family, or prepared from the parameters at the
+/// setting. Such an element has its own methods for borrowing and preparing.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {

@@ -122,8 +122,8 @@ pub(crate) struct Valves {
     scaled_by: [f64; 3],
     /// Derivatives of the force after the lagging valve. `valve_by` contains those of the valve's position.
     ///
-    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at the
-    /// two velocities `read`, at which the valve evaluates the curve.
+    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at
+    /// `read`. `read` contains the two velocities at which the valve evaluates the curve.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],

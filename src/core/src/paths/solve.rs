@@ -181,8 +181,8 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
     }
 }
 
-/// Finds the velocity at which a w + F_d(w) is the mean of its values at both ends of a bracket, to within a tenth of
-/// their difference.
+/// Finds the velocity w at which a w + F_d(w) is the mean of its values at both ends of a bracket. The tolerance is a
+/// tenth of the difference of these values.
 ///
 /// Householder steps fail in a piece that is horizontal at one end but on average a thousand times steeper than a. A
 /// point at the same end in every iteration would not shrink the bracket.

@@ -51,8 +51,8 @@ struct Column {
     is_bound: bool,
 }
 
-/// Returns the stiffness of the oil column: from the model's oil column, from its series spring without the eyes, or as
-/// a bound from the whole series spring. If none is known, the error lists the missing parameters of the model.
+/// Returns the stiffness of the oil column. It comes from the model's oil column, from its series spring without the
+/// eyes, or as a bound from the whole series spring. If none is known, the error lists the missing parameters.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
     // The stiffness in compression comes first, because in compression, the column of a twin tube is the softest
     // element in series. In rebound, the eyes are softer.

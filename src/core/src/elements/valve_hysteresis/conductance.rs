@@ -149,8 +149,8 @@ impl Conduction for Conductance {
     }
 }
 
-/// Returns the velocity W for conductance `g` at the force h, and the derivative of g with respect to a change of the
-/// FV force at W.
+/// Returns the velocity W for conductance `g` at the force h. Also returns the derivative of g with respect to a change
+/// of the FV force at W.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;
