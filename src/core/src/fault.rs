@@ -15,7 +15,7 @@ pub struct Fault {
 /// Kind of error in a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// No parameter or element has that name.
+    /// No parameter or element has the name.
     UnknownName,
     /// The number is NaN or infinite.
     NotFinite,

@@ -119,7 +119,7 @@ impl Method {
 }
 
 impl Integration {
-    /// One step of the fourth-order method.
+    /// One substep of the fourth-order method in every step.
     pub const OFF: Integration = Integration {
         method: Method::Fourth,
         substeps: 1,

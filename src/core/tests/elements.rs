@@ -73,7 +73,7 @@ proptest! {
                     Shape::Scalar => p.set(Number::find(row.parameter.name).unwrap(), row.parameter.high).unwrap(),
                 }
             }
-            // Without this setting, stiffness and mass of an element that is off would affect the number of substeps.
+            // An automatic number of substeps would depend on the stiffness and mass of an element that is off.
             p.set(number!("substeps"), 1.0).unwrap();
             let after = Model::new(&p).unwrap();
             let one = Integration::fixed(Method::Fourth, 1);

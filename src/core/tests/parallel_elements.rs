@@ -197,7 +197,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
         assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
-    // At half the length, the elastic contact is a spring; at two lengths it slides.
+    // At half of `presliding_length`, the elastic contact is a spring; at twice that length it slides.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
     assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);

@@ -166,7 +166,7 @@ impl FrequencySelectiveDamping {
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }
 
-    /// Computes the flow through the bypass of the bypass form, as a piston velocity in m/s.
+    /// Computes the flow that bypasses the valves in the bypass form, as a piston velocity in m/s.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
         let open = law(force, self.laminar) * self.flow;

@@ -22,7 +22,7 @@ pub struct ParallelSpring<T: Tables = Owned> {
     has_lookup: bool,
 }
 
-/// Coefficients by power of |x|.
+/// Parameters of the coefficients k1 to k4, by power of |x|.
 const POWERS: [Own<ParallelSpring, One>; 4] = [
     Own::named("spring_linear"),
     Own::named("spring_quadratic"),

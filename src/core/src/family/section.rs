@@ -57,7 +57,7 @@ pub struct Section<'a> {
     interpolation: Interpolation,
 }
 
-/// A piece, as in [`Curve`].
+/// A piece of the curve: f(u) = f0 + t (c1 + t (c2 + t c3)) with t = u − u0.
 struct Piece {
     u0: f64,
     f0: f64,

@@ -34,7 +34,7 @@ pub(super) struct Before {
     /// Displacement and velocity of the mass.
     pub x: f64,
     pub v: f64,
-    /// Increase of the moving end's velocity in the step.
+    /// Increase v − v_0 of the moving end's velocity in the step.
     pub gain: f64,
     /// h.
     pub h: f64,
@@ -55,7 +55,7 @@ pub(super) struct After {
     pub by_impulse: f64,
     /// ∂u/∂v̂: sensitivity of the solution to the guess.
     pub by_guess: f64,
-    /// |F_d(v̂) − F_d(0)|.
+    /// |F_d(v̂) − F_d(0)|, N.
     level: f64,
     /// F_d(0).
     offset: f64,
@@ -103,7 +103,7 @@ impl Before {
     }
 }
 
-/// Advances the mass by one step to the moving end at `end`; `springs` is the force on the mass at `springs_at`.
+/// Advances the mass by one step to the moving end at `end`; `springs` is the springs' force on a mass at `springs_at`.
 #[inline(always)]
 pub(super) fn take(
     elements: &Elements<impl Tables>,
@@ -131,7 +131,8 @@ pub(super) fn take(
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.derivative * speed <= level {
-        // s = level/speed. Both sides of the balance are multiplied by the speed, so that one division is enough.
+        // The slope of the secant is s = level/speed. Both sides of the balance are multiplied by the speed, so that one division is
+        // enough.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;
         u = share * speed;

@@ -20,8 +20,8 @@ const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
 /// Ratio of the slope of the FV curve to its steepest slope, below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Largest number of points below the knee that are used. If there are more, only the fastest are used, because further
-/// points add no information.
+/// Largest number of points below the knee used for the bleed law. If there are more, only the fastest are used,
+/// because further points add no information.
 const POINTS: usize = 8;
 
 /// A stroke with the names of its quantities.

@@ -179,7 +179,7 @@ mod tests {
                 let h = 130.0 * 1.004_f64.powi(k);
                 let (w, derivative) = velocity(&curve, h, stroke);
                 let g = table.conducted(&curve, h, stroke).g;
-                // Next to a horizontal part of the curve, the table rounds the corner.
+                // Next to a horizontal part of the curve, the table rounds the corner, so the tolerance is larger.
                 let close = if derivative > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
             }
