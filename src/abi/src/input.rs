@@ -34,8 +34,7 @@ pub struct dashpot_input {
     pub side_force: f64,
     /// Damper temperature, degrees Celsius.
     pub temperature: f64,
-    /// Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Ignored if the damper depends on
-    /// none.
+    /// Commanded setting (current, clicks, ...) in the unit of the model file, constant during a step. Ignored if the damper depends on none.
     pub setting: f64,
 }
 

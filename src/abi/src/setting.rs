@@ -1,7 +1,7 @@
 //! Setting
 //!
-//! Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold
-//! numbers and the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
+//! Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold numbers and
+//! the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
 //!
 //!     setting = [0.0, 0.8, 1.6]
 //!     setting_name = "current"
@@ -10,12 +10,12 @@
 //!     fv_force = [[...], [...], [...]]
 //!
 //! Its model reads the commanded setting from every input (DASHPOT_KNOWS_SETTING), separately for each damper. Numbers and forces are
-//! monotone cubics, exact on the grid. Outside the grid they are clamped to its ends (warning DASHPOT_OUTSIDE_SETTING). At every setting
-//! the damper is the ordinary one of the interpolated numbers.
+//! monotone cubics, exact on the grid. Outside the grid they are clamped to its ends (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the
+//! ordinary one of the interpolated numbers.
 //!
-//! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time",
-//! "setting_time_up", "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting
-//! if the host provides none. The actual setting of the valve is part of the state.
+//! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
+//! "setting_time_down", "setting_rate_up", "setting_rate_down" and "setting_hysteresis"; "setting_start" is the setting if the host provides none. The actual setting of
+//! the valve is part of the state.
 //!
 //! An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.
 
@@ -185,8 +185,8 @@ pub unsafe extern "C" fn dashpot_actuator_setting(
 
 /// Writes the derivative of the force over the actual setting of the valve to *derivative.
 ///
-/// It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller
-/// divides by it. The call costs two steps. 0 for a damper that depends on no setting.
+/// It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller divides
+/// by it. The call costs two steps. 0 for a damper that depends on no setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_d_force_d_setting(
     model: *const dashpot_model,

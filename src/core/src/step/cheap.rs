@@ -131,8 +131,8 @@ pub(super) fn take(
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.derivative * speed <= level {
-        // The slope of the secant is s = level/speed. Both sides of the balance are multiplied by the speed, so that one division is
-        // enough.
+        // The slope of the secant is s = level/speed. Both sides of the balance are multiplied by the speed, so that one
+        // division is enough.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;
         u = share * speed;
