@@ -668,7 +668,7 @@ typedef struct dashpot_setting {
   char unit[32];
 } dashpot_setting;
 
-// Sets the grid of the setting: count increasing numbers. Values over another grid are dropped.
+// Sets the grid of the setting: count increasing numbers. Values over the previous grid are dropped.
 //
 // With count 0 the damper no longer depends on a setting.
 int32_t dashpot_params_set_grid(dashpot_params *params, const double *grid, uint32_t count);

@@ -41,9 +41,9 @@ pub struct dashpot_input {
 const KNOWN: u32 =
     DASHPOT_KNOWS_DISPLACEMENT | DASHPOT_KNOWS_SIDE_FORCE | DASHPOT_KNOWS_TEMPERATURE | DASHPOT_KNOWS_SETTING;
 
-/// Largest accepted sum of the magnitudes of displacement and velocity.
+/// Largest accepted sum of the magnitudes of displacement, velocity, weighted side force and weighted temperature.
 ///
-/// 1000 m and 1000 m/s are a hundred times the values of any damper, so that extreme trial steps of a host's solver still get an output.
+/// 1000 m and 1000 m/s are a hundred times the values of any damper. Thus extreme trial steps of a host's solver still get an output.
 /// Powers of much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
 /// Weight of a newton of side force in the sum that [`LARGEST`] limits. `PER_DEGREE` is the weight of a degree of temperature.

@@ -56,7 +56,7 @@ pub struct dashpot_setting {
     pub unit: [c_char; 32],
 }
 
-/// Sets the grid of the setting: count increasing numbers. Values over another grid are dropped.
+/// Sets the grid of the setting: count increasing numbers. Values over the previous grid are dropped.
 ///
 /// With count 0 the damper no longer depends on a setting.
 #[unsafe(no_mangle)]

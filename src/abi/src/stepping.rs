@@ -41,7 +41,7 @@ pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
     if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
 }
 
-/// Returns the warning for a velocity outside the range of the FV table. A form without a table has no range, and gets no warning.
+/// Returns the warning for a velocity outside the points of the FV curve. A damper without an FV curve gets no warning.
 ///
 /// It is a separate cold function, so that steps without a warning stay fast.
 #[cold]

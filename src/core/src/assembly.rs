@@ -82,7 +82,8 @@ macro_rules! assembled {
             /// Checks the parameters of all elements that are on, first each element alone, then all together.
             ///
             /// # Errors
-            /// Returns the parameter at fault.
+            /// Returns the parameter at fault. More than [`MAX_INTERNAL`] internal states are an error without a
+            /// parameter.
             pub fn check(params: &Params) -> Result<(), Fault> {
                 type T = Owned;
                 let on = |place: Place| params.elements() & (1 << place as usize) != 0;
@@ -106,13 +107,14 @@ macro_rules! assembled {
                 Ok(())
             }
 
-            /// Returns the number of internal states of a parameter set.
+            /// Returns the number of internal states of the elements that are on in a parameter set.
             pub(crate) fn memories_of(params: &Params) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
-            /// Computes the largest stiffness ∂F/∂x of the inner elements, at rest, among the displacements `places`.
+            /// Computes the largest sum of the stiffnesses ∂F/∂x of the inner elements, N/m, over the displacements
+            /// `places` in m. The velocity is 0, and the result is at least 0.
             ///
             /// # Errors
             /// Returns the parameter at fault.
@@ -134,7 +136,7 @@ macro_rules! assembled {
                 Ok(steepest)
             }
 
-            /// Prepares in place the elements that are on, from a set that [`Elements::check`] accepted.
+            /// Prepares in place the elements that are on, from parameters that [`Elements::check`] accepted.
             pub fn set(&mut self, params: &Params) {
                 let on = params.elements();
                 self.on = on;
@@ -157,8 +159,8 @@ macro_rules! assembled {
                 }
             }
 
-            /// Returns the elements at a setting, with the FV curve of that setting. Each is borrowed from the family,
-            /// or from the elements that were prepared again for the setting.
+            /// Returns the elements at a setting, with the FV curve `fv` of that setting. Each element is borrowed from
+            /// the family or from `renewed`, which stores the elements that are prepared for the setting.
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -194,7 +196,7 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// Returns a set without elements. This is a function, because each use of a constant would copy the whole
+            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
             /// set.
             #[inline(always)]
             pub(crate) fn none() -> Renewed {
@@ -359,14 +361,14 @@ macro_rules! assembled {
                 self.on & STATEFUL_OR_STOP != 0
             }
 
-            /// Returns whether the internal mass is on, and no element that its plain step does not cover.
+            /// Returns whether the internal mass is on, and the plain step of the mass covers all elements that are on.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
                 const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & REST == Paths::<Owned>::MASS
             }
 
-            /// Visits each stateful element with its own type, by code compiled for that type.
+            /// Calls `visitor` for each element that is on and has one internal state, with code compiled for its type.
             #[inline(always)]
             pub fn visit_stateful(&self, visitor: &mut impl StateVisitor) {
                 let mut place = self.paths.slots().count();
@@ -377,7 +379,7 @@ macro_rules! assembled {
                 debug_assert!(place <= MAX_INTERNAL);
             }
 
-            /// Returns whether any element with a state acts on the mass.
+            /// Returns whether any element with an internal state acts on the internal mass.
             #[inline(always)]
             pub fn has_states_on_mass(&self) -> bool {
                 self.on & STATES_ON_MASS != 0
@@ -412,7 +414,8 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Moves friction and gas force on the mass from the output of the spring force to their own outputs.
+    /// Subtracts friction and gas force from the spring force in `output` and adds them to their own outputs, if they
+    /// act on the mass.
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
@@ -427,7 +430,7 @@ impl<T: Tables> Elements<T> {
         }
     }
 
-    /// Calls `visit` with element and response, for each element that acts on the mass and has a state.
+    /// Calls `visit` with element and response for each element that acts on the mass and has an internal state.
     #[inline(always)]
     pub(crate) fn each_on_mass(
         &self,
@@ -445,7 +448,7 @@ impl<T: Tables> Elements<T> {
         });
     }
 
-    /// Sums the forces of the elements that act on the mass and have a state, at given states.
+    /// Sums the forces of the elements that act on the mass and have an internal state, at given states.
     #[inline(always)]
     pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;

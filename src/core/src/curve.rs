@@ -12,7 +12,7 @@ pub const MAX_POINTS: usize = 63;
 /// Smallest distance between two points, m/s or m.
 ///
 /// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece are
-/// divided by the distance and its square. With a smaller distance, its derivative would have no valid digits.
+/// divided by the distance and its square. With a smaller distance, the piece's derivative would have no valid digits.
 pub const NEAREST: f64 = 1e-6;
 /// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
 ///
@@ -64,7 +64,7 @@ struct Piece {
 /// Extent of a piece and its mean derivative.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
-    /// Ends of the piece in t; the outer pieces extend to the largest finite numbers.
+    /// Ends of the piece as values of t = u − u0; the outer pieces extend to the largest finite numbers.
     low: f64,
     high: f64,
     /// Mean derivative of an inner piece, or the derivative of an outer piece.
@@ -83,7 +83,7 @@ pub struct Curve {
     count: u32,
     /// Largest number of points inside one bucket.
     crowded: u32,
-    /// Number of points below each bucket.
+    /// Number of points below each bucket: the buckets of positive arguments, then those of negative ones.
     below: [[u8; BUCKETS]; 2],
     /// f(0).
     at_zero: f64,
@@ -111,12 +111,12 @@ const CROWDED: u32 = 3;
 ///
 /// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
 /// makes sixteen buckets per power of two, so the buckets are narrow where damper curves have knees. Rounding cannot
-/// reverse the order of two numbers.
+/// reverse the order of two numbers, so the index never decreases with |u|.
 #[inline(always)]
 fn bucket(u: f64) -> (bool, u8) {
     const NEAREST: f64 = 1.0 / 4096.0;
     const FURTHEST: f64 = 16.0 - 1e-3;
-    /// Leading bits of `NEAREST`.
+    /// Sign, exponent and first four mantissa bits of `NEAREST`.
     const FIRST: u64 = NEAREST.to_bits() >> 48;
     let out = u.abs() + NEAREST;
     let out = min(out, FURTHEST);
@@ -124,8 +124,8 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// Fraction of a piece. A Householder step shorter than this fraction is the last one, because the remaining error is
-/// about its fourth power.
+/// Largest Householder step, relative to the width of the piece, after which the iteration stops. The remaining relative
+/// error is then about the fourth power of this ratio.
 const FEW: f64 = 1e-3;
 
 impl Curve {
@@ -305,7 +305,7 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // The loop is unrolled, so that its cost is fixed. Most tables have fewer than 16 points and need only four
+        // The bisection is unrolled, so that its cost is fixed. Most tables have fewer than 16 points and need only four
         // comparisons.
         if self.count >= 16 {
             halve(32);
@@ -339,14 +339,14 @@ impl Curve {
         self.piece(index)
     }
 
-    /// Returns value and derivative at `u`.
+    /// Computes value and derivative of the curve at `u`.
     #[inline(always)]
     pub fn evaluate(&self, u: f64) -> Value {
         let p = self.at_place(u);
         p.at(u - p.u0)
     }
 
-    /// Returns the value relative to f(0), the derivative and the curvature at `u`.
+    /// Computes f(u) − f(0), the derivative and the curvature of the curve at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
@@ -360,7 +360,7 @@ impl Curve {
         }
     }
 
-    /// Returns the value at 0.
+    /// Returns f(0), the value of the curve at 0.
     #[inline(always)]
     pub fn at_zero(&self) -> f64 {
         self.at_zero
@@ -416,10 +416,10 @@ impl Piece {
 
 /// Returns the derivatives of a cubic curve before and after its point `i`.
 ///
-/// They differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative of the parabola
-/// through zero and the next two points of its side, but at least 0. If the side has only one point, it is the
-/// derivative of the line to that point.
-/// The limit of Fritsch and Butland, three times the chord, always holds: the derivative of a parabola through rising
+/// The two derivatives differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative
+/// of the parabola through zero and the next two points of its side, but at least 0. If the side has only one point, the
+/// derivative is that of the line to that point.
+/// The limit for a monotone cubic, three times the chord, always holds: the derivative of a parabola through rising
 /// points is below twice the chord.
 pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation) -> [f64; 2] {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
@@ -439,7 +439,8 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
 }
 
 /// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// The derivative is zero if the chords differ in sign or one of them is level. It is one-sided at the ends.
+/// The derivative is zero if the chords differ in sign or one of them is horizontal. At the first and the last point it
+/// is that of the adjacent chord.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -492,8 +493,7 @@ mod tests {
         }
     }
 
-    /// Valves of rebound and compression have different derivatives at rest. The curve reproduces a parabola on one
-    /// side.
+    /// The derivatives at zero are those of the two sides: of a line in rebound and of a parabola in compression.
     #[test]
     fn each_side_has_a_derivative_of_its_own_at_zero() {
         let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
@@ -525,7 +525,8 @@ mod tests {
         }
     }
 
-    /// Tables of any density, with knots at bucket edges and at 0 of either sign.
+    /// The bucket lookup finds the piece that counting the points below an argument gives. The tables are dense and
+    /// sparse, with points at bucket edges and at 0 of either sign.
     #[test]
     fn buckets_lead_to_the_piece_that_halving_finds() {
         let even = |n: usize, width: f64| -> std::vec::Vec<f64> {

@@ -102,7 +102,7 @@ impl<const N: usize> Dual<N> {
         Dual { value, derivatives }
     }
 
-    /// Returns the derivative in a direction.
+    /// Returns the derivative in a direction, or 0 if the direction is not below N.
     #[inline(always)]
     pub fn derivative(&self, direction: usize) -> f64 {
         self.derivatives.get(direction).copied().unwrap_or(0.0)
@@ -136,7 +136,7 @@ impl<const N: usize> Sub for Dual<N> {
 
 impl<const N: usize> Mul for Dual<N> {
     type Output = Dual<N>;
-    // The product rule.
+    // The product rule contains a sum, which the lint reports as suspicious.
     #[allow(clippy::suspicious_arithmetic_impl)]
     #[inline(always)]
     fn mul(self, other: Dual<N>) -> Dual<N> {

@@ -7,17 +7,17 @@ use crate::paths;
 use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Largest number of bracketed Newton steps to the deflection of the series spring. It may be large, because the
-/// equilibrium may cost more time than a step.
+/// Number of bracketed Newton steps to the deflection of the series spring. It may be large, because the equilibrium
+/// may cost more time than a step.
 const STEPS: usize = 100;
 
-/// Residual of the force balance, relative to its forces, that counts as rounding error.
+/// Largest residual of the force balance, relative to its forces, that counts as rounding error.
 const ROUNDING: f64 = 1e-13;
 
 /// Half the width of the central differences for static derivatives without a formula, m and m/s.
 const NEAR: f64 = 1e-6;
 
-// Compiled here for the model that owns its tables, once for all crates that call it.
+// These functions are compiled here, for a model that owns its tables, once for all crates that call them.
 impl Model {
     /// Returns the steady state at an initial position: the damper rests, or moves steadily with `input.velocity`.
     ///
@@ -114,8 +114,8 @@ impl<T: Tables> Model<T> {
             ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
         };
         if e.has_series() {
-            // The force of the springs on the mass never decreases. The series spring alone would therefore deflect
-            // more than both together.
+            // The force of the springs on the mass never decreases with its displacement. The series spring would
+            // therefore deflect more if the mass stayed at `x`, and that deflection bounds the solution.
             let alone = primary + on_the_mass(x).force;
             let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };

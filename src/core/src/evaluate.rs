@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, FurtherOutputs::Nothing)
 }
 
-/// Computes the force of a state in this model's layout. `beside` selects further outputs of the evaluation.
+/// Computes the force of a state in this model's layout. `further` selects the other outputs of the evaluation.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -120,7 +120,7 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further:
     output
 }
 
-/// Adds the forces of the parallel elements with internal states.
+/// Adds the forces of the parallel elements with internal states to `output`.
 fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
     let e = &model.elements;
     e.each_stateful(|place, element| {

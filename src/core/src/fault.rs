@@ -15,7 +15,7 @@ pub struct Fault {
 /// Kind of error in a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// No parameter or element has that name.
+    /// No parameter or element has the name.
     UnknownName,
     /// The number is NaN or infinite.
     NotFinite,
@@ -33,11 +33,11 @@ pub enum Reason {
     NotIncreasing,
     /// The ordinates of a curve decrease somewhere, so the damper would drive a motion that it should resist.
     ForceDecreases,
-    /// Two points of a curve are closer than 1e-6.
+    /// Two points of a curve are closer than 1e-6 m/s or m.
     TooClose,
-    /// A curve rises with a derivative of more than 1e8 between two points.
+    /// A curve rises by more than 1e8 N s/m or N/m between two points.
     TooSteep,
-    /// The number is far too large or too small in proportion to the others.
+    /// The number is far too large or too small in proportion to the other numbers of the damper.
     OutOfProportion,
     /// A limit must exceed another limit, but does not.
     Order,

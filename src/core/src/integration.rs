@@ -119,7 +119,7 @@ impl Method {
 }
 
 impl Integration {
-    /// One step of the fourth-order method.
+    /// One substep of the fourth-order method in every step.
     pub const OFF: Integration = Integration {
         method: Method::Fourth,
         substeps: 1,
@@ -169,8 +169,9 @@ impl Integration {
         if params.number(number!("method")) == 0.0 && substeps == 0 {
             return Integration::automatic(elements, frequency, swings).ringing_at(rings_at, quiets_at);
         }
-        // Elements in the paths make the force more nonlinear within a step. The effect is stronger for a column whose
-        // stiffness changes with the sign of the force, and strongest for friction that reverses behind a spring.
+        // Elements in the series or the hydraulic path make the force more nonlinear within a step. The effect is
+        // stronger for a column whose stiffness changes with the sign of the force, and strongest for friction that
+        // reverses behind a spring.
         let sharpness = match acting::is_nonlinear(&elements.paths) {
             Bends::Whole => 20.0,
             Bends::Turning => 8.0,
@@ -183,7 +184,8 @@ impl Integration {
 
     /// Chooses the cheapest integration whose error is below a thousandth in a step of 1 ms.
     fn automatic(elements: &Elements, frequency: f64, swings: f64) -> Integration {
-        // Elements of the paths make the force nonlinear even if the mass does not overshoot, so L is at least 1.
+        // Elements of the series or the hydraulic path make the force nonlinear even if the mass does not overshoot, so
+        // L is at least 1.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
         let three = |times: f64| Integration::new(Method::ThreeStage, 0, even(times, frequency, swings), many);
@@ -335,6 +337,6 @@ fn least_derivative(elements: &Elements) -> f64 {
             }
         }
     }
-    // Without a curve the mass is undamped.
+    // Without a curve the mass is undamped; a small positive value avoids a division by zero.
     if damping < f64::INFINITY { damping.max(1e-3) } else { 1e-3 }
 }

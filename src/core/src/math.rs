@@ -111,7 +111,7 @@ pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
 /// integral.
 #[inline(always)]
 pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
-    // For smaller r, the recurrence would lose more digits than the truncated series.
+    // Largest r for which the series is used: the recurrence would lose more digits than the truncation of the series.
     const SMALL: f64 = 0.5;
     if r > SMALL {
         let kept = exp_below_bound(-r);
@@ -130,8 +130,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         }
         per
     };
-    // For smaller r, the last five factors suffice. Their truncation error, 1e-3^5 · 3!/8!, is below rounding (up to r
-    // = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
+    // Largest r for which the last five factors suffice. Their truncation error, 1e-3^5 · 3!/8!, is below rounding (up
+    // to r = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
     const FEW: f64 = 1e-3;
     let (late, early) = PER.split_at(7);
     let mut sum = 1.0;

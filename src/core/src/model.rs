@@ -62,7 +62,7 @@ impl Model {
         Ok(())
     }
 
-    /// Returns the number of internal states of a set that [`Model::check`] accepted.
+    /// Returns the number of internal states of the damper with these parameters, which [`Model::check`] accepted.
     pub(crate) fn memories_of(params: &Params) -> usize {
         Elements::memories_of(params)
     }

@@ -401,7 +401,7 @@ fn can_vary_list(row: Row) -> bool {
 }
 
 impl<'a> Reader<'a> {
-    /// Returns whether the next value has one entry for each setting.
+    /// Returns whether the next value has one entry for each setting of the grid.
     fn is_over_setting(&self, row: Row) -> bool {
         let mut ahead = Reader { ..*self };
         if !ahead.take(b'[') {

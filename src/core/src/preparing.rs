@@ -19,7 +19,7 @@ pub(crate) fn placed<E: Prepare>(element: &mut E, on: bool, params: &Params, pla
     }
 }
 
-/// Access to an element in a model, small or large.
+/// Mutable access to an element, both to a plain one and to one inside an [`OwnedElement`].
 pub(crate) trait Keep<E> {
     /// Returns the element for modification.
     fn kept(&mut self) -> &mut E;

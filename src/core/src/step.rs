@@ -46,8 +46,8 @@ pub const LONG_STEP: f64 = 0.01;
 
 /// Advances `from` to the end of the step, where the host's input is `to`.
 ///
-/// Returns the new state and the output there. The output contains the force and its exact derivatives with respect to
-/// displacement and velocity of `to`. If the output is not finite, returns `from` and [`Output::ZERO`].
+/// Returns the new state and the output at the end. The output contains the force and its exact derivatives with
+/// respect to displacement and velocity of `to`. If a result is not finite, returns `from` and [`Output::ZERO`].
 ///
 /// With `dt = 0`, the state does not change and the force is that of the damper at equilibrium. If the host gives only
 /// a velocity, the derivative with respect to velocity includes the effect of the integrated displacement.
@@ -60,7 +60,8 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
 
 /// Advances a state and writes the new state and the output to the caller's variables.
 ///
-/// Returns false if the output is not finite. The state is then `from`, and the output stays unchanged.
+/// Returns false if a number of the new state or of the output is not finite. The state is then `from`, and the output
+/// stays unchanged.
 #[inline]
 pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut State, output: &mut Output) -> bool {
     *state = *from;
@@ -69,14 +70,16 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
 
 /// Advances a state in place.
 ///
-/// Returns false if the output is not finite; state and output then stay unchanged. Only inputs or states far outside
-/// the range of dampers cause this.
+/// Returns false if a number of the new state or of the output is not finite; both then stay unchanged. Only inputs or
+/// states far outside the range of dampers cause this. A single cheap step is not checked, because its result is finite
+/// unless fourth powers of the inputs overflow.
 #[inline(always)]
 pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output) -> bool {
     move_on(model, state, to, dt, output, true)
 }
 
-/// Returns the force of [`step_in_place`], bitwise equal, without its derivatives; `None` if it is not finite.
+/// Advances a state in place and returns the force of [`step_in_place`], bitwise equal, without its derivatives.
+/// Returns `None` if a result is not finite.
 #[inline(always)]
 pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> Option<f64> {
     let mut output = Output::ZERO;
@@ -100,7 +103,7 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
     step_of_any_kind(model, state, *to, dt, output, derivatives)
 }
 
-/// Steps from a state with the layout of other elements, after converting this state. If the output is not finite, the
+/// Steps from a state with the layout of other elements, after converting this state. If a result is not finite, the
 /// state does not change.
 #[cold]
 #[inline(never)]
@@ -142,7 +145,8 @@ pub(crate) fn step_borrowed(
     keep_if_finite(&reached, &answer, state, output)
 }
 
-/// Stores the result of a step if all of it is finite; otherwise state and output stay unchanged.
+/// Stores the result of a step and returns true if all its numbers are finite. Otherwise returns false, and state and
+/// output stay unchanged.
 #[inline(always)]
 fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &mut Output) -> bool {
     let finite = reached.is_finite() && answer.is_finite();
@@ -201,9 +205,9 @@ fn step_by_its_method(
     }
 }
 
-/// Returns whether a step is a single step of three stages. Most steps are, so this case has its own compiled code. All
-/// other steps share the code around their stages. Steps with five stages, nonlinear springs or a fading curve also
-/// share the code of the stages ([`mass`]). Separate code for each case would be a third of the library.
+/// Returns whether a step is one substep of the three-stage method. Most steps are, so this case has its own compiled
+/// code. All other steps share the code around their stages. Steps with five stages, nonlinear springs or a fading
+/// curve also share the code of the stages ([`mass`]). Separate code for each case would be a third of the library.
 #[inline(always)]
 fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
@@ -216,10 +220,11 @@ fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     Tableau::for_method(of.method_of(dt, of.substeps(dt), || 1.0))
 }
 
-/// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor is known
-/// before the step.
+/// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor depends on
+/// the host's temperature alone, so it is known before the step.
 ///
-/// The cheap step does not use this function, because its result differs from that of the force path.
+/// The cheap method does not use this function, because a linearized step would differ from that through the force
+/// path.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,
@@ -310,7 +315,8 @@ fn advance_paths_with(
 
 /// Estimates the ratio of the bushing's stiffness in the step to that at rest.
 ///
-/// The bushing is assumed to store all kinetic energy at the start. The moving end has the higher of its two speeds.
+/// The bushing is assumed to store the whole kinetic energy of the mass in its motion relative to the moving end. The
+/// speed of the moving end is the higher of its speeds at start and end.
 fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     if !e.paths.has_bushing() {
         return 1.0;
@@ -416,7 +422,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
     }
 }
 
-/// Takes a common step, with exact derivatives if requested.
+/// Takes a step for which [`is_common`] is true, with exact derivatives if requested.
 ///
 /// With `BENT` the springs are nonlinear. The function is not inlined, so that it can use all registers.
 #[inline(never)]
@@ -445,8 +451,8 @@ fn answer_by_table(
     answer_by::<Any, false, true>(method, model, state, to, dt, output, derivatives);
 }
 
-/// Takes a step by one variant. If the host gives no displacement, the displacement at the end depends on the velocity
-/// at the end.
+/// Takes a step by one compiled variant. If the host gives no displacement, the displacement at the end of the step
+/// depends on the velocity there. The derivative with respect to velocity includes this effect.
 #[inline(always)]
 fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
     method: &Tableau,
@@ -583,7 +589,7 @@ mod tests {
         let dot = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
         let through = |y: &[f64]| a.iter().map(|row| dot(row, y)).collect::<Vec<f64>>();
         let power = |n: i32| c.iter().map(|c| c.powi(n)).collect::<Vec<f64>>();
-        // The last row is the result.
+        // The last row of the matrix gives the result of the step.
         let b = &a[a.len() - 1];
         let both: Vec<f64> = c.iter().zip(through(&c)).map(|(c, ac)| c * ac).collect();
         let conditions = [
@@ -633,8 +639,9 @@ mod tests {
         (most, after(1e9))
     }
 
-    /// The test evaluates the imaginary axis. Every γ is positive, so all poles lie to its right. Therefore the bound
-    /// holds in the whole left half-plane.
+    /// No method amplifies an oscillation, and each removes an infinitely stiff motion. The test evaluates the
+    /// imaginary axis. Every γ is positive, so all poles lie to the right of this axis. Therefore the bound holds in
+    /// the whole left half-plane.
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in

@@ -15,7 +15,7 @@ const GAUGE: f64 = 5e3;
 /// Reads a file of dimensions.
 ///
 /// # Errors
-/// [`DimensionsError`], with file, line and key.
+/// Returns a [`DimensionsError`] with the file and, for an invalid entry, line and key.
 pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
     let text =
         std::fs::read_to_string(path).map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
@@ -25,7 +25,7 @@ pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
 /// Parses the text of a file. Errors contain `path`.
 ///
 /// # Errors
-/// [`DimensionsError`], with file, line and key.
+/// Returns a [`DimensionsError`] with the file and, for an invalid entry, line and key.
 pub fn parse(text: &str, path: &Path) -> Result<Dimensions, DimensionsError> {
     let file = || path.to_path_buf();
     let entries: BTreeMap<Spanned<String>, Spanned<Value>> = toml::from_str(text)

@@ -1,5 +1,5 @@
-//! Round trip of the forward and the inverse formulas, which are one set: the explanation of parameters from a drawing
-//! gives the drawing again.
+//! Round trip of the forward and the inverse formulas: the parameters that a drawing implies are explained, and the
+//! explanation gives the drawing again.
 
 use dashpot_dimensions::orifice::quadratic_force;
 use dashpot_dimensions::{Dimensions, explain, forward, geometry, read};
@@ -43,7 +43,7 @@ proptest! {
         let area = geometry::annulus(1e-3 * bore, 1e-3 * rod);
         let b = quadratic_force(1e-6 * bleed, area, 0.7, 850.0);
         let force = |w: f64| laminar * w + b * w * w;
-        // A valve opens at 0.1 m/s.
+        // The blow-off valve opens at 0.1 m/s, the knee of the curve.
         let knee = force(0.1);
         let forces = [-1.2 * knee, -knee, -force(0.05), -force(0.02), 0.0, force(0.02), force(0.05), knee, 1.2 * knee];
         let model = of_text(

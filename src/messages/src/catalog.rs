@@ -61,7 +61,8 @@ impl Catalog {
     }
 }
 
-/// Largest number of digits of a count. A count of so many digits is exact as a floating-point number.
+/// Largest number of digits of an argument that is a count. A count of so many digits is exact as a floating-point
+/// number; a longer one is inserted as text.
 const DIGITS: usize = 15;
 
 /// Converts an argument. A count becomes a number, so that a text may depend on the singular or plural. Any other text is

@@ -103,7 +103,7 @@ macro_rules! phrases {
     };
 }
 
-/// Placeholders of names. A name may look like a number: a test may have the name 2.5.
+/// Placeholders whose values are names, never numbers. A name may look like a number: a test may have the name 2.5.
 const NAMES: &[&str] =
     &["at", "column", "file", "folder", "name", "names", "record", "test", "tests", "text", "twin", "version"];
 

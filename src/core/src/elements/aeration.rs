@@ -1,4 +1,4 @@
-//! Air in the oil: the column is soft after every reversal, until the force has compressed the bubbles.
+//! Air in the oil: the oil column is soft after every reversal, until the force has compressed the bubbles.
 
 use crate::element::Prepare;
 use crate::elements::soft_gap::SoftGap;
@@ -8,8 +8,9 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Air in the oil column, which deflects under a force F by q(F) = F/k_o + d F/(|F| + F_a).
 ///
-/// k_o is the stiffness of `oil_compressibility`, or 3e7 N/m if that element is off. The air is in the chamber under
-/// pressure: d = d_a in rebound, r_a d_a in compression.
+/// k_o is the stiffness of `oil_compressibility`, or 3e7 N/m if that element is off. d is the stroke that the air
+/// yields, half of it at the force F_a. The air is in the chamber under pressure: d = d_a in rebound, r_a d_a in
+/// compression.
 #[derive(Clone, Copy, Debug)]
 pub struct Aeration {
     rebound: SoftGap,
@@ -50,13 +51,14 @@ impl Prepare for Aeration {
 }
 
 impl Aeration {
-    /// Returns the law of the chamber under pressure; `side` is the force or the deflection, which have the same sign.
+    /// Returns the law of the air in the chamber under pressure: compression for a negative `side`, otherwise rebound.
+    /// `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn under(&self, side: f64) -> SoftGap {
         if side < 0.0 { self.compression } else { self.rebound }
     }
 
-    /// Returns whether the column is equally soft on both sides.
+    /// Returns whether the air yields equally in rebound and compression.
     pub(crate) fn is_even(&self) -> bool {
         self.rebound.gap == self.compression.gap
     }

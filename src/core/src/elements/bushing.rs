@@ -10,15 +10,15 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// φ is the force of the linear series spring, and k_s its stiffness. At the deflection d_h, the hardened force is
 /// twice φ.
-/// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The relaxing
-/// branches below follow the deflection of the whole path.
+/// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The two
+/// relaxing elements, z and y, follow the deflection of the whole series path.
 ///
 /// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is a smooth form of the deflection d beyond the stop at L. It tends to
 /// |d| − L far beyond L, and to d⁴/(4 L³) far below it. The stop adds a stiffness that rises toward k_e.
 ///
-/// *Losses*: two branches are parallel to the spring. One of stiffness k_1 relaxes with time (Maxwell) and with
-/// deflection, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
-/// other, of stiffness k_2, relaxes more slowly: dy/dt = dd/dt − y/τ_2. Two branches are necessary, because the
+/// *Losses*: two relaxing elements are parallel to the spring. One of stiffness k_1 relaxes with time (Maxwell) and
+/// with deflection, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
+/// other, of stiffness k_2, relaxes more slowly: dy/dt = dd/dt − y/τ_2. Two elements are necessary, because the
 /// relaxation times of rubber span several decades.
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
@@ -40,8 +40,8 @@ pub struct Bushing {
     per_slow_time: f64,
 }
 
-/// The relaxing branches after an implicit stage: z and y, with their derivatives with respect to the rate of the
-/// deflection and the known parts.
+/// Deflections z and y of the relaxing elements after an implicit stage. The derivatives are with respect to the rate
+/// of the deflection, and to the known parts of z and y.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],
@@ -140,13 +140,14 @@ impl Bushing {
         (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
     }
 
-    /// Computes dz/dt and dy/dt at a rate of the deflection.
+    /// Computes the state derivatives dz/dt and dy/dt; `rate` is the rate of the deflection, m/s.
     #[inline(always)]
     pub(crate) fn rates<R: Real>(&self, rate: R, [z, y]: [R; 2]) -> [R; 2] {
         [rate - z * self.gives_way(rate), rate - y * self.per_slow_time]
     }
 
-    /// Computes z and y after an implicit stage that starts from `known`.
+    /// Computes z and y after an implicit stage: z − g dz/dt and y − g dy/dt equal `known`. y is 0 unless `SLOW` is
+    /// true.
     #[inline(always)]
     pub(crate) fn stage<const SLOW: bool>(&self, rate: f64, known: [f64; 2], g: f64) -> Relaxed {
         let gives_way = self.gives_way(Dual::<1>::along(rate, 0));

@@ -1,7 +1,7 @@
 //! Cavitation: a void that opens in one stroke and closes in the other.
 //!
-//! The void opens because the gas pressure limits the force of that stroke, or because the foot valve does not refill
-//! the chamber.
+//! The void opens because the gas pressure limits the force of the first stroke, or because the foot valve does not
+//! refill the chamber.
 
 use crate::dual::{Dual, Real};
 use crate::element::Prepare;
@@ -11,8 +11,9 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Cavitation: in one direction, the capped one, the oil transmits at most the force C, the cap.
 ///
-/// p = σ F_h is the force in this direction, with σ = 1 for rebound and −1 for compression. Further stroke opens a
-/// void, whose depth e is measured along the stroke.
+/// p = σ F_h is the hydraulic force in this direction, with σ = 1 for rebound and −1 for compression. Further stroke
+/// opens a void, whose depth e is measured along the stroke. u is the velocity of the piston, v that of the moving end,
+/// and w that of the oil at the valves. q is the deflection of the oil column.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -20,14 +21,15 @@ use crate::schema::{Describe, Parameter, View};
 /// T = C while the moving end moves in the capped direction, κ C on its return
 /// ```
 ///
-/// R is a ramp. The resistance r is so small that at 1 m/s the force stays within 0.01 C of C or T. While a void lasts,
-/// the valves pass the flow that the pressure T drives through them, so flow and motion close the void. With κ = 1 the
-/// gas pressure still acts on the return; with κ = 0 the rod moves freely. Gas in the void sets its pressure: the void
-/// opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 − α)/(1 + e/e_1); α = 1 is a
-/// void of vapor alone.
+/// R(x) is max(x, 0) with a smooth onset. The resistance r is so small that at 1 m/s the force stays within 0.01 C of C
+/// or T. While a void lasts, the valves pass the flow that the force T drives through them, so flow and motion close
+/// the void. With κ = 1 the gas pressure still acts on the return; with κ = 0 the rod moves freely. Gas in the void
+/// sets its pressure: the void opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 −
+/// α)/(1 + e/e_1); α = 1 is a void of vapor alone.
 ///
-/// *Foot valve*: the force of the first stroke is not limited. Beyond the speed v_f the valve does not refill the
-/// chamber behind the piston completely. The return then begins with a stroke without force.
+/// *Foot valve*: the force is not limited. Beyond the speed v_f in the direction σ, the valve does not refill the
+/// chamber behind the piston completely. The fraction a of the further flow is missing. The return then begins with a
+/// stroke without force, while the void closes at the rate c.
 ///
 /// ```text
 /// u = w − σ c,   de/dt = a R(σ v − v_f) − c,   c = R(−p)/r · e/(e + e_0)
@@ -58,7 +60,7 @@ pub struct Cavitation {
 const SLACK: f64 = 100.0;
 /// Width of the onset of the ramp, relative to C, or to 1 N for a foot valve.
 const ROUNDING: f64 = 2e-3;
-/// Speed of the moving end over which T changes, m/s.
+/// Speed of the moving end, m/s, within which T changes smoothly from C to κ C.
 const TURNING: f64 = 3e-3;
 /// e_0, m: a smaller void closes more slowly.
 const CLOSED: f64 = 1e-5;
@@ -71,7 +73,7 @@ const FREE: f64 = 10.0;
 const LONGEST: f64 = 1.0;
 /// Largest number of steps for the void at the end of a stage, sufficient for pure bisection.
 const STEPS: usize = 80;
-/// Relative size of the last step for the void at the end of a stage.
+/// Step of the iteration for the void, relative to e + e_0, at or below which the iteration ends.
 const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
@@ -196,7 +198,8 @@ impl Cavitation {
         (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
     }
 
-    /// Returns T/C, the fraction of the cap that remains on the return. `velocity` is the velocity of the moving end.
+    /// Returns T/C, the fraction of the cap that remains on the return, or 1 for a foot valve. `velocity` is the
+    /// velocity of the moving end.
     #[inline(always)]
     fn kept<R: Real>(&self, velocity: R) -> R {
         if self.is_foot_valve {
@@ -206,9 +209,10 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// Returns the excess p − C of the pressure over the cap, and its deficit T − p below the closing pressure.
+    /// Returns the excess p − C of the force over the cap, and its deficit T − p below the closing force T.
     ///
-    /// `expanded` is the factor by which the expanded gas reduces both limits.
+    /// `pressure` is p, and `expanded` is the factor by which the expanded gas reduces C and T. A foot valve has no
+    /// cap: its excess is always negative, and its deficit is −p.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
@@ -224,7 +228,7 @@ impl Cavitation {
         softly(x, self.rounding) * self.per_resistance
     }
 
-    /// Foot valve: returns the rate at which the refill deficit opens the void.
+    /// Returns the rate at which the refill deficit of a foot valve opens the void, m/s; 0 in the other form.
     #[inline(always)]
     pub(crate) fn lags<R: Real>(&self, velocity: R) -> R {
         if !self.is_foot_valve {

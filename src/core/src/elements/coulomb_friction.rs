@@ -1,4 +1,4 @@
-//! Coulomb friction (thesis 3.1).
+//! Coulomb friction (Jonnalagadda & Vyas, KTH 2020, equation 3.1).
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
@@ -6,7 +6,8 @@ use crate::math::tanh;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Coulomb friction with the force F = F_s tanh(K v): F_s is the level, K the steepness of the change of sign.
+/// Coulomb friction with the force F = F_s tanh(K v). F_s is the friction force at high speed, and K the steepness of
+/// the change of sign.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction {
     level: f64,

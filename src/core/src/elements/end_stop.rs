@@ -10,11 +10,12 @@ use crate::math::tanh;
 /// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
-/// The spring stiffens and returns less energy than it absorbs. Oil is displaced only while the depth grows. The
+/// k is the stiffness at first contact, p the depth of progression, η the loss and c the damping; s₊ = max(s, 0). The
+/// spring stiffens and returns less energy than it absorbs. Oil is displaced only while the depth grows. The
 /// derivatives are continuous, because d̃ sets in smoothly over d_0 and the oil force over s_0. v_1 is 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
-    /// Displacement at which the contact begins.
+    /// Displacement toward the stop at which the contact begins, m.
     pub clearance: f64,
     /// k.
     pub stiffness: f64,

@@ -9,9 +9,9 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Free play with the deflection d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)].
 ///
-/// Between its contacts the eye moves freely by 2 g. k_s is the series stiffness, F_0 the force at which the gap is
-/// half closed, and F_1 the force in the middle of the gap. d(0) is 0. The series damping is proportional to the
-/// current stiffness, so it vanishes in the gap.
+/// Between its contacts the eye moves freely by 2 g. k_s is the series stiffness, and F_1 the force at the center of
+/// the gap. F_0 is the deviation from F_1 at which the gap is half closed. d(0) is 0. The series damping is
+/// proportional to the current stiffness, so it vanishes in the gap.
 #[derive(Clone, Copy, Debug)]
 pub struct FreePlay {
     gap: SoftGap,
@@ -22,7 +22,7 @@ pub struct FreePlay {
 }
 
 impl FreePlay {
-    /// Computes F(d) and dF/dd with a series spring of this stiffness.
+    /// Computes F(d) and dF/dd with a series spring of the stiffness k_s = `stiffness`.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, stiffness: R, deflection: R) -> (R, R) {
         if self.load == 0.0 {
@@ -33,7 +33,7 @@ impl FreePlay {
         (force.plus(self.load), derivative)
     }
 
-    /// Returns the largest deflection beyond that of the series spring, m.
+    /// Returns a bound of the deflection that the gap adds to that of the series spring, m.
     pub(crate) fn furthest(&self) -> f64 {
         self.gap.gap + self.middle.abs()
     }

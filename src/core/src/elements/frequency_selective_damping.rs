@@ -8,14 +8,14 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Force of a damper whose damping depends on frequency, in three forms. F is relative to the force at standstill,
-/// which the element does not change.
+/// Frequency-selective damping, which changes the force F of the FV curve to F_h, in three forms. F is relative to the
+/// force at standstill, which the element does not change. w is the velocity of the oil at the valves.
 ///
 /// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p. The fraction a of the force lags.
 ///
 /// *Stroke*: a bypass closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)), τ dz/dt =
 /// tanh(w/u_0) − z. Here y, the smooth step function of z tanh(w/u_0), rises from 0 to 1. After a reversal z still has
-/// the sign of the previous stroke, so the bypass is open until z changes sign.
+/// the sign of the previous stroke. The bypass is therefore open until z changes sign.
 ///
 /// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. The flow, as a velocity, is q_s (1
 /// − y) r(F_h)/r(1 kN). The law r is that of a passage with laminar flow below F_l (see [`crate::paths::bypass`]). The
@@ -106,7 +106,7 @@ impl Prepare for FrequencySelectiveDamping {
     }
 }
 
-/// Ratio of two rates: that of emptying the chamber of the other stroke, and that of filling a chamber.
+/// Ratio of the rate at which the chamber of the other stroke empties to the rate at which a chamber fills.
 const EMPTIES: f64 = 10.0;
 /// Fraction of F_0 below which the pressure cannot keep a chamber full.
 const IDLE: f64 = 0.05;
@@ -117,19 +117,21 @@ impl FrequencySelectiveDamping {
         !self.is_stroke && !self.is_bypass
     }
 
-    /// Returns the range of the state. A filling ranges from −1, one chamber full, to 1, the other full.
+    /// Returns the range of the state. A filling ranges from −1, the compression chamber full, to 1, the rebound
+    /// chamber full. A force has no limits.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.holds_force() { (f64::NEG_INFINITY, f64::INFINITY) } else { (-1.0, 1.0) }
     }
 
-    /// Bypass form: computes the rate at which z grows toward ±1, times τ.
+    /// Computes tanh(F_h/F_0), the rate of filling times τ, for the bypass form.
     #[inline(always)]
     fn grows<R: Real>(&self, force: R) -> R {
         (force * self.per_force).tanh()
     }
 
-    /// Bypass form: computes the rate at which z falls toward 0, times τ. Only the sign of `z` matters.
+    /// Computes the coefficient of −z in τ dz/dt for the bypass form; `grows` is tanh(F_h/F_0). Only the sign of `z`
+    /// matters.
     #[inline(always)]
     fn falls<R: Real>(&self, force: R, grows: R, z: R) -> R {
         let size = grows.abs();
@@ -140,21 +142,21 @@ impl FrequencySelectiveDamping {
         size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES
     }
 
-    /// Bypass form: computes the steady state of z.
+    /// Computes the steady state of z under a constant force, for the bypass form.
     #[inline(always)]
     pub(crate) fn settles(&self, force: f64) -> f64 {
         let grows = self.grows(force);
         grows / self.falls(force, grows, force)
     }
 
-    /// Bypass form: computes dz/dt, 1/s.
+    /// Computes dz/dt of the bypass form, 1/s.
     #[inline(always)]
     pub(crate) fn fills<R: Real>(&self, force: R, z: R) -> R {
         let grows = self.grows(force);
         (grows - z * self.falls(force, grows, z)) * self.per_time
     }
 
-    /// Bypass form: computes z after an implicit stage that starts from `known`.
+    /// Computes z after an implicit stage of the bypass form: z − g dz/dt equals `known`.
     #[inline(always)]
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
@@ -164,7 +166,7 @@ impl FrequencySelectiveDamping {
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }
 
-    /// Bypass form: computes the flow, m/s.
+    /// Computes the flow that bypasses the valves in the bypass form, as a piston velocity in m/s.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
         let open = law(force, self.laminar) * self.flow;
@@ -172,13 +174,13 @@ impl FrequencySelectiveDamping {
         if closed.value() <= 0.0 { open } else { open - open * closed }
     }
 
-    /// Returns the value toward which the state relaxes: F, or tanh(w/u_0).
+    /// Returns the value toward which the state relaxes: F in the filter form, tanh(w/u_0) in the stroke form.
     #[inline(always)]
     pub(crate) fn target<R: Real>(&self, force: R, w: R) -> R {
         if self.is_stroke { (w * self.per_velocity).tanh() } else { force }
     }
 
-    /// Computes F_h at a state.
+    /// Computes F_h at a state of the filter form or the stroke form.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, w: R, state: R) -> R {
         if !self.is_stroke {

@@ -1,4 +1,4 @@
-//! The primary damper: force over velocity of the internal mass (thesis 3, F_d).
+//! The primary damper: force F_d over velocity of the internal mass (Jonnalagadda & Vyas, KTH 2020, chapter 3).
 
 use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::element::Prepare;
@@ -99,8 +99,8 @@ impl Prepare for FvCurve {
 }
 
 impl FvCurve {
-    /// Sets the thesis's comparison model: straight lines from the origin with two rebound knees and one compression
-    /// knee.
+    /// Sets the comparison model of Jonnalagadda & Vyas (KTH 2020): straight lines from the origin with two rebound
+    /// knees and one compression knee.
     fn set_piecewise(&mut self, p: &View<Self>) -> Result<(), Fault> {
         check_order(p)?;
         let (v, f) = knees(p);
@@ -137,14 +137,14 @@ fn interpolation_of_choice(choice: f64) -> Interpolation {
     }
 }
 
-/// Makes a fault of the table.
+/// Makes a fault of the FV table, with the list that is wrong: velocities or forces.
 fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
     p.fault(row, reason)
 }
 
-/// Makes a fault of the derivatives and knees. The bounds of the parameters limit the derivatives, so the only expected
-/// error is that two knees are too close.
+/// Makes a fault of the piecewise form. The bounds of the parameters limit the derivatives, so the only expected error
+/// is that two knees are too close.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
     p.fault(row, reason)

@@ -1,4 +1,4 @@
-//! Constant gas force that pushes the rod out (thesis 3, identified from the slow test).
+//! Constant gas force that pushes the rod out (Jonnalagadda & Vyas, KTH 2020, chapter 3: identified from a slow test).
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;

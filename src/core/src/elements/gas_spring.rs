@@ -67,16 +67,16 @@ impl Prepare for GasSpring {
     }
 }
 
-/// The gas at one rod displacement: 1/ξ and ξ^(γ−1), with ξ clamped to the smallest volume, and the deviation of ξ
-/// below it.
+/// The gas at one rod displacement: `per_inside` is 1/ξ and `value` is ξ^(γ−1), with ξ clamped to [`SMALLEST`]. `below`
+/// is ξ − [`SMALLEST`] if that is negative, otherwise 0.
 struct Gas {
     below: f64,
     per_inside: f64,
     value: f64,
 }
 
-/// Largest relative change of volume for which the series about the other end of the step is used. The next term is
-/// below 3e-11.
+/// Largest relative change of the gas volume over a step for which a binomial series replaces a second power. The first
+/// neglected term is below 3e-11.
 const NEAR: f64 = 1.0 / 64.0;
 
 impl GasSpring {
@@ -99,7 +99,7 @@ impl GasSpring {
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// Computes [`GasSpring::rests`] at a displacement that is probably close to that of `known`.
+    /// Computes [`GasSpring::rests`] at displacement `x`, by a series about `known` if the gas volumes are close.
     #[inline(always)]
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;
@@ -116,20 +116,21 @@ impl GasSpring {
         (value, self.excess * value * self.per_length / inside)
     }
 
-    /// Returns the steady state of 1 + z, ξ^(γ−1), and its derivative.
+    /// Returns the steady state of 1 + z, ξ^(γ−1), and its derivative with respect to displacement.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
         let rises = if at.below < 0.0 { 0.0 } else { self.excess * at.value * at.per_inside * self.per_length };
         (at.value, rises)
     }
 
-    /// Returns the second derivative of the steady state.
+    /// Returns the second derivative of the steady state with respect to displacement; `rises` is the first derivative.
     #[inline(always)]
     fn bends(&self, at: &Gas, rises: f64) -> f64 {
         if at.below < 0.0 { 0.0 } else { (self.excess - 1.0) * rises * at.per_inside * self.per_length }
     }
 
-    /// Returns the pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)), relative to p_0, and its derivative.
+    /// Returns the pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)), relative to p_0, and its derivative with respect
+    /// to displacement.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
         let value = at.per_inside / at.value;
@@ -141,9 +142,9 @@ impl GasSpring {
 /// Returns three weights in the relaxed state: of the target's derivatives at start and end, and of the target's
 /// change.
 ///
-/// The arguments are the moments of a relaxation. The target, like the path, is the cubic through the values and
-/// derivatives at both ends. Its coefficients p_1 to p_3 are s, 3 d − 2 s − e and s + e − 2 d. Here d is the difference
-/// of the values. s and e are the derivatives at start and end, times the step length.
+/// The argument holds the moments of a relaxation. The target, like the path, is the cubic through the values and
+/// derivatives at start and end of the step. The coefficients p_1 to p_3 of the cubic are s, 3 d − 2 s − e and s + e −
+/// 2 d. Here d is the difference of the values. s and e are the derivatives at start and end, times the step length.
 #[inline(always)]
 fn weights([_, first, second, third]: [f64; 4]) -> [f64; 3] {
     let (of_end, of_change) = (third - second, 3.0 * second - 2.0 * third);
@@ -252,7 +253,7 @@ mod tests {
 
     #[test]
     fn derivatives_of_a_step_are_those_of_differences() {
-        // The thermal time is two thirds of the step, and the rod displaces a third of the gas volume.
+        // The thermal time is two thirds of the step, and the rod displaces up to a third of the gas volume.
         let spring = GasSpring::new(250.0, 0.4, 1.6, 1.0 / 300.0);
         let (v0, dt, z) = (-20.0, 5e-3, 0.1);
         let carried = |x1: f64, v1: f64| {

@@ -1,4 +1,4 @@
-//! Polynomial FV curve with a first-order lag: one of the thesis's comparison models.
+//! Polynomial FV curve with a first-order lag: a comparison model of Jonnalagadda & Vyas (KTH 2020).
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -11,8 +11,8 @@ use crate::schema::{Describe, Own, Parameter, View};
 
 /// Lagged polynomial with the force F = y and the state equation T(|v|) dy/dt + y = Σ a_k v^k.
 ///
-/// The time constant ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`. According
-/// to the thesis, a jump instead of the ramp makes the model unstable.
+/// The time constant T ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`. According
+/// to Jonnalagadda & Vyas (KTH 2020), a jump instead of the ramp makes the model unstable.
 #[derive(Clone, Copy, Debug)]
 pub struct LaggedPolynomial {
     a: [f64; MAX_TERMS],
@@ -24,7 +24,7 @@ pub struct LaggedPolynomial {
 
 const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
-/// Number of parts of a step; the relaxation rate 1/T is constant in each part.
+/// Number of parts of a step. In each part, the mean over the part replaces the relaxation rate 1/T.
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
@@ -73,7 +73,7 @@ impl LaggedPolynomial {
         (value, derivative)
     }
 
-    /// Computes y after the step.
+    /// Computes the state y at the end of the path, which ends at displacement `x1` with velocity `v1`.
     #[inline(always)]
     fn after<R: Real>(&self, path: &Path, x1: R, v1: R, y: f64) -> R {
         let [p0, p1, p2] = path.travel(x1, v1).velocity();

@@ -17,7 +17,8 @@ use crate::schema::{Describe, Parameter, View};
 /// the velocity z. This damper only dissipates energy, and the force lags that of an ideal mass by τ.
 ///
 /// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass. Oil of mass m in a
-/// passage of area a counts as M = m (A/a)². Without a series stiffness the piston moves with the moving end.
+/// passage of area a counts as M = m (A/a)² with the piston area A. Without a series stiffness the piston moves with the
+/// moving end.
 #[derive(Clone, Copy, Debug)]
 pub struct MovingMass {
     is_inside: bool,
@@ -73,17 +74,17 @@ impl MovingMass {
     ///
     /// Inertia follows from velocities. The displacement over the step gives the mean velocity and thus the curvature
     /// p_2. The curvature is limited to the change of the acceleration since the start of the step, where the
-    /// acceleration was (v_0 − z)/τ. With a host that samples a motion, the order of accuracy does not decrease. A
-    /// semi-implicit host advances displacement with the velocity of one end. Without the limit, its displacement would
-    /// imply a curvature of three times the change of velocity: 2 kg would act as −2 or as 6 kg.
+    /// acceleration was (v_0 − z)/τ. If the host samples a given motion, the limit does not reduce the order of accuracy.
+    /// A semi-implicit host advances displacement with the velocity at one end of the step. Without the limit, that
+    /// displacement would imply a curvature of three times the change of velocity: 2 kg would act as −2 or as 6 kg.
     ///
-    /// If nanometers of displacement decide between the cases, the derivatives are one-sided. They are those of the
-    /// linear velocity, or of the limit if the limit is equally small.
+    /// If nanometers of displacement decide whether the limit applies, the derivatives are one-sided. They are those of
+    /// the linear velocity, or of the limit if the limit is equally small.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.travel(x1, v1).velocity();
         let change = v1 - start;
-        // Here the displacement is the integral of the velocity, so it contains no further information.
+        // The displacement of such a path is the integral of its velocity, so it contains no further information.
         if path.is_integrated() {
             return [start, change, R::constant(0.0)];
         }
@@ -105,8 +106,8 @@ impl MovingMass {
     }
 }
 
-/// Displacements closer than this, m, count as equal. The value is below the precision of a host and below the distance
-/// between its iterates.
+/// Largest difference of displacements, m, that counts as zero. It is below the precision of a host and below the change
+/// between two iterates of the host's solver.
 const NEAR: f64 = 1e-9;
 
 impl StatefulForce for MovingMass {

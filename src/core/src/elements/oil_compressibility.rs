@@ -11,9 +11,9 @@ use crate::schema::{Describe, Parameter, View};
 /// q is the deflection of the column, and k_o its stiffness. The velocity w at the valves is the piston velocity u
 /// minus the deflection rate of the oil column.
 ///
-/// ℓ is the length of the column relative to that at x = 0. The rebound chamber becomes shorter with extension: ℓ = 1 −
-/// λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 − λ x q/√(q² + q_c²), longer on the compression
-/// stroke.
+/// ℓ is the length of the column relative to that at displacement x = 0, and λ one over its length there. The rebound
+/// chamber becomes shorter with extension: ℓ = 1 − λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 −
+/// λ x q/√(q² + q_c²). For a negative q this is the compression chamber, which becomes longer with extension.
 ///
 /// With one chamber, the state is q, which stays constant while the chamber moves under constant pressure. With two
 /// chambers, the state is the part of the piston stroke that the oil absorbs, s = ∫ ℓ dq from 0 at displacement x:
@@ -33,7 +33,7 @@ use crate::schema::{Describe, Parameter, View};
 /// compliance is separate, because it carries the force of the springs on the mass, which the oil does not.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
-    /// 1/k_o in rebound, and in compression.
+    /// 1/k_o in rebound and in compression, m/N.
     compliance: [f64; 2],
     shortening: f64,
     has_two_chambers: bool,
@@ -80,7 +80,7 @@ impl Describe for OilCompressibility {
 }
 
 impl Prepare for OilCompressibility {
-    /// Ten times stiffer than most oil, so that the oil's own effect is small compared with that of its air.
+    /// An oil column ten times stiffer than most, so that its own effect is small compared with that of air in the oil.
     const OFF: Self =
         OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
@@ -97,14 +97,15 @@ impl Prepare for OilCompressibility {
 }
 
 impl OilCompressibility {
-    /// Returns 1/k_o of the chamber under pressure; `side` is the force or the deflection, which have the same sign.
+    /// Returns 1/k_o of the chamber under pressure: that in compression for a negative `side`, otherwise in rebound.
+    /// `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn compliance(&self, side: f64) -> f64 {
         let [rebound, compression] = self.compliance;
         if side < 0.0 { compression } else { rebound }
     }
 
-    /// Returns whether the column is equally stiff on both sides.
+    /// Returns whether the column is equally stiff in rebound and compression.
     pub(crate) fn is_even(&self) -> bool {
         let [rebound, compression] = self.compliance;
         rebound == compression
@@ -160,7 +161,8 @@ impl OilCompressibility {
         deflection * (by_rebound + by_compression) + self.size(deflection) * (by_rebound - by_compression)
     }
 
-    /// Returns the deflection q for the state s, the only root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s.
+    /// Returns the deflection q for the state s, the only root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s. Here a
+    /// and b are ℓ of the rebound and of the compression chamber.
     #[inline(always)]
     pub(crate) fn deflection<R: Real>(&self, x: R, taken_up: R) -> R {
         let [rebound, compression] = self.lengths(x);

@@ -1,4 +1,5 @@
-//! Parallel spring on the internal mass (thesis 3, F_p): the source of most of the hysteresis.
+//! Parallel spring F_p on the internal mass (Jonnalagadda & Vyas, KTH 2020, chapter 3): the source of most of the
+//! hysteresis.
 
 use crate::curve::{Curve, Interpolation, MAX_POINTS};
 use crate::element::{Force, Motion, Prepare, Response};
@@ -10,18 +11,18 @@ use crate::tables::{Lookup, Owned, Tables};
 
 /// Parallel spring with the force F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x).
 ///
-/// The thesis tries one term at a time and chooses the quadratic one.
+/// Jonnalagadda & Vyas (KTH 2020) try one term at a time and choose the quadratic one.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {
     /// For each power of |x|: the coefficients in F_p / x and in F_p', so that both are evaluated in parallel.
     k: [[f64; 2]; 4],
-    /// Whether there are terms besides the linear and the quadratic one.
+    /// Whether the cubic or the quartic coefficient is not 0.
     has_higher: bool,
     lookup: T::Spring,
     has_lookup: bool,
 }
 
-/// Coefficients by power of |x|.
+/// Parameters of the coefficients k1 to k4, by power of |x|.
 const POWERS: [Own<ParallelSpring, One>; 4] = [
     Own::named("spring_linear"),
     Own::named("spring_quadratic"),
@@ -93,7 +94,7 @@ impl Prepare for ParallelSpring {
     }
 }
 
-/// Makes a fault of the table.
+/// Makes a fault of the lookup table, with the list that is wrong: displacements or forces.
 fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
     let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
     p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
@@ -127,19 +128,19 @@ impl<T: Tables> ParallelSpring<T> {
         ParallelSpring { k: self.k, has_higher: self.has_higher, lookup, has_lookup: self.has_lookup }
     }
 
-    /// Returns the table.
+    /// Returns the lookup table of the spring.
     pub(crate) fn table(&self) -> &T::Spring {
         &self.lookup
     }
 
-    /// Sets the coefficients.
+    /// Sets the coefficients of the powers of |x|; the lookup table does not change.
     pub(crate) fn set_powers(&mut self, p: &View<ParallelSpring>) {
         let k = POWERS.map(|power| p.number(power));
         self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
         self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
     }
 
-    /// Computes the linear and the quadratic term.
+    /// Computes the force of the linear and the quadratic term at displacement `x`.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {
         let [k1, k2, ..] = self.k;
@@ -147,7 +148,8 @@ impl<T: Tables> ParallelSpring<T> {
         Response { force: x * secant, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 
-    /// Computes all terms and the table. Not inlined, because most springs have neither higher terms nor a table.
+    /// Computes the force of all terms and the lookup table at displacement `x`. Not inlined, because most springs have
+    /// neither higher terms nor a table.
     #[inline(never)]
     fn bent(&self, x: f64) -> Response {
         let r = x.abs();

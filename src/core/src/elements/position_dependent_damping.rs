@@ -79,32 +79,33 @@ impl Prepare for PositionDependentDamping {
 }
 
 impl PositionDependentDamping {
-    /// Computes s(x) on the stroke.
+    /// Computes the factor s(x) on the rebound or the compression stroke; 1 on a stroke without the zone.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.window(x) } else { R::constant(1.0) }
     }
 
-    /// Computes s(x) on the compression and on the rebound stroke.
+    /// Computes the factors s(x) on the compression and on the rebound stroke; 1 on a stroke without the zone.
     #[inline(always)]
     pub(crate) fn factors<R: Real>(&self, x: R) -> [R; 2] {
         let window = self.window(x);
         self.acts.map(|acts| if acts { window } else { R::constant(1.0) })
     }
 
-    /// Computes the flow through the groove at 1 kN, m/s, on the stroke.
+    /// Computes the flow through the groove at a force of 1 kN, as a piston velocity in m/s; 0 on a stroke without the
+    /// zone.
     #[inline(always)]
     pub(crate) fn groove<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.zone(x) * self.flow } else { R::constant(0.0) }
     }
 
-    /// Computes s(x) on a stroke on which the zone acts.
+    /// Computes the factor s(x) on a stroke on which the zone acts.
     #[inline(always)]
     fn window<R: Real>(&self, x: R) -> R {
         (-(self.zone(x) * self.share)).plus(1.0)
     }
 
-    /// Computes p(x).
+    /// Computes the profile p(x) of the zone, from 0 to 1.
     #[inline(always)]
     fn zone<R: Real>(&self, x: R) -> R {
         let from = x.plus(-self.centre);

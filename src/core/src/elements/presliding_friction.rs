@@ -81,14 +81,14 @@ impl Prepare for PreslidingFriction {
     }
 }
 
-/// Number of steps of the contact in one stretch of motion if its law has no closed form.
+/// Number of integration steps over a stretch of motion in one direction, if the law of the contact has no closed form.
 const PARTS: usize = 4;
 /// Speed relative to the creep velocity above which creep is neglected. The relative error of the slip is half the
 /// inverse square of this ratio.
 const FAST: f64 = 1e6;
 
-/// Relative distance from the steady level within which the law is linearized. The error is the square of this
-/// distance.
+/// Largest relative difference between ζ and its steady state at which the law is linearized. The error is the square
+/// of this difference.
 const NEAR: f64 = 1e-3;
 
 /// Computes ζ^exponent for ζ ≥ 0; ζ is `size`.
@@ -135,9 +135,9 @@ impl PreslidingFriction {
             let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
             r.chain(level.copysign(r.value()), derivative)
         };
-        // A step without motion has no steady state.
+        // Without displacement, r and the steady state are 0, and the law cannot be divided by them.
         if level.value() != 0.0 && (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
-            // Near the steady level, the decay rate is constant: |level|^(n−1) = r/level.
+            // Near the steady state `level`, the decay rate is constant: |level|^(n−1) = r/level.
             let decay = (r * level.inverse()) * (1.0 + self.power);
             return level + (bent - level) * (-(decay * slip)).exp();
         }
@@ -161,8 +161,8 @@ impl PreslidingFriction {
 
     /// Computes ζ after a stretch of the path in one direction.
     ///
-    /// The arguments are the displacement over the stretch, the velocities at its start, middle and end, and its
-    /// duration.
+    /// The arguments are the initial ζ, the displacement over the stretch, the velocities at its start, middle and end,
+    /// and its duration.
     #[inline(always)]
     fn along<R: Real>(&self, bent: R, moved: R, velocity: [R; 3], time: R) -> R {
         let moved = moved * self.per_length;
@@ -178,7 +178,7 @@ impl PreslidingFriction {
     /// Computes ζ after a stretch in which creep matters.
     #[inline(never)]
     fn creeps<R: Real>(&self, bent: R, moved: R, [first, middle, last]: [R; 3], time: R) -> R {
-        // Integrate by Simpson's rule.
+        // The slip is the integral of |v|_c over time, by Simpson's rule.
         let creeps = |v: R| (v * v).plus(self.creep_squared).sqrt();
         let sum = creeps(first) + creeps(middle) * 4.0 + creeps(last);
         let slip = sum * (time * (self.per_length / 6.0));
@@ -189,13 +189,13 @@ impl PreslidingFriction {
         self.bend(bent, moved * slip.inverse(), slip)
     }
 
-    /// Computes ζ after the step.
+    /// Computes ζ after the motion over a step; `bent` is the initial ζ.
     #[inline(always)]
     fn after<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let Travel { moved, v0: first, v1: last, time, .. } = *travel;
         let mean = moved * (1.0 / time);
-        // The velocity lies between these three values (Bézier). If they have the same sign, the moving end does not
-        // reverse.
+        // The velocity lies between its Bézier coefficients: both end velocities and `between`. If all three have the
+        // same sign, the moving end does not reverse.
         let between = (mean * 3.0 - first - last).value();
         let (a, b, c) = (first.value(), last.value(), between);
         if min(min(a, b), c) >= 0.0 || max(max(a, b), c) <= 0.0 {
@@ -205,7 +205,7 @@ impl PreslidingFriction {
         self.turns(travel, bent)
     }
 
-    /// Computes ζ after a motion that may reverse, one stretch after the other.
+    /// Computes ζ after a motion that may reverse, one stretch in one direction after the other.
     #[inline(never)]
     fn turns<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let velocity = travel.velocity();
@@ -216,7 +216,7 @@ impl PreslidingFriction {
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this limit the motion is negligible, and the derivatives of the roots would overflow.
+        // Below this discriminant the motion is negligible, and the derivatives of the zeros would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -342,8 +342,9 @@ mod tests {
         }
     }
 
-    /// A fit that starts at n = 1 uses the derivative with respect to n there. If the force jumped at n = 1, the fit
-    /// would not leave it, and the confidence interval would have zero width.
+    /// The force is continuous in the exponent n at n = 1. A fit that starts at n = 1 uses the derivative with respect
+    /// to n. If the force jumped there, the fit would not leave n = 1, and its confidence interval would have zero
+    /// width.
     #[test]
     fn force_does_not_jump_where_power_is_one() {
         for returns_elastically in [false, true] {

@@ -1,4 +1,6 @@
-//! Series spring and damper between the moving end and the internal mass (thesis 3, F_s and m): compressibility.
+//! Series spring and damper between the moving end and the internal mass, which represent compressibility.
+//!
+//! Source: Jonnalagadda & Vyas, KTH 2020, chapter 3, F_s and m.
 
 use crate::element::Prepare;
 use crate::fault::Fault;
@@ -7,9 +9,10 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Series spring and damper with the force F_s = k_s (x_in − x_m) + c_s (v_in − v_m), and the internal mass m.
 ///
-/// The mass moves by m dv_m/dt = F_s − F_p(x_m) − F_d(v_m).
+/// The mass moves by m dv_m/dt = F_s − F_p(x_m) − F_d(v_m), with the parallel spring F_p and the FV curve F_d. Index
+/// `in` stands for the moving end, and m for the internal mass.
 ///
-/// In the thesis, friction and gas are parallel to the whole damper and move with the moving end. The compliance of an
+/// In the source, friction and gas are parallel to the whole damper and move with the moving end. The compliance of an
 /// eye or a mount, however, carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {

@@ -1,4 +1,4 @@
-//! Friction that grows with side force (thesis 4.2).
+//! Friction that grows with side force (Jonnalagadda & Vyas, KTH 2020, section 4.2).
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;

@@ -1,4 +1,4 @@
-//! A spring in series with a gap that closes gradually: the law of a worn eye, and of oil with air in it.
+//! A spring in series with a gap that closes gradually: the law of a worn eye, and of oil that contains air.
 
 use crate::dual::Real;
 

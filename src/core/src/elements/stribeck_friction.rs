@@ -1,4 +1,6 @@
-//! Stribeck friction: a break-away peak that falls to the Coulomb level (thesis 3.3–3.7).
+//! Stribeck friction: a break-away peak that falls to the Coulomb friction.
+//!
+//! Source: Jonnalagadda & Vyas, KTH 2020, equations 3.3–3.7.
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;
@@ -9,16 +11,19 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Stribeck friction in two forms.
 ///
-/// *Simplified* (thesis 3.5–3.7, its final form; the sign of its v² term is corrected in `viscous_friction`): `F =
-/// √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`.
+/// *Simplified* (equations 3.5–3.7 of the source, without the v² term, which is the element `viscous_friction`): `F =
+/// √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`. F_brk is
+/// the peak force at the break-away velocity v_brk, and F_c the friction at high velocity.
 ///
-/// *Full*: equations 3.3–3.4 of the thesis cannot be correct as printed. This form is therefore the generalized
-/// Stribeck curve of Armstrong-Hélouvry (Automatica 30, 1994) with the thesis's parameters and a smooth rise: `F =
+/// *Full*: equations 3.3–3.4 of the source cannot be correct as printed. This form is therefore the generalized
+/// Stribeck curve of Armstrong-Hélouvry (Automatica 30, 1994) with the parameters of the source and a smooth rise: `F =
 /// sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. The force approaches F_t at the break-away
 /// velocity V_fs. At velocities far above V_s it approaches F_s.
+///
+/// The source is Jonnalagadda & Vyas, KTH 2020.
 #[derive(Clone, Copy, Debug)]
 pub enum StribeckFriction {
-    /// The thesis's reduced form.
+    /// The simplified form.
     Simplified {
         /// √(2e) (F_brk − F_c) / v_st, N s/m.
         peak: f64,
@@ -29,7 +34,7 @@ pub enum StribeckFriction {
         /// 1/v_coul, s/m.
         steepness: f64,
     },
-    /// The general form.
+    /// The full form.
     Full {
         /// F_s, N.
         coulomb: f64,
@@ -118,11 +123,11 @@ impl Prepare for StribeckFriction {
     }
 }
 
-/// Exponent x from which on e^-x is negligible: e^-40 is 4e-18, a small part of the rounding error of 1.
+/// Smallest exponent x at which e^-x is neglected: e^-40 is 4e-18, a small part of the rounding error of 1.
 const BELOW_ROUNDING: f64 = 40.0;
 
 impl StribeckFriction {
-    /// Computes the general form. Not inlined, because its two powers take many times as long as the simplified form.
+    /// Computes the full form. Not inlined, because its two powers take many times as long as the simplified form.
     #[cold]
     #[inline(never)]
     fn full(&self, v: f64) -> Response {
@@ -157,7 +162,8 @@ impl Force for StribeckFriction {
             StribeckFriction::Simplified { peak, per_stribeck, coulomb, steepness } => {
                 let r = v * per_stribeck;
                 let square = r * r;
-                // Far above break-away both exponentials are below rounding, and most strokes are far above it.
+                // At velocities far above v_brk, as in most strokes, the exponential of the peak and that of the tanh
+                // are below the rounding error.
                 if square > BELOW_ROUNDING {
                     return far_above(coulomb, v);
                 }
@@ -176,7 +182,7 @@ impl Force for StribeckFriction {
     }
 }
 
-/// Computes the simplified form far above break-away, where its exponentials vanish.
+/// Computes the simplified form at velocities far above v_brk, where its exponentials vanish.
 #[inline(always)]
 fn far_above(coulomb: f64, v: f64) -> Response {
     Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }

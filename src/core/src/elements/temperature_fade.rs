@@ -12,7 +12,7 @@ use crate::schema::{Describe, Parameter, View};
 /// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
 /// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
 /// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt
-/// = F_h (w + b) − h ϑ, where b is the flow parallel to the valves.
+/// = F_h (w + b) − h ϑ. w is the oil velocity at the valves, and b the flow parallel to the valves.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
@@ -28,11 +28,11 @@ pub struct TemperatureFade {
     pub(crate) heats_itself: bool,
 }
 
-/// From this value of F_l on, the whole force fades.
+/// Value of F_l, N, from which on the whole force fades.
 const ALL: f64 = 1e9;
-/// The exponent is clamped to ±3, a factor of twenty, which is more than any damper shows.
+/// Largest magnitude of the exponent, which is clamped: e³ is a factor of twenty, more than any damper shows.
 const LARGEST: f64 = 3.0;
-/// Smallest value of 1 + κ (T − T_0): far below T_0, the oil becomes a wax.
+/// Smallest value of 1 + κ (T − T_0), which is clamped: the law has a pole far below T_0, where the oil becomes a wax.
 const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
@@ -103,7 +103,7 @@ impl TemperatureFade {
         self.per_laminar == 0.0
     }
 
-    /// Computes the faded force.
+    /// Computes the faded FV force; `factor` is the factor on its laminar part.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, factor: R) -> R {
         force * (factor.plus(-1.0) * self.laminar(force)).plus(1.0)
@@ -115,7 +115,7 @@ impl TemperatureFade {
         (force.abs() * self.per_laminar).plus(1.0).inverse()
     }
 
-    /// Computes the factor at a given temperature and a rise above it.
+    /// Computes the factor of the laminar part at the temperature `given`, °C, plus the self-heating `rise`, K.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, given: f64, rise: R) -> R {
         let above = rise.plus(given - self.reference);

@@ -1,4 +1,4 @@
-//! Viscous friction that grows with the square of velocity (thesis 3.2, the F_v term).
+//! Viscous friction that grows with the square of velocity (Jonnalagadda & Vyas, KTH 2020, equation 3.2, term F_v).
 
 use crate::element::{Force, Motion, Prepare, Response};
 use crate::fault::Fault;
@@ -7,7 +7,7 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Viscous friction with the force F = F_v v|v|, odd in v.
 ///
-/// Equation 3.5 of the thesis has v² without a sign. In compression that force would drive the motion instead of
+/// Equation 3.5 of the source has v² without a sign. In compression that force would drive the motion instead of
 /// resisting it.
 #[derive(Clone, Copy, Debug)]
 pub struct ViscousFriction {

@@ -120,7 +120,7 @@ fn instant(
 const TOLERANCE: f64 = 1e-13;
 
 /// Finds the oil velocity w, from a guess, at which the residual `left` is 0. The arguments of `left` are w and the FV
-/// force at w.
+/// force at w. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
@@ -234,7 +234,7 @@ pub(super) enum FurtherOutputs<'a> {
 
 pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Through {
     let at = At::new(e, state, input);
-    // The last state, and the input, whose derivatives are always needed.
+    // The last state, and displacement and velocity of the moving end, whose derivatives are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);
@@ -286,7 +286,7 @@ impl Instant {
     }
 }
 
-/// Largest number of iterations for states and force at equilibrium.
+/// Largest number of iterations for the states and the hydraulic force at equilibrium.
 const TOGETHER: usize = 200;
 /// Number of iterations after which the state of the frequency-selective damping is bracketed.
 ///

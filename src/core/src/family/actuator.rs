@@ -90,7 +90,7 @@ impl Actuator {
         Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
     }
 
-    /// Advances by a step in which u, the command after the dead time, is constant. The result is exact.
+    /// Advances the state by a step in which u, the command after the dead time, is constant. The result is exact.
     pub fn advance(&self, from: &Stand, u: f64, dt: f64) -> Stand {
         let way = u - from.lagged;
         let falls = usize::from(way < 0.0);
@@ -208,7 +208,7 @@ mod tests {
             }
         }
         let [up, down] = ways;
-        // Far from both ends the rising and the falling branch are 2 h apart.
+        // Far from both ends the curves of the rising and the falling setting are 2 h apart.
         assert!((down[20] - up[20] - 0.2).abs() < 0.01, "{} {}", up[20], down[20]);
         assert!(up.iter().zip(&down).all(|(up, down)| up <= &(down + 1e-12)));
     }

@@ -173,10 +173,11 @@ impl Axis {
         (grid.first().copied().unwrap_or(0.0), grid.last().copied().unwrap_or(0.0))
     }
 
-    /// Sets the grid. Values over another grid are removed; name, unit and actuator stay.
+    /// Sets the grid. All values over the previous grid are removed; name, unit and actuator stay.
     ///
     /// # Errors
     /// Returns [`Reason::SettingGrid`] for fewer than two or more than eight numbers, or numbers that do not increase.
+    /// Numbers beyond ±1e9, and intervals below 1e-6 of the range, are errors too.
     pub fn set_grid(&mut self, grid: &[f64]) -> Result<(), Fault> {
         check_grid(grid).map_err(of_the_axis)?;
         for (to, from) in self.grid.iter_mut().zip(grid) {
@@ -235,7 +236,7 @@ impl Axis {
         keep(&mut self.unit, unit)
     }
 
-    /// Returns number `index` of [`ENTRIES`].
+    /// Returns the value of entry `index` of [`ENTRIES`], or 0 if there is no such entry.
     pub fn number(&self, index: usize) -> f64 {
         match index {
             0 => self.start(),
@@ -243,10 +244,10 @@ impl Axis {
         }
     }
 
-    /// Sets number `index` of [`ENTRIES`].
+    /// Sets the value of entry `index` of [`ENTRIES`].
     ///
     /// # Errors
-    /// Returns an error for a number that is not finite or out of bounds.
+    /// Returns an error for an unknown index, and for a number that is not finite or out of bounds.
     pub fn set_number(&mut self, index: usize, value: f64) -> Result<(), Fault> {
         check_entry(index, value)?;
         if let Some(slot) = self.entries.get_mut(index) {
@@ -261,7 +262,7 @@ impl Axis {
         self.entries.first().copied().filter(|start| !start.is_nan()).unwrap_or(first)
     }
 
-    /// Returns the actuator.
+    /// Returns the actuator of the axis.
     pub fn actuator(&self) -> Actuator {
         let [_, up, down, dead_time, rising, falling, hysteresis, rest] = self.entries;
         Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis, rest }
@@ -402,7 +403,7 @@ impl Axis {
         at
     }
 
-    /// Writes the values interpolated at a setting into a set that already contains the constant values.
+    /// Writes the values interpolated at a setting into a parameter set that already contains the constant values.
     pub fn put(&self, params: &mut Params, setting: f64) {
         let grid = self.grid();
         if grid.len() < 2 {
@@ -473,8 +474,8 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a family that contains the given parameter sets at the grid values: the first set, and the values that
-    /// differ.
+    /// Makes a family that contains the given parameter sets at the grid values. Returns the first set, and an axis
+    /// with the values that differ.
     ///
     /// # Errors
     /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a
@@ -540,7 +541,7 @@ const DISSIPATES: [Element; 5] = [
     element!("valve_hysteresis"),
 ];
 
-/// Checks the value of number `index` of [`ENTRIES`].
+/// Checks a value for entry `index` of [`ENTRIES`].
 pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
     let entry = ENTRIES.get(index).ok_or(of_the_axis(Reason::UnknownName))?;
     if !value.is_finite() {
@@ -599,7 +600,7 @@ pub fn can_vary(list: List) -> bool {
     list == list!("fv_force")
 }
 
-/// Returns the index of a name in [`ENTRIES`].
+/// Returns the index of the entry of [`ENTRIES`] with this name, or `None`.
 pub fn index_of(name: &[u8]) -> Option<usize> {
     ENTRIES.iter().position(|entry| entry.name.as_bytes() == name)
 }

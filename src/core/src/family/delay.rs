@@ -97,7 +97,7 @@ mod tests {
             let mut delay = Delay::constant(1.0);
             let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
             for k in 0..200 {
-                // The signal changes between levels at first and is constant afterwards.
+                // The signal steps between 1, 2 and 3 at first and is constant afterwards.
                 let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
                 let out = delay.advance(signal, dead_time, dt);
                 (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);
@@ -111,7 +111,7 @@ mod tests {
                 late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
                 "{late} for {dead_time}"
             );
-            // The last level is still stored for the length of a dead time.
+            // The last value of the signal, 1 above the initial one, is still stored for the length of a dead time.
             assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
             assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
         }

@@ -77,8 +77,9 @@ pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
 /// `after` are the lengths of the intervals on both sides, infinite for a missing interval.
 ///
 /// Positive and negative derivatives are limited separately. Two sweeps find the largest derivatives that do not exceed
-/// their targets and whose changes from point to point satisfy the condition. Between points whose derivatives have
-/// different signs, each derivative may use half of the allowed change.
+/// their targets. The change of the derivative from a point to the next stays between −3 `rises`/`after` and
+/// 3 `rises`/`before`. Between points whose derivatives have different signs, each derivative may use half of this
+/// range.
 pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64, after: f64) {
     let count = derivatives.len();
     let sign_at = |derivatives: &[f64], point: usize| derivatives.get(point).copied().unwrap_or(0.0);

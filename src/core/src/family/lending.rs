@@ -6,7 +6,7 @@ use crate::elements::valve_hysteresis::ValveHysteresis;
 use crate::parameter::Params;
 use crate::schema::View;
 
-/// Values of the parameters at a setting.
+/// Source of the parameter values at a setting.
 pub(crate) trait Numbers {
     /// Returns whether an element depends on the setting.
     fn vary(&self, group: usize) -> bool;
@@ -54,7 +54,8 @@ macro_rules! kept {
 }
 pub(crate) use kept;
 
-/// Lends or prepares an element with a large table. Such an element has its own methods for lending and preparing.
+/// Returns an element with a large table at a setting: borrowed from the family, or prepared from the parameters at the
+/// setting. Such an element has its own methods for borrowing and preparing.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {

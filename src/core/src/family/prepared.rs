@@ -22,7 +22,7 @@ use crate::{Partials, element, list, number};
 
 /// Step of the central differences with respect to the setting, as a fraction of the grid's range.
 ///
-/// The forces are accurate to 1e-13, so a step of 1e-6 gives seven valid digits.
+/// The forces have a relative accuracy of 1e-13, so a step of 1e-6 gives seven valid digits.
 const NEAR: f64 = 1e-6;
 /// Step length at which the costs of the integration methods are compared, s: see [`crate::integration`].
 const COMPARED_AT: f64 = 1e-3;
@@ -30,7 +30,7 @@ const COMPARED_AT: f64 = 1e-3;
 /// Elements in which a parameter with value 0 switches off a part of the element and its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
 
-/// Number of points below which a section reads only the first entries of a table: see [`Section`].
+/// Number of points of an FV curve below which a [`Section`] reads only this many entries of its arrays.
 const FEW_POINTS: usize = 16;
 
 /// A parameter and its interpolation over the setting.
@@ -166,7 +166,7 @@ impl At<'_> {
     }
 }
 
-/// Returns the number of stages of a step, as a measure of its cost.
+/// Returns the number of stages of a host step of [`COMPARED_AT`], as a measure of its cost.
 fn stages(integration: &Integration) -> u32 {
     let substeps = integration.substeps(COMPARED_AT);
     substeps * integration.method_of(COMPARED_AT, substeps, || 1.0).stages()
@@ -243,7 +243,7 @@ impl Family {
     /// Prepares a family from a parameter set and an axis that passed [`Family::check`].
     ///
     /// # Errors
-    /// Returns no error for such a set.
+    /// Returns no error for a set and an axis that passed the check.
     #[inline(never)]
     pub fn set_checked(&mut self, params: &Params, axis: &Axis) -> Result<(), Fault> {
         let grid = axis.grid();
@@ -256,7 +256,7 @@ impl Family {
         self.start = axis.start();
         self.actuator = axis.actuator();
         self.set_numbers(axis);
-        // Choose the method that is accurate enough at all grid values.
+        // Choose the most expensive of the methods at the grid values, which is accurate enough at all of them.
         let mut chosen = Integration::OFF;
         let mut cheap_up_to = f64::INFINITY;
         for (index, setting) in grid.iter().enumerate() {
@@ -295,8 +295,8 @@ impl Family {
             }
             self.varying |= element.bit();
         }
-        // The moving mass may be a part of the internal mass. If one of the two elements is prepared again, the other
-        // must be prepared again too.
+        // The moving mass may be a part of the internal mass, which belongs to the series compliance. If one of these
+        // elements is prepared for a setting, the other must be prepared too.
         let both = element!("series_compliance").bit() | element!("moving_mass").bit();
         if self.varying & both != 0 {
             self.varying |= both & self.params.elements();
@@ -355,7 +355,7 @@ impl Family {
         self.start
     }
 
-    /// Returns the actuator.
+    /// Returns the actuator of the setting.
     pub fn actuator(&self) -> &Actuator {
         &self.actuator
     }
@@ -524,9 +524,9 @@ impl Family {
         own
     }
 
-    /// Advances one step of `dt` in place: see [`crate::step::step_in_place`]. `to` and `setting` are the input and the
-    /// command at its end. The command is constant during the step. Without `derivatives`, the derivatives of the
-    /// output have no meaning.
+    /// Advances one step of `dt`, s, in place: see [`crate::step::step_in_place`]. `to` is the input at the end of the
+    /// step, and `setting` the command, which is constant during the step. Without `derivatives`, the derivatives of
+    /// the output have no meaning.
     ///
     /// Returns false and changes nothing if a number of the new state or of the output is not finite.
     ///

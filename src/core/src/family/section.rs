@@ -7,13 +7,14 @@ use core::fmt::Debug;
 
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
 
-/// Size of the arrays: the points, and one entry beyond all of them.
+/// Size of the arrays of a curve: the points, and one entry beyond all of them.
 pub(crate) const ROOM: usize = MAX_POINTS + 1;
 /// Mask of an index into the arrays.
 const MASK: usize = ROOM - 1;
 /// Abscissa beyond all points.
 const FAR: f64 = f64::MAX;
-/// A Householder step shorter than this fraction of its piece is the last one, as in [`Curve::solve`].
+/// Largest Householder step, relative to the width of the piece, after which the iteration stops, as in
+/// [`Curve::solve`].
 const FEW: f64 = 1e-3;
 
 /// Points of a curve at one setting.
@@ -56,7 +57,7 @@ pub struct Section<'a> {
     interpolation: Interpolation,
 }
 
-/// A piece, as in [`Curve`].
+/// A piece of the curve: f(u) = f0 + t (c1 + t (c2 + t c3)) with t = u − u0.
 struct Piece {
     u0: f64,
     f0: f64,
@@ -81,7 +82,7 @@ impl<'a> Section<'a> {
         Section { u, per, f, count, interpolation }
     }
 
-    /// Returns the number of points at which `key` is at most `r`, which is the index of the piece.
+    /// Returns the number of points at which `key(u, f)` is at most `r`: the index of the piece that contains `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -252,8 +253,8 @@ impl ForceLaw for Section<'_> {
 pub enum Passage<'a> {
     /// The table of the family.
     Table(&'a Conductance),
-    /// Node values computed from the FV curve, if the curve or the valve depends on the setting. The first node is at
-    /// this force, N.
+    /// Values computed from the FV curve, if the curve or the valve depends on the setting. They equal those of a table
+    /// whose first node is at this force, N.
     From(f64),
 }
 
@@ -279,8 +280,8 @@ impl Lookup for &Curve {
 pub struct Lent<'a>(core::marker::PhantomData<&'a ()>);
 
 impl<'a> Tables for Lent<'a> {
-    // Without these stages the library is 130 KB smaller, but a step with an oil column needs 10,500 instead of 6,500
-    // instructions.
+    // Stages compiled for common sets of elements: without them the library is 130 KB smaller, but a step with an oil
+    // column needs 10,500 instead of 6,500 instructions.
     const HAS_STAGES_OF_ITS_OWN: bool = true;
     type Fv = Section<'a>;
     type Spring = &'a Curve;

@@ -19,7 +19,7 @@ pub enum Acts {
     Inner,
     /// Parallel to the damper: friction.
     Friction,
-    /// Parallel to the damper: position forces.
+    /// Parallel to the damper: gas forces without internal state.
     Preload,
     /// Parallel to the damper, with an internal state.
     Stateful,

@@ -230,7 +230,8 @@ impl Hash for Element {
 
 /// Formats the name in quotes.
 impl fmt::Debug for Element {
-    // Inline for the reason given at [`Element::named`], because the formatting can panic.
+    // The formatting can panic. An inline function is compiled only where code calls it, so the library does not
+    // contain it.
     #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.name(), f)

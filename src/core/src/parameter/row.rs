@@ -107,8 +107,8 @@ impl Row {
     }
 }
 
-/// Finds a row by a name that is known only at run time. For a name known in code use [`crate::number!`] or
-/// [`crate::list!`].
+/// Finds the row with a name that is known only at run time; `None` if no row has the name. For a name known in code
+/// use [`crate::number!`] or [`crate::list!`].
 pub fn find(name: &str) -> Option<Row> {
     table().find(|row| row.parameter.name == name)
 }

@@ -25,14 +25,14 @@ impl Params {
     /// A set without values, which the caller must fill completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
-    /// Returns the defaults of the table, with the elements of the thesis cited in [`crate`] on.
+    /// Returns the defaults of the table, with the elements of the default model on (Jonnalagadda & Vyas, KTH 2020).
     pub fn new() -> Params {
         let mut params = Params::BLANK;
         params.set_defaults();
         params
     }
 
-    /// Sets every number to its default, in place.
+    /// Sets every parameter to its default, and switches the elements of the default model on and all others off.
     pub(crate) fn set_defaults(&mut self) {
         self.elements = DEFAULT_ON;
         for row in table() {
@@ -86,7 +86,8 @@ impl Params {
     /// Sets one number or choice.
     ///
     /// # Errors
-    /// Returns an error for a non-finite or out-of-bounds value. Nothing changes then.
+    /// Returns an error for a value that is not finite, out of bounds, or not the index of a choice. Nothing changes
+    /// then.
     pub fn set(&mut self, number: Number, value: f64) -> Result<(), Fault> {
         self.set_row(number.row(), &[value])
     }
@@ -105,7 +106,7 @@ impl Params {
         Ok(())
     }
 
-    /// Checks every value against the table. Sets that the setters filled need no check.
+    /// Checks every value against the table. A parameter set that the setters filled needs no check.
     ///
     /// # Errors
     /// Returns the first parameter with a value that the table does not allow.

@@ -1,5 +1,5 @@
-//! Elements that act in a stage, and the nonlinearity of their forces. The stages of common dampers have their own
-//! code.
+//! Elements of the force path that act in a stage, and the nonlinearity of their forces. The stages of common sets of
+//! elements are compiled separately.
 
 use super::Paths;
 use super::bits::{
@@ -9,10 +9,11 @@ use super::bits::{
 use super::slots::place;
 use crate::tables::Tables;
 
-/// Elements that only scale the FV curve slowly.
+/// Elements that only scale the FV curve, by a factor that changes slowly.
 const FACTORS: u32 = FADE | HEAT;
 
-/// Returns whether the elements of the paths make the force more nonlinear within a step than without them.
+/// Returns whether an element is on that makes the force more nonlinear within a step than the FV curve and the series
+/// compliance alone.
 pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
@@ -67,7 +68,7 @@ pub fn is_for<const ON: u32>(e: &Paths<impl Tables>) -> bool {
     acting & !ON == 0 && acting & !ADDED == ON & !ADDED
 }
 
-/// Returns whether one element acts in a stage compiled for the elements `ON`.
+/// Returns whether an element with one of the bits `bit` acts in a stage compiled for the elements `ON`.
 #[inline(always)]
 pub fn acts<const ON: u32>(e: &Paths<impl Tables>, bit: u32) -> bool {
     let certain = if ON == ANY { 0 } else { !ADDED };

@@ -17,7 +17,7 @@ use crate::tables::Tables;
 
 /// F_l of a groove, N: the force below which its flow is laminar. It is small, because a groove is short.
 const LAMINAR: f64 = 20.0;
-/// r(F)/r(1 kN) of a groove.
+/// Computes r(F)/√(1 kN) of a groove.
 #[inline(always)]
 fn short<R: Real>(force: R) -> R {
     law(force, LAMINAR) * (1.0 / libm::sqrt(STATED))

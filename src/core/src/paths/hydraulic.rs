@@ -41,8 +41,8 @@ pub struct Flow<R> {
 /// The value is far too small to be measured.
 const LEAKAGE: f64 = 0.01;
 
-/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). s are the factors of position and temperature.
-/// N are the lagging valve and frequency-selective damping.
+/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). s is the product of the factors for position
+/// and temperature. N stands for the lagging valve and frequency-selective damping.
 ///
 /// `standing` is the FV curve's force at standstill. No flow causes it, so s and N do not change it.
 #[inline(always)]
@@ -122,8 +122,8 @@ pub(crate) struct Valves {
     scaled_by: [f64; 3],
     /// Derivatives of the force after the lagging valve. `valve_by` contains those of the valve's position.
     ///
-    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at the
-    /// two velocities `read`.
+    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at
+    /// `read`. `read` contains the two velocities at which the valve evaluates the curve.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
@@ -141,8 +141,7 @@ pub(crate) struct Moves {
     pub w: f64,
     pub x: f64,
     pub rise: f64,
-    /// The known part of the valve's position, and the force of the FV curve at the velocities that the valve
-    /// evaluates.
+    /// The known part of the valve's position, and the forces of the FV curve at the two velocities [`Valves::read`].
     pub valve: f64,
     pub read: [f64; 2],
     pub selective: f64,
@@ -283,7 +282,7 @@ pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     if e.has_aeration() { air.deflection(compliance, force) } else { force * compliance }
 }
 
-/// Computes the state of an oil column under a force.
+/// Computes the state of an oil column under the force `force`, N, at displacement `x`, m.
 ///
 /// The state is the deflection. With two chambers whose length changes, it is the part of the piston stroke that the
 /// column absorbs.

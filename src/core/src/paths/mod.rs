@@ -11,10 +11,10 @@
 //! u is the velocity of the internal mass. φ is the elastic law. χ is the closed fraction of the free play's contacts,
 //! 1 without free play. k_1 z and k_2 y are the forces of the relaxing springs of a bushing.
 //!
-//! w is the velocity of the oil through the valves, as a piston velocity, and b the flow that bypasses them. s are the
-//! factors of position and temperature. N are the lagging valve and frequency-selective damping. q is the deflection of
-//! the oil column, φ_o its force law, and ℓ its length, 1 at x = 0. e is the depth of the cavitation void. σ is 1 if
-//! the void opens in rebound, −1 in compression.
+//! w is the velocity of the oil through the valves, as a piston velocity, and b the flow that bypasses them. s is the
+//! product of the factors for position and temperature. N stands for the lagging valve and frequency-selective damping.
+//! q is the deflection of the oil column, φ_o its force law, and ℓ its length, 1 at x = 0. e is the depth of the
+//! cavitation void. σ is 1 if the void opens in rebound, −1 in compression.
 //!
 //! If the series path carries the whole force, the forces of friction and gas act on the mass in addition to F_p.
 //!
@@ -45,7 +45,7 @@ use bits::{
 use list::each_path_element;
 pub use slots::{STATES, Slots, place};
 
-/// Expands the list into the prepared set.
+/// Expands the list of elements in the force path into their prepared set.
 macro_rules! gathered {
     (
         primary { $primary:ident: $Primary:ty }
@@ -128,7 +128,7 @@ macro_rules! gathered {
                 Ok(())
             }
 
-            /// Prepares in place the elements that are on, from a set that [`Paths::check`] accepted.
+            /// Prepares in place the elements that are on, from parameters that [`Paths::check`] accepted.
             pub(crate) fn set(&mut self, params: &Params) {
                 let on = params.elements();
                 self.on = on;
@@ -181,7 +181,7 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// Returns a set without elements. This is a function, because each use of a constant would copy the whole
+            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
             /// set.
             #[inline(always)]
             pub(crate) fn none() -> RenewedPaths {

@@ -27,8 +27,8 @@ const SETTLED: f64 = 1e-4;
 /// then cause a large error.
 const STRAIGHT: f64 = 1e-4;
 
-/// Largest number of bisections to find the middle of a bracket: the number of binary digits of a velocity. All are
-/// necessary only if the curve rises by half the bracket within a rounding error of the velocity.
+/// Largest number of bisections in [`middle`]: the number of binary digits of a velocity. All are necessary only if the
+/// curve rises by half of its rise over the bracket within a rounding error of the velocity.
 const HALVES: usize = 64;
 
 /// Smallest ratio of two derivatives at which [`oil_velocity`] accepts a linear last step.
@@ -166,7 +166,7 @@ pub fn oil_velocity<Q: Equation>(
     }
 }
 
-/// Returns the middle of a bracket. If one end is infinite, returns `next`.
+/// Returns a velocity inside a bracket: that of [`middle`], or `next` if one end of the bracket is infinite.
 ///
 /// From iteration [`PATIENCE`] on, returns a point beyond the finite end instead: its distance from that end is the
 /// distance of the end from rest.
@@ -181,7 +181,8 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
     }
 }
 
-/// Finds the velocity at which the measure a w + F_d(w) is in the middle of a bracket, within a tenth of it.
+/// Finds the velocity w at which a w + F_d(w) is the mean of its values at both ends of a bracket. The tolerance is a
+/// tenth of the difference of these values.
 ///
 /// Householder steps fail in a piece that is horizontal at one end but on average a thousand times steeper than a. A
 /// point at the same end in every iteration would not shrink the bracket.

@@ -34,7 +34,7 @@ pub(super) struct Before {
     /// Displacement and velocity of the mass.
     pub x: f64,
     pub v: f64,
-    /// Increase of the moving end's velocity in the step.
+    /// Increase v − v_0 of the moving end's velocity in the step.
     pub gain: f64,
     /// h.
     pub h: f64,
@@ -55,20 +55,21 @@ pub(super) struct After {
     pub by_impulse: f64,
     /// ∂u/∂v̂: sensitivity of the solution to the guess.
     pub by_guess: f64,
-    /// |F_d(v̂) − F_d(0)|.
+    /// |F_d(v̂) − F_d(0)|, N.
     level: f64,
     /// F_d(0).
     offset: f64,
 }
 
-/// Speed, m/s, added to |v̂| to avoid a division by zero. Far below all relevant speeds.
+/// Speed, m/s, added to |v̂| to avoid a division by zero. It is far below all relevant speeds.
 const STANDSTILL: f64 = 1e-9;
 
-/// Largest force of the line relative to the force at v̂. With a smaller value, more steps around a reversal are
-/// repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve by that factor. The value
-/// is not tuned: no other value was tried.
+/// Largest force of the line, relative to the force at v̂, at which a cheap step is accepted. With a smaller value, more
+/// steps around a reversal are repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve
+/// by that factor. The value is not tuned: no other value was tried.
 const BEYOND: f64 = 2.0;
-/// Allowed error of the springs' tangent, relative to the forces on the mass: about the error of the method.
+/// Largest error of the springs' tangent, relative to the forces on the mass, at which a cheap step is accepted. It is
+/// about the error of the method.
 const MISSED: f64 = 0.05;
 
 impl After {
@@ -102,7 +103,7 @@ impl Before {
     }
 }
 
-/// Advances the mass by one step to the moving end at `end`; `springs` is the force on the mass at `springs_at`.
+/// Advances the mass by one step to the moving end at `end`; `springs` is the springs' force on a mass at `springs_at`.
 #[inline(always)]
 pub(super) fn take(
     elements: &Elements<impl Tables>,
@@ -130,7 +131,8 @@ pub(super) fn take(
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.derivative * speed <= level {
-        // s = level/speed. Both sides of the balance are multiplied by the speed, so that one division is enough.
+        // The slope of the secant is s = level/speed. Both sides of the balance are multiplied by the speed, so that one
+        // division is enough.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;
         u = share * speed;

@@ -16,7 +16,7 @@ pub struct Stage<'a> {
     pub last: bool,
     /// γh of the stage, s.
     pub g: f64,
-    /// Weights of the gains of the previous stages.
+    /// Weights of the gains, g × rate, of the previous stages.
     pub row: &'a [f64],
     /// Motion of the moving end.
     pub path: PathPoint,

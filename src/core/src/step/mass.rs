@@ -59,7 +59,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         mass
     }
 
-    /// Runs all stages in a loop; `MAY_BEND` as in `written_out`.
+    /// Runs all stages in a loop. `MAY_BEND` means that some springs may be nonlinear.
     #[inline(always)]
     fn run<const MAY_BEND: bool>(&mut self, method: &Tableau, follow: &mut impl Follow<T>) -> Mass {
         let mut mass = self.start;
@@ -75,7 +75,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         self.run::<true>(method, follow)
     }
 
-    /// Runs one stage; `MAY_BEND` as in `written_out`.
+    /// Runs one stage. `MAY_BEND` means that some springs may be nonlinear.
     #[inline(always)]
     fn stage<const MAY_BEND: bool>(&mut self, method: &Tableau, index: usize, follow: &mut impl Follow<T>) -> Mass {
         let e = &self.elements.paths.series_compliance;
@@ -103,7 +103,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let a = resistance + inner_derivative;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = mass_rate * known_v + drive - inner_known;
-        // The error after three iterations is below the error of the method.
+        // After the three Householder steps of `solve`, the error is below the error of the method.
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
@@ -177,14 +177,16 @@ struct Held {
     r: f64,
 }
 
-/// Allowed error of the springs' linearization, relative to the forces on the mass.
+/// Largest error of the springs' linearization, relative to the forces on the mass, at which a stage is accepted.
 ///
 /// The value equals the error limit of the automatic choice of method. A larger value would accept forces that the
 /// springs cannot have.
 const MISSED: f64 = 1e-3;
-/// Allowed residual if large forces cancel in the balance, relative to these forces.
+/// Additional allowed residual of the balance, relative to its right side, for rounding errors of large forces that
+/// cancel.
 const ROUNDING: f64 = 1e-12;
-/// Largest number of iterations. After [`PATIENCE`] of them, every other iteration bisects the bracket.
+/// Largest number of iterations for nonlinear springs. After [`PATIENCE`] of them, every other iteration bisects the
+/// bracket.
 const ITERATIONS: usize = 60;
 const PATIENCE: usize = 6;
 

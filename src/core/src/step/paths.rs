@@ -35,8 +35,8 @@ pub use stage::Seed;
 
 /// Bounds of the length of a step, s.
 ///
-/// A step longer than the first bound changes the states by more than their rounding errors. The second bound is far
-/// above the step of any host.
+/// A step longer than `SHORTEST` changes the states by more than their rounding errors. `LONGEST` is far above the step
+/// of any host.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
@@ -317,7 +317,7 @@ fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32
     kept
 }
 
-/// Returns the change of the states in a stage.
+/// Returns the gains of a stage: the states after it minus their known parts.
 #[inline(always)]
 fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; STATES] {
     let mut gain = [0.0; STATES];
@@ -460,9 +460,9 @@ struct Substep<'a, T: Tables> {
 
 /// Number of pieces into which a substep is divided when a void closes in it.
 const PIECES: u32 = 16;
-/// A void smaller than this, m, is about to close.
+/// Depth of a void at the end of a substep, m, below which it is about to close: the substep is repeated in pieces.
 const CLOSING: f64 = 2e-5;
-/// A void smaller than this, m, is closed.
+/// Depth, m, below which a void counts as closed and is set to 0.
 const SHUT: f64 = 1e-9;
 
 /// Number of pieces into which a substep is divided if the model's method overshoots a reversal.
@@ -474,8 +474,8 @@ const CALM: u32 = 8;
 /// released bushing was 1.8 times too high at 2 ms (search, seed 295465, case 53629). With a limit of 2, this error
 /// does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
-/// Smallest relevant difference, relative to the size of the forces. A smaller difference does not count as an
-/// overshoot.
+/// Difference between end force and latest stage, relative to the size of the forces, below which no overshoot is
+/// detected.
 const STATEFUL_OR_STOP: f64 = 0.02;
 
 /// Returns whether the force at the `end` is consistent with the previous `stages`. Returns false for a NaN.
@@ -525,7 +525,7 @@ impl<T: Tables> Substep<'_, T> {
             Ended::VoidClosed if const { ON & CAVITATION != 0 } => {
                 self.in_pieces::<ON>(&EULER, PIECES, now, follow);
             }
-            // This is so rare that it is compiled once for all variants.
+            // A repetition is so rare that it is compiled once for all variants.
             Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&SECOND, CALM, now, follow),
         }
     }

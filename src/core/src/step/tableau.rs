@@ -145,7 +145,7 @@ pub(super) static THIRD: Tableau = {
     Tableau::new(4, g, below, ENDS_WITHIN)
 };
 
-/// [`Method::Fourth`]. Its weights reach 31, so its end force has a tighter limit.
+/// [`Method::Fourth`]. Its weights reach 31, so the check of its end force has no minimum of [`Tableau::goes_on`].
 pub(super) static FOURTH: Tableau = Tableau::new(
     5,
     0.25,

@@ -1,6 +1,6 @@
 //! At every setting, a family equals the ordinary damper with the interpolated parameters, for all elements.
 //!
-//! The actuator changes the setting over time.
+//! Further tests check the actuator, which changes the setting over time.
 
 use crate::common::{any_params, describe, params, paths, sine};
 use dashpot_core::evaluate::partials;
@@ -199,7 +199,7 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
     }
 }
 
-/// Interpolates linearly between the points.
+/// Interpolates linearly between the points (`v`, `f`), and extrapolates beyond them.
 fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
     let i = v.iter().filter(|v| **v <= at).count().clamp(1, v.len() - 1);
     f[i - 1] + (f[i] - f[i - 1]) * (at - v[i - 1]) / (v[i] - v[i - 1])

@@ -19,7 +19,7 @@ fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize
         .collect()
 }
 
-/// Computes the work over the last of `cycles` cycles.
+/// Computes the work, J, over the last of `cycles` cycles of a sine.
 fn loop_area(model: &Model, amplitude: f64, frequency: f64, cycles: usize) -> f64 {
     let n = 2000;
     let points = run(model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, cycles * n);
@@ -98,7 +98,7 @@ fn a_gas_spring_pressed_beyond_its_volume_stays_finite_and_rises() {
     }
 }
 
-/// The root mean square error of the force of a mass of 5 kg is below 6 % of the largest M a.
+/// The root mean square error of the force of a mass of 5 kg is below 6 % of the largest inertia force.
 ///
 /// The motion goes up to 30 Hz, with host steps of 0.25 to 2 ms.
 #[test]
@@ -196,7 +196,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
         assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
-    // At half the length, the elastic contact is a spring; at two lengths it slides.
+    // At half of `presliding_length`, the elastic contact is a spring; at twice that length it slides.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
     assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);
@@ -305,7 +305,7 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
 
 /// With smooth elements, the step converges with the order of the method.
 ///
-/// The presliding law has a kink of |v| at every reversal, so the motion of this test has none.
+/// The presliding law has a kink of |v| at every reversal, so the motion of this test has no reversal.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [

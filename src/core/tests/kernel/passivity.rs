@@ -138,7 +138,7 @@ fn at(u: &[f64], f: &[f64], v: f64) -> f64 {
     f[i - 1] + (f[i] - f[i - 1]) * (v - u[i - 1]) / (u[i] - u[i - 1])
 }
 
-/// The free motion of the thesis's model loses energy in every step, with every method.
+/// The free motion of the default model without friction loses energy in every step, with every method.
 #[test]
 fn free_motion_dies_with_every_method() {
     let mut p = params(&[]);

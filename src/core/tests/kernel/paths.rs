@@ -281,7 +281,7 @@ fn an_oil_column_is_softer_where_it_is_longer() {
             let x0 = 0.02;
             let start = State { displacement: x0, ..model.steady_state(&Input::motion(x0, 0.0)) };
             let (dt, v) = (1e-5, sign * 0.5);
-            // First build up some force, so that one chamber is under pressure.
+            // The first steps build up a force, so that one chamber is under pressure.
             let mut state = State { velocity: v, ..start };
             let mut before = 0.0;
             let mut derivative = 0.0;
@@ -521,8 +521,8 @@ fn series_elements_without_series_are_refused_and_too_many_states_too() {
     assert_eq!(Model::new(&p).unwrap_err().reason, Reason::TooManyStates);
 }
 
-/// At rest, all state derivatives are zero. In steady motion, the internal mass moves with the moving end. Its internal
-/// states are then not checked, because some of them have no equilibrium.
+/// In the steady state at rest, all state derivatives are zero. In steady motion, the internal mass moves with the
+/// moving end. The internal states are then not checked, because some of them have no equilibrium.
 #[test]
 fn settled_states_rest() {
     for (name, params) in paths() {
@@ -542,8 +542,8 @@ fn settled_states_rest() {
     }
 }
 
-/// A run continues bitwise equal from a copied state. The output of a step agrees with the evaluation at the end of the
-/// step.
+/// A step repeated from a copied state gives equal bits. Without a void, the force of a step agrees with the evaluation
+/// at the end of the step.
 #[test]
 fn a_step_ends_where_evaluation_finds_it() {
     for (name, params) in paths() {

@@ -7,12 +7,12 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Steps through `motion` and compares the deflection of the series spring with an energy bound. Then holds the end and
-/// compares the force with the static force.
+/// Steps through `motion` and compares the deflection of the series spring with an energy bound. Then keeps the moving
+/// end fixed and compares the force with the static force.
 ///
-/// With H = m u²/2 + k_s e²/2 + ∫F_p, √H grows at most in proportion to the speed of the moving end. The deflection e
-/// is thus at most the length of the path, plus a part from the parallel spring and the FV curve's offset. The test
-/// allows twice that length.
+/// H = m u²/2 + k_s e²/2 + ∫F_p is the energy of the mass with velocity u, the series spring and the parallel spring.
+/// √H grows at most in proportion to the speed of the moving end. The deflection e is thus at most the length of the
+/// path, plus a part from the parallel spring and the FV curve's offset. The test allows twice that length.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -132,8 +132,8 @@ fn steps_of_any_length_stay_finite() {
     }
 }
 
-/// The test has two chambers and an FV curve with 19 kN at rest. After the reversal, the chamber under pressure is
-/// twenty times as long.
+/// Steps in which the pressure moves to the other chamber agree with short steps. The FV curve has 19 kN at rest. After
+/// the reversal, the chamber under pressure is twenty times as long.
 ///
 /// An earlier version used the column's deflection as its state. The step at the reversal of the force then returned
 /// -24 kN instead of 9 kN, and eight steps later 0.6 GN.
@@ -178,8 +178,8 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     }
 }
 
-/// The first guess is far from the solution on a hardening spring. The oil stores 10 kJ at rest, so the mass follows
-/// any jump.
+/// The deflection stays below 0.2 m although the first guess is far from the solution on a hardening spring. The oil
+/// stores 10 kJ at rest, so the mass follows any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     let mut p = params(&[
@@ -202,7 +202,8 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     }
 }
 
-/// The test has a strongly damped series path and a column with one chamber forty times as long as the other.
+/// The deflection stays below 5 mm with a strongly damped series path. One chamber of the column is forty times as long
+/// as the other.
 ///
 /// The damping masks the effect of the column and of a lagging valve in the total force. In an earlier version, the
 /// fourth-order method combined its stages to 1325 m of oil. Four steps later, the mass had 18 km/s.
@@ -257,7 +258,8 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// A column under 15 kN in strokes of 60 mm from rest to rest. In each stroke, its length falls to a tenth or returns.
+/// The hydraulic force of a column under 15 kN stays below 25 kN in strokes of 60 mm from rest to rest. In each stroke,
+/// the column's length changes up to tenfold.
 ///
 /// An earlier version used the velocities at the stages. With the cheapest method, the column then did not deflect at
 /// all; with the fourth-order method, the force reached 9 MN.
@@ -289,7 +291,7 @@ fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves()
     }
 }
 
-/// The table of the valve's conductance ends 12 octaves above the opening force.
+/// The force stays bounded at the end of the table of the valve's conductance, 12 octaves above the opening force.
 ///
 /// In an earlier version, the last cubic of the table overshot there, and the force grew without bound.
 #[test]

@@ -185,7 +185,7 @@ fn the_run_has_these_digits_on_every_platform() {
         let model = model(&[]).with_integration(Integration::fixed(method, 2));
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         for i in 0..500 {
-            // The velocity is triangular, because a sine would depend on a library.
+            // The velocity is a sawtooth, because a sine would depend on a library.
             let phase = (i % 100) as f64 / 100.0;
             let v = if phase < 0.5 { phase } else { phase - 1.0 };
             let (next, output) = step(&model, &state, &Input::velocity(v), 1e-3);
@@ -232,8 +232,9 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     }
 }
 
-/// With a groove, the force of a nearly closed valve rises steeply. An earlier iteration for the state of
-/// frequency-selective damping therefore oscillated forever.
+/// The static force balances its components, and a run at rest converges to it. With a groove, the force of a nearly
+/// closed valve rises steeply. In an earlier version, the iteration for the state of frequency-selective damping
+/// therefore oscillated forever.
 ///
 /// The static force was then 83 kN, although the valves had 0.3 kN.
 #[test]

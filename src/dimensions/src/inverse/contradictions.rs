@@ -40,8 +40,8 @@ struct Stand<'a> {
     central: &'a dyn Fn(&Dimensions) -> Option<f64>,
 }
 
-/// Adds the contradictions: parameters whose interval in the model does not overlap the interval that the drawing
-/// implies.
+/// Adds the contradictions to the explanation: parameters whose interval in the model does not overlap the interval that
+/// the drawing implies.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let all = expectations(drawing);
     let find = |number: Number| all.iter().find(|expectation| expectation.number == number).cloned();
@@ -184,7 +184,7 @@ fn first_zero(function: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     None
 }
 
-/// Formats the entries with their values, as in a drawing.
+/// Formats the entries from which an expectation follows, with their values in the drawing.
 fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
     let value = |key: &str| {

@@ -15,13 +15,14 @@ use dashpot_messages::Template;
 const BAR: f64 = 1e5;
 const CM3: f64 = 1e-6;
 
-/// Adds pressure and volume of the gas.
+/// Adds pressure and volume of the gas to the explanation.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let pressure = pressure(model, drawing, to);
     volume(model, drawing, pressure, to);
 }
 
-/// Adds the pressure from the gas force and returns it. If it cannot be determined, adds a gap and returns `None`.
+/// Adds the gas pressure, computed from the gas force, to the explanation and returns it. Returns `None` if an end of
+/// its interval is unbounded. If the pressure cannot be determined, adds a gap instead and returns `None`.
 fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "gas_pressure";
     let gap = |why: Template, parameters: Vec<&'static str>| Gap {

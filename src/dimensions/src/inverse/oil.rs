@@ -28,7 +28,7 @@ fn by_compression(stiffness: f64, x: &[f64]) -> f64 {
     oil::modulus_of_rebound(in_rebound, x[0], x[1], x[2])
 }
 
-/// Adds the moduli and the air.
+/// Adds the moduli and the air content of the oil to the explanation.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     let effective = column(model, drawing, to);
     without_tube(drawing, effective, to);
@@ -51,8 +51,8 @@ struct Column {
     is_bound: bool,
 }
 
-/// Returns the column stiffness: from the model's oil column, from its series spring without the eyes, or as a bound
-/// from the whole series spring. The error contains the missing parameters of the model.
+/// Returns the stiffness of the oil column. It comes from the model's oil column, from its series spring without the
+/// eyes, or as a bound from the whole series spring. If none is known, the error lists the missing parameters.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
     // Without a series spring in the model, its oil column includes the eyes.
     let has_series = model.number(number!("series_stiffness")) != Standing::Off;
@@ -166,7 +166,7 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     }
 }
 
-/// Adds the modulus of the oil with its air, without the tube's compliance.
+/// Adds the modulus of the oil with its air, without the tube's compliance, or a gap, to the explanation.
 fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "oil_modulus";
     let needed = [Entry::Bore, Entry::TubeWall];
@@ -189,7 +189,8 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
 
-/// Adds the content of free air, from the stroke of the aeration element or from the reduced modulus of the oil.
+/// Adds the content of free air, or a gap, to the explanation. The content follows from the stroke of the aeration
+/// element or from the reduced modulus of the oil.
 fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "air_content";
     let chamber = [Entry::GasPressure, Entry::ReboundChamber];

@@ -18,10 +18,10 @@ use dashpot_messages::Template;
 /// Square meters per mm². [`CM3_PER_BAR`] is m³/(s Pa) per cm³/(s bar).
 const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
-/// Ratio of the slope to the steepest slope below which a valve has opened.
+/// Ratio of the slope of the FV curve to its steepest slope, below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Largest number of points below the knee that are used. If there are more, only the fastest are used, because further
-/// points add no information.
+/// Largest number of points below the knee used for the bleed law. If there are more, only the fastest are used,
+/// because further points add no information.
 const POINTS: usize = 8;
 
 /// A stroke with the names of its quantities.
@@ -35,7 +35,7 @@ const STROKES: [Stroke; 2] = [
     Stroke { sign: -1.0, names: ["compression_bleed_area", "compression_leak", "compression_blow_off_area"] },
 ];
 
-/// Adds the passages of both strokes.
+/// Adds the passages of both strokes to the explanation.
 pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
     for stroke in &STROKES {
         stroke.explain(model, drawing, to);
@@ -146,8 +146,8 @@ impl Stroke {
             to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
             let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
             let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            // Without an upper end the curve has no laminar part. The bleed and passages in series have a laminar part,
-            // too, so a gap may leak less, or not at all.
+            // Without an upper end the curve has no laminar part. The bleed and passages in series with it have a
+            // laminar part, too, so the true leak may be smaller, or zero.
             let note = Some(phrases::OF_ALL_PASSAGES.into());
             match quantity.high {
                 Some(_) => to.quantities.push(Quantity { low: None, value: None, note, ..quantity }),

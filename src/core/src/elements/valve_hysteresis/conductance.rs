@@ -9,17 +9,18 @@ const LEAST: f64 = 1e-12;
 /// Number of Householder steps for W. Most of them run when a model is prepared, where their time matters little. They
 /// also run beyond the table, and in the steps of a family whose FV curve or valve depends on the setting.
 const STEPS: usize = 8;
-/// Number of nodes per power of two.
+/// Number of nodes of the table per power of two of the force.
 const PER_OCTAVE: usize = 16;
-/// Number of low bits of a force, as a double, below the bits that count the nodes.
+/// Number of low bits of a force, as a double, that give the position between two nodes. The bits above count the
+/// nodes.
 const BEHIND: u32 = 48;
-/// Number of powers of two that the table covers, from the opening force on. Beyond it g is computed from the FV curve
-/// itself.
+/// Number of powers of two of the force that the table covers, from the opening force on. At larger forces g is
+/// computed from the FV curve itself.
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
-/// Table of g over the force h, for both strokes, with cubics between its nodes. The nodes divide every power of two
-/// evenly.
+/// Table of the conductance g = W²/h over the force h, for both strokes, with cubics between its nodes. W is the
+/// velocity at which the FV curve has the force h. The nodes divide every power of two evenly.
 ///
 /// Each cubic stays between the values at its ends.
 #[derive(Clone, Copy, Debug)]
@@ -43,9 +44,9 @@ pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
     At { g, by_h: (2.0 * w * stroke / (LEVEL + derivative) - g) / h }
 }
 
-/// Limits the derivative of a node, so that the cubic stays between its ends.
+/// Limits the derivative of g at a node, so that the adjacent cubics stay between their end values.
 ///
-/// The limit is three times the derivative of the adjacent chords (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
+/// `limits` are three times the derivatives of the adjacent chords (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
 /// `None` stands for the missing chord of the first and the last node.
 fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     limits.into_iter().flatten().fold(derivative, |derivative, limit| {
@@ -53,7 +54,7 @@ fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     })
 }
 
-/// Returns three times the derivative of the chord from a node to the next.
+/// Returns three times the derivative of the chord of g from a node to the next.
 fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
     3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
 }
@@ -74,7 +75,7 @@ fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
     (interval < PLACES).then_some((interval, s))
 }
 
-/// Evaluates the cubic between two nodes at h, which lies at the position s.
+/// Evaluates the cubic between two nodes at the force h, which lies at the position s from 0 to 1 between them.
 #[inline(always)]
 fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     let octave = f64::from_bits(h.to_bits() & !((1 << 52) - 1));
@@ -148,8 +149,8 @@ impl Conduction for Conductance {
     }
 }
 
-/// Returns the velocity W for conductance `g` at the force h, and the derivative of g with respect to the FV force
-/// there.
+/// Returns the velocity W for conductance `g` at the force h. Also returns the derivative of g with respect to a change
+/// of the FV force at W.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;
@@ -178,7 +179,7 @@ mod tests {
                 let h = 130.0 * 1.004_f64.powi(k);
                 let (w, derivative) = velocity(&curve, h, stroke);
                 let g = table.conducted(&curve, h, stroke).g;
-                // Next to a horizontal part of the curve, the table rounds the corner.
+                // Next to a horizontal part of the curve, the table rounds the corner, so the tolerance is larger.
                 let close = if derivative > 1500.0 { 3e-3 } else { 0.4 };
                 assert!((libm::sqrt(g * h) - w.abs()).abs() < close * w.abs(), "{stroke} {h}: {g}, {w}");
             }

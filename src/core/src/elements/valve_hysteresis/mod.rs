@@ -21,8 +21,8 @@ use core::cell::Cell;
 /// valve whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in
 /// slow motion, it opens at F_0 + Δ and closes at F_0 − Δ.
 ///
-/// *Play* and *spool*: the valve stands where it would be in the steady state of a force p, and acts as an orifice
-/// there:
+/// *Play* and *spool*: the valve has the position that it would have in the steady state under a force p, and acts as
+/// an orifice:
 ///
 /// ```text
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
@@ -31,8 +31,8 @@ use core::cell::Cell;
 /// All forces are relative to that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is
 /// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
 /// b. A closed valve still passes a hundredth of the flow. A force against the stroke does not open the valve. The
-/// pressure F_h moves it. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt =
-/// ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass,
+/// force F_h moves the valve. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt
+/// = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass,
 /// so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
@@ -61,13 +61,13 @@ enum Form {
 pub(crate) struct Late<R> {
     /// F_h.
     pub force: R,
-    /// The opening y, or the force p.
+    /// The opening y, or in the other forms the force p.
     pub stands: R,
-    /// The velocities W(h(F)) and W(h(p)).
+    /// The velocities W(h(F)) and W(h(p)), at which the FV curve was evaluated; 0 in the opening form.
     pub read: [f64; 2],
 }
 
-/// The passage at a position of the valve.
+/// Conductance of the passage with the valve in the steady position of a force x.
 #[derive(Clone, Copy)]
 struct Passage {
     /// g(h(x)).
@@ -78,25 +78,25 @@ struct Passage {
     d_g_d_x: f64,
 }
 
-/// Largest number of iterations for the opening and its feedback.
+/// Largest number of iterations for the opening y, whose target depends on y itself.
 const ITERATIONS: usize = 4;
 /// P_0, N: width over which ⟨y⟩ of the play begins smoothly.
 const SOFT: f64 = 10.0;
-/// Length of a substep, relative to τ, above which each stage computes the state with play directly from the start of
-/// the substep.
+/// Largest length of a substep, relative to τ, at which the stages of a valve with play build on each other. In a
+/// longer substep, each stage computes the state directly from the start of the substep.
 const LONG: f64 = 1.0;
 /// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
 const LEAKS: f64 = 0.01;
 /// Largest number of Newton steps or bisections for F_h.
 const STEPS: usize = 60;
-/// Relative size of the last Newton step for F_h; the remaining error is about its square.
+/// Newton step for F_h, relative to F_h, at or below which the iteration ends. The remaining error is about its square.
 const CLOSE: f64 = 1e-7;
 /// Force, N, below which the lag of the valve is neglected.
 const NOTHING: f64 = 1e-9;
-/// Smallest deviation of the valve from its steady position, relative to the force. A smaller difference is a rounding
-/// error.
+/// Largest difference of p from F, relative to F, that counts as a rounding error: the valve is then in its steady
+/// position.
 const STEADY: f64 = 1e-12;
-/// Largest contraction factors with which three iterations, and two iterations, suffice.
+/// Contraction factors of the iteration for the opening, below which three iterations, and two iterations, suffice.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
 impl Describe for ValveHysteresis {
@@ -157,7 +157,7 @@ impl Prepare for ValveHysteresis {
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
-        // The bounds of the parameters suffice.
+        // The bounds of the single parameters exclude every error.
         Ok(())
     }
 }
@@ -244,14 +244,15 @@ impl<T: Tables> ValveHysteresis<T> {
         if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
     }
 
-    /// Opening form: returns the value toward which the opening relaxes.
+    /// Returns the value toward which the opening relaxes, in the opening form.
     #[inline(always)]
     fn target<R: Real>(&self, force: R, y: R) -> R {
         let pressed = force.abs() + y * (2.0 * self.half_width);
         opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
     }
 
-    /// Opening form: computes the opening after an implicit stage that starts from `known`. Both lie between 0 and 1.
+    /// Computes the opening y after an implicit stage of the opening form: y − g dy/dt equals `known`. y and `known`
+    /// lie between 0 and 1.
     #[inline(always)]
     fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
@@ -267,16 +268,16 @@ impl<T: Tables> ValveHysteresis<T> {
         y
     }
 
-    /// Opening form: computes F_h at an opening.
+    /// Computes F_h at the opening `y`, in the opening form.
     #[inline(always)]
     fn at_opening<R: Real>(&self, force: R, y: R) -> R {
         let steady = opening(force.abs().plus(-self.middle) * self.per_width);
         force * ((steady - y) * self.share).plus(1.0)
     }
 
-    /// Play form: computes ⟨y⟩ sgn(F − p) at the end of a stage that starts at p.
+    /// Computes ⟨y⟩ sgn(F − p) at the end of a stage that starts at p, in the play form.
     ///
-    /// Here y = |F − p| − P |F|/(|F| + P), and ⟨y⟩ = y²/(y + P_0) begins smoothly. `per` is g/τ.
+    /// Here y = |F − p| − P |F|/(|F| + P), and ⟨y⟩ = y²/(y + P_0) begins smoothly. F is F_h, and `per` is g/τ.
     #[inline(always)]
     fn beyond<R: Real>(&self, force: R, p: R, per: f64) -> R {
         let behind = force - p;
@@ -302,7 +303,7 @@ impl<T: Tables> ValveHysteresis<T> {
         self.form == Form::Play && h * self.per_time > LONG
     }
 
-    /// Computes the known part of a stage from the known parts of the states. Only a term with the force is missing.
+    /// Computes the part of p after a stage that does not depend on the force, from the known parts of p and τ dp/dt.
     #[inline(always)]
     pub(crate) fn known(&self, stands: f64, rate: f64, g: f64) -> f64 {
         if !self.is_spool() {
@@ -342,7 +343,7 @@ impl<T: Tables> ValveHysteresis<T> {
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
-        // Without this case, a rounding error would decide at the steady position.
+        // Without the case of equal forces, a rounding error would decide whether the valve opens.
         let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
         // Where the FV curve rises faster than the square of the velocity, no valve opens.
         if !opens {
@@ -466,7 +467,8 @@ impl<T: Tables> ValveHysteresis<T> {
         (late, [self.beyond(late, stands, 0.0) * self.per_time, none])
     }
 
-    /// Returns the steady state under a constant force, from a given state.
+    /// Returns the state toward which the valve moves under a constant force: the target of the opening at `stands`, or
+    /// p = F.
     #[inline(always)]
     pub(crate) fn rests(&self, force: f64, stands: f64) -> f64 {
         if self.form == Form::Opening { self.target(force, stands) } else { force }

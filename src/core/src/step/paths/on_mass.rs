@@ -193,7 +193,8 @@ mod tests {
     use crate::number;
     use crate::parameter::{Element, Params};
 
-    /// A further element would have no slot, so its force would be missing.
+    /// Exactly [`MOST`] elements with a state act on the mass. A further element would have no slot, so its force would
+    /// be missing.
     #[test]
     fn each_element_on_the_mass_has_a_place() {
         let mut params = Params::new();

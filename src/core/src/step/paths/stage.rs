@@ -20,7 +20,8 @@ use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
-/// Relative size of the last Newton step in a stage. The remaining error is about the square of this size.
+/// Largest last Newton step of a stage, relative to the oil velocity. The remaining error is about the square of this
+/// ratio.
 const TOLERANCE: f64 = 1e-5;
 
 /// A solved stage, with the values that are necessary for derivatives of the step. `ON` is the set of elements that act
@@ -32,7 +33,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     pub index: usize,
     /// Whether the stage ends the substep.
     pub last: bool,
-    /// Weights of the gains of the previous stages.
+    /// Weights of the gains, g × rate, of the previous stages.
     pub row: &'a [f64],
     /// Motion of the moving end.
     pub path: PathPoint,
@@ -446,8 +447,8 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
 
 /// Evaluates the force on the mass parallel to the oil. The force is linear beyond the reach of the series spring.
 ///
-/// The plain step has the same limit. Without it, Newton's method from a distant guess would converge slowly with a
-/// hardening spring.
+/// The plain step has the same limit. Without the limit, Newton's method from a distant guess would converge slowly
+/// with a hardening spring.
 #[inline(always)]
 fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };

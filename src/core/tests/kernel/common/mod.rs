@@ -285,7 +285,7 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 /// Draws a random parameter set that the table and the elements allow.
 ///
-/// Each number is uniform by decade between its bounds. If the lower bound is not positive, the decades begin at a
+/// The logarithm of each number is uniform between the bounds. If the lower bound is not positive, it is replaced by a
 /// billionth of the upper bound. One number in twenty is its lower bound. The elements that are on and the integration
 /// are also random.
 pub fn any_params() -> impl Strategy<Value = Params> {
@@ -307,7 +307,7 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                         params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
                     }
                     Shape::Scalar => {
-                        // Other sizes are equivalent by proportion (`sizes`).
+                        // The test `sizes` shows that dampers of other sizes are equivalent by proportion.
                         let (least, most) = p.of_a_car;
                         let low = if least > 0.0 { least } else { 1e-9 * most };
                         let by_decade = low * (most / low).powf(*share);

@@ -1,6 +1,7 @@
-"""Answers cases by the equations of the book: `answer.py PAGE`. Cases come as a list in JSON on standard input; each answer is a line on standard
-output: the number of the case, the kind of the answer, its name and its value. A case may `shift` a constant, given as section, name and factor; it
-is then answered without its settled state."""
+"""Computes cases with the equations of the book: `answer.py PAGE`.
+
+Standard input is a JSON list of cases. Each result is a line on standard output: number of the case, kind of the result, its name and its value. A
+case may `shift` a constant, given as section, name and factor. Its steady state is then not computed."""
 
 import json
 import sys

@@ -1,7 +1,7 @@
-"""The damper model as docs/book/src/equations.md has it, and in its order: force, rates of all states and the settled state.
+"""The damper model of docs/book/src/equations.md, in the order of that page: force, state derivatives and steady state.
 
-The page is proved by it (src/core/tests/kernel/equations/mod.rs). So nothing here may be taken from the kernel, and the constants come from the
-tables of the page.
+A test compares this program with the kernel (src/core/tests/kernel/equations/mod.rs) and thus checks the page. Therefore nothing here may be taken from
+the kernel, and the constants come from the tables of the page.
 """
 
 import math
@@ -10,7 +10,7 @@ from bisect import bisect_right
 
 
 def constants(page):
-    """The constants of the page by section: {section: {name: value}}."""
+    """Returns the constants of the page by section: {section: {name: value}}."""
     found, section = {}, ""
     for line in page.splitlines():
         if line.startswith("#"):
@@ -26,7 +26,7 @@ def sgn(a):
 
 
 def root_of(rises, guess):
-    """Where a function that never falls is zero, by bisection to the last digit."""
+    """Finds the zero of a non-decreasing function by bisection to the last digit."""
     width = 1e-3
     low, high = guess - width, guess + width
     while rises(low) > 0:
@@ -47,14 +47,14 @@ def root_of(rises, guess):
 
 
 def one_sided(h, delta):
-    """Derivative at zero of the side whose pieces have these widths and chords, outwards."""
+    """Returns the derivative at zero of one side of a curve. h and delta are widths and chords of its pieces, outward from zero."""
     if len(h) == 1:
         return delta[0]
     return max(0.0, delta[0] + (delta[0] - delta[1]) * h[0] / (h[0] + h[1]))
 
 
 class Curve:
-    """A curve through points."""
+    """A piecewise linear or cubic curve through points."""
 
     def __init__(self, u, f, interpolation):
         self.u, self.f = u, f
@@ -102,7 +102,7 @@ class Curve:
 
 
 def through_gap(k, g, softness, d):
-    """The force of d = F/k + g F/(|F| + softness)."""
+    """Solves d = F/k + g F/(|F| + softness) for the force F."""
     h = 0.5 * (softness + k * g - k * abs(d))
     product = k * abs(d) * softness
     root = math.sqrt(h * h + product)
@@ -117,7 +117,7 @@ def soft(a, width):
 
 
 class Conductance:
-    """g(h) of a late valve on one stroke, with the table that the kernel reads; places are made when they are asked for."""
+    """Conductance g(h) of a lagging valve on one stroke, with the nodes of the kernel's table. Nodes are computed when they are needed."""
 
     def __init__(self, c, curve, stroke, opens):
         self.c, self.curve, self.stroke = c, curve, stroke
@@ -137,7 +137,7 @@ class Conductance:
     def itself(self, h):
         c = self.c
         force = self.stroke * h
-        # Where the curve alone would have it, for a beginning.
+        # The velocity at which the FV curve, plus LEVEL w, has the force h.
         w = root_of(lambda w: c["LEVEL"] * w + self.curve(w) - self.standing - force, 0.0)
         g = (w * w + c["LEAST"]) / h
         return g, (2 * abs(w) / (c["LEVEL"] + self.curve.slope(w)) - g) / h
@@ -212,7 +212,7 @@ class Damper:
     # The series path.
 
     def elastic(self, d):
-        """φ and χ."""
+        """Returns φ and χ of the page."""
         p = self.p
         k_s = p["series_stiffness"]
         if "free_play" not in self.on:
@@ -222,7 +222,7 @@ class Damper:
         return f_1 + beyond, 1 / (1 + k_s * g * f_0 / (abs(beyond) + f_0) ** 2)
 
     def hardened(self, phi):
-        """H(φ)."""
+        """Returns H(φ), the hardened force of a bushing."""
         p = self.p
         if "bushing" not in self.on:
             return phi
@@ -277,7 +277,7 @@ class Damper:
         return a_1 * (1 + (f - 1) / (1 + abs(a_1) / laminar))
 
     def opening(self, a_2, y):
-        """What y is drawn to, and the opening that the FV curve holds."""
+        """Returns the target of the opening y, and the steady opening that the FV curve includes."""
         p = self.p
         middle = 0.5 * p["valve_opening_force"] * (1 + p["valve_closing_ratio"])
         delta = 0.5 * p["valve_opening_force"] * (1 - p["valve_closing_ratio"])
@@ -294,7 +294,7 @@ class Damper:
         return self.conductance[stroke](h)
 
     def late(self, a_2, stands):
-        """A_3."""
+        """Returns A_3 of the page: the force after the lagging valve."""
         p, c = self.p, self.c["valve_hysteresis"]
         if p["valve_form"] == "opening":
             return a_2 * (1 + p["valve_hysteresis_share"] * (self.opening(a_2, stands)[1] - stands))
@@ -324,7 +324,7 @@ class Damper:
         return {"valve_hysteresis": sgn(a_3 - stands) * moves / tau}
 
     def valves(self, w, x, temperature, states):
-        """A_2, A_3, A_4 and N."""
+        """Returns A_2, A_3, A_4 and N of the page: the force after each effect of the valves."""
         p = self.p
         a_2 = self.curve(w) - self.standing
         if "position_dependent_damping" in self.on and p["bypass_form"] == "factor" and self.acts_on(a_2 >= 0):
@@ -346,7 +346,7 @@ class Damper:
         return a_2, a_3, a_4, n
 
     def beside(self, f_h, x, states):
-        """b."""
+        """Returns b of the page: the flow that bypasses the valves."""
         p, flow = self.p, 0.0
         if "position_dependent_damping" in self.on and p["bypass_form"] == "groove" and self.acts_on(f_h >= 0):
             c = self.c["position_dependent_damping"]
@@ -376,7 +376,7 @@ class Damper:
         return (t - z * (abs(t) + self.selective_emptying(f_h, t, z))) / p["fsd_time"]
 
     def into_void(self, f_h, v, states):
-        """c."""
+        """Returns c of the page: the part of the void's rate that depends on the hydraulic force."""
         if "cavitation" not in self.on:
             return 0.0
         p, c = self.p, self.c["cavitation"]
@@ -392,7 +392,7 @@ class Damper:
         return c["SLACK"] / cap * (beyond - open_ * short)
 
     def lags(self, v):
-        """a_f."""
+        """Returns a_f of the page: the rate at which the refill deficit of a foot valve opens the void."""
         p = self.p
         if p["cavitation_form"] == "cap":
             return 0.0
@@ -413,7 +413,7 @@ class Damper:
         return p["aeration_stroke"] * (p["aeration_compression"] if side < 0 else 1.0), p["aeration_force"]
 
     def lengths(self, x):
-        """ℓ_r, ℓ_c and their slopes over x."""
+        """Returns ℓ_r and ℓ_c of the page, each with its derivative with respect to x."""
         shortening, shortest = self.p["oil_shortening"], self.c["oil_compressibility"]["SHORTEST"]
         rebound = (1 - shortening * x, -shortening) if 1 - shortening * x > shortest else (shortest, 0.0)
         return rebound, (1 + shortening * x, shortening) if 1 + shortening * x > shortest else (shortest, 0.0)
@@ -429,7 +429,7 @@ class Damper:
         return self.c["oil_compressibility"]["CHANGES"] / max(p["oil_stiffness"], p["oil_compression"] * p["oil_stiffness"])
 
     def column(self, s, x):
-        """F_h, ∂s/∂x and ℓ."""
+        """Returns F_h, ∂s/∂x and ℓ of the oil column."""
         q, by_x = s, 0.0
         length = self.lengths(x)[0][0] if self.has_length() and not self.counts_stroke() else 1.0
         if self.counts_stroke():
@@ -452,7 +452,7 @@ class Damper:
         q_c = self.turning_deflection()
         return 0.5 * ((l_r + l_c) * q + (l_r - l_c) * (math.sqrt(q * q + q_c * q_c) - q_c))
 
-    # What acts on the mass and beside the damper.
+    # Elements on the mass and parallel to the damper.
 
     def parallel_spring(self, x):
         if "parallel_spring" not in self.on:
@@ -517,7 +517,7 @@ class Damper:
         return "moving_mass" in self.on and self.has_series and self.p["moving_mass_place"] == "inside"
 
     def with_state(self, x, v, states):
-        """Forces and rates of the elements that have a state: at the driven end, or at the mass where that carries them."""
+        """Returns forces and state derivatives of the parallel elements with a state, which move with the moving end or with the mass."""
         p, forces, rates = self.p, {}, {}
         if "moving_mass" in self.on:
             behind = (v - states["moving_mass"]) / p["moving_mass_time"]
@@ -567,7 +567,7 @@ class Damper:
     # One instant.
 
     def instant(self, x, v, side_force, temperature, states):
-        """The force with its parts, and the rates of all states."""
+        """Returns the force with its components, and the derivatives of all states."""
         p = self.p
         rates = {}
         x_m, u = (states["internal_mass"], states["internal_mass_velocity"]) if self.has_series else (x, v)
@@ -628,7 +628,7 @@ class Damper:
         return parts, rates
 
     def flows(self):
-        """Whether oil may leave the piston's velocity before it reaches the valves."""
+        """Returns whether the oil velocity at the valves may differ from the piston velocity."""
         p = self.p
         return (
             "cavitation" in self.on
@@ -636,7 +636,7 @@ class Damper:
             or ("frequency_selective_damping" in self.on and p["fsd_form"] == "bypass")
         )
 
-    # The settled state.
+    # The steady state.
 
     def settled(self, x, v, side_force, temperature):
         p, on = self.p, self.on

@@ -18,13 +18,13 @@ pub struct Case {
 enum Span {
     /// Uniform.
     Even(f64, f64),
-    /// Uniform by decade.
+    /// Uniform in the logarithm.
     Decade(f64, f64),
-    /// Magnitude uniform by decade, of either sign.
+    /// Magnitude uniform in the logarithm, of either sign.
     Either(f64, f64),
-    /// 0 in one case of four, otherwise uniform by decade.
+    /// 0 in one case of four, otherwise uniform in the logarithm.
     Perhaps(f64, f64),
-    /// The default in one case of three, otherwise uniform by decade.
+    /// The default in one case of three, otherwise uniform in the logarithm.
     Else(f64, f64),
 }
 

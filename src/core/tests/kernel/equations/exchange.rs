@@ -59,7 +59,8 @@ fn json(question: &Question) -> String {
     object(members.into_iter())
 }
 
-/// Computes the results with the equations of the page. Without Python, reports the skipped test and returns `None`.
+/// Computes the results of the questions with the equations of the book's page. Without Python, reports the skipped
+/// test and returns `None`.
 pub fn answers(questions: &[Question]) -> Option<Vec<Answer>> {
     let text: Vec<String> = questions.iter().map(json).collect();
     let said = python::run("answer.py", &format!("[{}]", text.join(",\n")))?;

@@ -1,5 +1,6 @@
-"""Every formula of the page of the equations, as it is printed, gives what the program `damper.py` computes: `formulas.py PAGE`. Says on standard output how many
-formulas it compared, and on standard error what differs or was not compared."""
+"""Compares every formula of the page of equations, as printed, with the program `damper.py`: `formulas.py PAGE`.
+
+Prints the number of compared formulas to standard output. Prints the formulas that differ or were not compared to standard error."""
 
 import math
 import random
@@ -8,14 +9,14 @@ import sys
 import damper
 import sheet
 
-# Sums and lists of what the other formulas give, and equations that are solved: the comparison of whole dampers with the kernel has them.
+# Sections with sums and lists of the results of other formulas, and with equations to solve. The comparison of whole dampers with the kernel checks them.
 STRUCTURE = {"The frame", "The hydraulic path", "The settled state"}
-# Words, numbers of places, and a sum without an end.
+# Left sides that are words, node numbers, or a sum with an open end. They are not compared.
 PROSE = {"elsewhere A_1", "elsewhere b", "i", "m_k", "h_k", "Y(v)", "lagged_polynomial", "F_h"}
 
 
 class Drawn(dict):
-    """Parameters that are drawn when they are asked for; forms are given."""
+    """Parameters that are drawn at random when they are first read. Forms are given."""
 
     def __missing__(self, name):
         self[name] = random.uniform(0.3, 2.0)
@@ -23,7 +24,7 @@ class Drawn(dict):
 
 
 def dampers(page, elements, **forms):
-    """A damper with any parameters, and the page with the same ones."""
+    """Returns a damper with random parameters, the page with the same parameters, and the parameters."""
     words = {
         "series_load": "hydraulic", "cavitation_side": "rebound", "cavitation_form": "cap", "spring_displacement": [], "bypass_strokes": "both",
         "fv_form": "table", "fv_interpolation": "monotone_cubic", "fv_velocity": [-2.0, -1.0, 0.5, 1.0, 1.7], "fv_force": [-9.0, -5.0, 1.0, 3.0, 8.0],
@@ -33,7 +34,7 @@ def dampers(page, elements, **forms):
 
 
 def one():
-    """A number of either sign."""
+    """Draws a number of either sign."""
     return random.choice((-1, 1)) * random.uniform(0.1, 2.0)
 
 
@@ -117,7 +118,7 @@ def column(page):
                 yield q, book.value("oil_compressibility", "q", s=s, **lengths)
                 by_x = book.value("oil_compressibility", "∂s/∂x", 2, q=q, **lengths)
                 yield model.column(s, x), (force, by_x, book.value("oil_compressibility", "ℓ", 2))
-            # Without air, and where the place does not matter.
+            # The column without air, whose stiffness does not depend on the displacement.
             model, book, p = dampers(page, ["oil_compressibility"], oil_shortening=0.0)
             stiffness = book.value("oil_compressibility", "k(F)", int(side < 0))
             q = book.value("oil_compressibility", "q(F)", F=force, k=lambda _: stiffness)
@@ -161,7 +162,7 @@ def position(page):
 def fade(page):
     element = "temperature_fade"
     for coefficient in (0.01, 10.0, -10.0):
-        # The first is inside all limits, the others are not.
+        # The exponent of the first coefficient is inside all limits, those of the others are not.
         forms = {"fade_coefficient": coefficient, "fade_reference": 20.0, "fade_slackening": 0.01}
         model, book, p = dampers(page, [element], **forms)
         a_1, host, rise = one(), random.uniform(-100.0, 100.0), random.uniform(0.0, 50.0)
@@ -204,7 +205,7 @@ def valve(page):
     a_2, y, tau = one(), random.uniform(0.0, 1.0), p["valve_time"]
     yield model.late(a_2, y), book.value(element, "A_3", 0, A_2=a_2, y=y)
     yield model.valve_rates(a_2, 0.0, {element: y})[element], book.value(element, "dy/dt", A_2=a_2, y=y)
-    # The second curve rises by more than the square: there no valve is late.
+    # The second curve rises faster than the square of the velocity, so no valve lags there.
     forces = random.choice(([-900.0, -500.0, 100.0, 300.0, 800.0], [-5e3, -50.0, 0.5, 50.0, 5e3]))
     model, book, p = dampers(page, ["fv_curve", element], valve_form="spool", fv_force=forces, valve_opening_force=90.0, valve_width=40.0)
     a_2, stands = 300 * one(), 300 * one()
@@ -300,7 +301,7 @@ def stops(page):
                 x, v = sign * (p[f"{element}_clearance"] + pressed), sign * speed
                 which = {"Stop(D, s)": int(pressed <= 0), "f(s)": 0 if speed <= 0 else 1 if flow == "gap" else 2}
                 if element == "rebound_stop":
-                    # The same law with the numbers of the other end.
+                    # The law of the bump stop is evaluated with the parameters of the rebound stop.
                     for name in ("stiffness", "progression", "loss", "damping"):
                         p[f"bump_stop_{name}"] = p[f"{element}_{name}"]
                 press = lambda depth, s, book=book: book.value("bump_stop", "Stop(D, s)", int(depth <= 0), D=depth, s=s, forms=which)
@@ -312,7 +313,7 @@ def main(page):
         page = file.read()
     random.seed(1)
     original, used, apart = sheet.sections(page), {}, []
-    # Every sheet of this run notes what it used in the same place.
+    # All sheets of this run record the formulas that they used in the same sections.
     sheet.sections = lambda _: original
     for group in (curves, knees, series, column, void, position, fade, selective, valve, springs_and_friction, with_state, stops):
         for _ in range(15):

@@ -1,4 +1,4 @@
-//! Results of the kernel for a case, under the names of the page.
+//! Results of the kernel for a case, under the names of the book's page of equations.
 
 use super::draw::Case;
 use dashpot_core::{Model, State, evaluate};

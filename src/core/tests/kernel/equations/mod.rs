@@ -110,7 +110,7 @@ fn the_page_and_the_kernel_answer_alike() {
     }
 }
 
-/// Constants without a visible effect. Their effect is below rounding, or occurs at forces that no damper has.
+/// Constants whose effect the test cannot see. It is below rounding, or occurs at forces that no damper has.
 const UNSEEN: [&str; 3] = ["STEADY", "LEAST", "OCTAVES"];
 
 /// Every constant of the page has an effect on some result. Otherwise the comparison would not test its value.
@@ -123,7 +123,8 @@ fn every_constant_of_the_page_counts() {
     assert!(constants.len() > 30, "{constants:?}");
     let mut questions = Vec::new();
     for constant in constants.iter().filter(|(_, name)| !UNSEEN.contains(&&**name)) {
-        // Both stops have the same constants. The leakage past the valves belongs to the oil column.
+        // The page lists the constants of both stops under `bump_stop`. The leakage past the valves, listed under "The
+        // hydraulic path", belongs to the oil column.
         let elements: &[&str] = match &*constant.0 {
             "The hydraulic path" => &["oil_compressibility", "aeration"],
             section => &[section],

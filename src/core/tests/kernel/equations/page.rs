@@ -13,13 +13,14 @@ pub fn text() -> String {
     std::fs::read_to_string(path()).expect("the page of the equations")
 }
 
-/// Returns the part under a heading that names an element, up to the next heading.
+/// Returns the part of the page under the heading that names an element, up to the next heading. Returns `None` if the
+/// page has no such heading.
 pub fn section<'a>(page: &'a str, element: &str) -> Option<&'a str> {
     let (_, rest) = page.split_once(&format!("\n### `{element}`\n"))?;
     Some(rest.split("\n#").next().unwrap_or(rest))
 }
 
-/// Returns the rows of the page's tables of constants.
+/// Returns section and name of each constant in the page's tables of constants.
 pub fn constants(page: &str) -> Vec<Constant> {
     let (mut section, mut found) = ("", Vec::new());
     for line in page.lines() {

@@ -6,11 +6,12 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Runs a program on the page and returns its output. Without Python, reports the skipped test and returns `None`.
+/// Runs a Python program with the page of equations as its argument and `asked` as its input, and returns its output.
+/// Without Python, reports the skipped test and returns `None`.
 pub fn run(program: &str, asked: &str) -> Option<String> {
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kernel/equations").join(program);
     let mut python = Command::new("python3");
-    // Write no compiled files next to the sources.
+    // The option prevents compiled files next to the sources.
     python.arg("-B").args([program, page::path()]);
     let piped = python.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let Ok(mut python) = piped.spawn() else {

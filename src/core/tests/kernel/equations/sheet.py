@@ -1,7 +1,7 @@
-"""The page of the equations as something that can be computed: its formulas, symbols and constants by section.
+"""Evaluation of the formulas of the page of equations: formulas, symbols and constants by section.
 
-A formula is text as it stands on the page, `H(φ) = φ (1 + (e / d_h)²) + k_s κ_e P(e)`. A space between two values multiplies them; a name with a
-bracket right behind it is a function.
+A formula is text as printed on the page, `H(φ) = φ (1 + (e / d_h)²) + k_s κ_e P(e)`. A space between two values multiplies them. A name directly
+followed by a parenthesis is a function.
 """
 
 import math
@@ -17,7 +17,7 @@ FUNCTIONS = {"tanh": math.tanh, "exp": math.exp, "max": max, "min": min, "sgn": 
 
 
 def python(text):
-    """A formula as a Python expression over name() and call()."""
+    """Converts a formula to a Python expression with calls of name() and call()."""
     tokens, at = [], 0
     while at < len(text.rstrip()):
         found = TOKEN.match(text, at)
@@ -26,7 +26,7 @@ def python(text):
         tokens.append((found.lastgroup, found[found.lastgroup], found.end()))
         at = found.end()
     out, sizes, roots = [], [], []
-    # Whether a value has just ended, so that what begins another one multiplies it.
+    # Whether a value has just ended, so that a following value is multiplied with it.
     ended = False
 
     def begins():
@@ -70,7 +70,7 @@ def python(text):
             ended = True
         elif token == "√":
             begins()
-            # A root of what comes next, be it in brackets or not: its square is taken under a power of a half.
+            # The root applies to the next operand, with or without parentheses: root**x is the square root of x.
             out.append("root**")
             ended = False
         elif token in POWERS:
@@ -87,7 +87,7 @@ def python(text):
 
 
 class Root:
-    """root**x is the root of x, and binds as a power does."""
+    """Operand for which root**x is the square root of x, with the precedence of a power."""
 
     def __pow__(self, x):
         return math.sqrt(x)
@@ -123,14 +123,15 @@ def sections(page):
 
 
 class Sheet:
-    """A page with values for its parameters."""
+    """The page with values for its parameters."""
 
     def __init__(self, page, parameters):
         self.sections, self.parameters = sections(page), parameters
 
     def value(self, title, left, which=0, **known):
-        """The right side of a formula of a section, one of several where there are several. What is not `known` is a parameter, a constant, or another formula
-        of the section."""
+        """Computes the right side of formula `left` of a section; `which` selects one of several.
+
+        A symbol that is not `known` is a parameter, a constant, or another formula of the section."""
         return self.computed(self.sections[title], left, which, known, [])
 
     def computed(self, section, left, which, known, asked):
@@ -165,7 +166,7 @@ class Sheet:
         return eval(python(text), {"name": name, "call": call, "root": Root(), "__builtins__": {"abs": abs}})
 
     def expression(self, title, text, **known):
-        """Any text in the letters of a section."""
+        """Computes any expression in the symbols of a section."""
         section = self.sections[title]
         section.formulas["?"] = [text]
         value = self.computed(section, "?", 0, known, [])
