@@ -47,7 +47,8 @@ pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl 
     }
 }
 
-/// Returns the samples of the file `long.txt`: the given displacement at equal time steps, without force.
+/// Returns the samples of the file `long.txt`: the given displacement, m, at `rate` samples per second, with zero
+/// force.
 pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
     let n = displacement.len();
     Samples {
@@ -119,7 +120,7 @@ impl SineTest {
         1.0 / self.frequency
     }
 
-    /// Returns the time of the first upward crossing of the steady cycles, s.
+    /// Returns the time at which the steady cycles begin with an upward crossing of the mean displacement, s.
     pub fn steady_from(&self) -> f64 {
         (self.rest + 1.0) * self.period()
     }

@@ -53,8 +53,8 @@ impl Campaign {
         self.unusable.extend(others);
     }
 
-    /// Accepts the records as those of one damper at several settings. Removes the warnings about several settings and
-    /// adds notes about changes within a test.
+    /// Accepts the records as those of one damper at several settings. Removes the warnings about several settings, and
+    /// adds notes about changes of the setting within a test.
     pub fn accept_settings(&mut self) {
         self.notes.retain(|note| !["settings", "changing_setting"].contains(&note.kind));
         let mut changes: Vec<(Sentence, Vec<usize>)> = Vec::new();
@@ -79,7 +79,8 @@ impl Campaign {
 /// Progress of loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Number of finished steps: each file is read in one step, and each test is cleaned in one.
+    /// Number of finished steps. Reading a file is one step, and cleaning a test is one step. If a test is split into
+    /// several tests, `done` may exceed `total`.
     pub done: usize,
     /// Total number of steps. Each file that is read adds a step for each of its tests.
     pub total: usize,

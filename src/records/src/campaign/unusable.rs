@@ -43,7 +43,7 @@ pub(crate) enum Reach {
     /// The fault concerns this test only, unless most tests have the same fault. Then a wrong column, unit or sign is
     /// more likely.
     TestUnlessMost,
-    /// The user must decide for the whole campaign.
+    /// The fault rejects the campaign, because only the user can correct it.
     Campaign,
 }
 
@@ -88,7 +88,7 @@ impl RecordError {
     }
 }
 
-/// Collection of the faults of the parts that a campaign leaves out.
+/// Collection of the faults of the files and tests that a campaign leaves out.
 pub(crate) struct Sieve {
     strict: bool,
     faults: Vec<RecordError>,
@@ -100,8 +100,8 @@ impl Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Returns a value as it is. Stores a fault and returns `None` if the campaign can leave the part out. Returns
-    /// other faults as errors.
+    /// Returns the value of a part that was read without a fault. Stores a fault and returns `None` if the campaign can
+    /// leave the part out. Returns other faults, and all faults of a strict run, as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),

@@ -9,11 +9,12 @@ use crate::quantities::channel::Channel;
 use crate::tuning::duplicates::BLOCK;
 use dashpot_messages::Sentence;
 
-/// Largest number of positions that are checked for a repeated block. Each check takes a time proportional to the
-/// number of rows.
+/// Largest number of positions in one search that are checked for a repeated block. Each check takes a time
+/// proportional to the number of rows.
 const LOOKS: usize = 200;
 
-/// Removes repeated blocks, with a note for each kind.
+/// Removes repeated rows. One note reports rows with equal time stamps, and another note reports blocks with new time
+/// stamps.
 pub(crate) fn remove(samples: &mut Samples) {
     same_time(samples);
     new_time(samples);

@@ -206,7 +206,7 @@ fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
 }
 
 /// Makes times of day relative to the first one and returns the first. A backward step of more than half a day means
-/// that midnight has passed.
+/// that midnight has passed. Returns `None` if no time is finite.
 pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
     let &first = times.iter().find(|t| t.is_finite())?;
     let (mut before, mut midnights) = (first, 0.0);

@@ -53,10 +53,10 @@ pub enum StrokeSource {
 }
 
 impl Peaks {
-    /// Returns a velocity, m/s, and the ratio of the force in rebound to that in compression at this velocity.
+    /// Returns a speed, m/s, and the ratio of the force in rebound to that in compression at this speed.
     ///
-    /// The velocity is the highest velocity that occurs on both sides. Forces between the points are interpolated
-    /// linearly. Returns `None` if a side has no points or no positive damping force.
+    /// It is the highest speed that both strokes reach. Forces between the points are interpolated linearly. Returns
+    /// `None` if a stroke has no points, or no positive damping force at this speed.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -174,7 +174,8 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
                 Ok(column.unit.to_si(value))
             };
-            // A row of units below a repeated heading and rows without a velocity are not points.
+            // A row of units below a repeated heading is not a point, and neither is a row without a velocity or a
+            // force.
             if is_units_row(cells) {
                 continue;
             }
@@ -183,8 +184,8 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
         }
-        // The sign of the force at the highest velocity shows the sign convention of the column. Forces with the other
-        // sign oppose the convention, for example the gas force at low speeds.
+        // The sign of the force at the highest velocity shows the sign convention of the column. A force with the other
+        // sign acts in the direction of the motion, for example the gas force at low speeds.
         let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
         let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
         for point in &mut of_pair {

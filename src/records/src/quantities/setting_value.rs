@@ -28,10 +28,11 @@ const STEADY: (f64, f64) = (0.1, 0.05);
 /// Range of white noise without [`SPIKES`], in standard deviations. It includes an extra quarter, because few samples
 /// give an uncertain estimate.
 const NOISE: f64 = 4.1;
-/// Fraction of samples at each extreme that may be spikes or the switch-on transition.
+/// Fraction of samples at each extreme that may be spikes or the switch-on transition. The range of a channel leaves
+/// them out.
 const SPIKES: f64 = 0.05;
-/// Largest difference of values that count as one setting, A or clicks. Supplies have a resolution of one hundredth: a
-/// difference of one hundredth is within the limit, a difference of two is not.
+/// Largest difference of values that count as one setting, A or clicks. Supplies have a resolution of 0.01 A: a
+/// difference of 0.01 is within the limit, a difference of 0.02 is not.
 pub(crate) const SAME: f64 = 0.0195;
 /// Largest relative difference of values that count as one setting, in any unit. With a larger limit, 200 and 201
 /// clicks would be one setting.
@@ -97,7 +98,7 @@ pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     (value * per_step).round() / per_step + 0.0
 }
 
-/// Returns the range, in the unit of the channel, within which the values of a steady channel stay.
+/// Returns the largest range of a channel that counts as steady, in the unit of the channel. `middle` is its median.
 pub(crate) fn tolerance(middle: f64, channel: &[f64]) -> f64 {
     STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel)
 }
@@ -139,7 +140,7 @@ impl Setting {
     }
 
     /// Returns the setting in a name, and whether it is certainly a setting and not the number of the test. Returns
-    /// `None` if the parts state no setting or several settings.
+    /// `None` if the name states no setting or several different settings.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
         let parts: Vec<&str> =
             name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
@@ -294,8 +295,8 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
-        // Uniform white noise with a standard deviation of 30 mA. That is three fifths of the largest variation of a
-        // setting.
+        // Uniform white noise with a standard deviation of 30 mA, which is three fifths of the variation of 50 mA that
+        // one setting may have without noise.
         let mut seed = 1u32;
         let mut white = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

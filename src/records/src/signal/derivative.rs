@@ -13,8 +13,8 @@ pub(crate) struct Filter {
     pub points: usize,
     /// Length of the largest window, s.
     pub window: f64,
-    /// Frequency at which the derivative with that window is attenuated by 3 dB, Hz. Half the sampling rate if the
-    /// attenuation stays smaller.
+    /// Frequency at which the derivative with the largest window is attenuated by 3 dB, Hz. Half the sampling rate if
+    /// the attenuation stays smaller.
     pub bandwidth: f64,
     /// Fraction of the samples with a shorter window, because the motion turns within the longest one.
     pub shorter: f64,
@@ -25,11 +25,11 @@ pub(crate) struct Filter {
 /// At every sample, a cubic is fitted by least squares to the window centered on the sample, and its slope is the
 /// velocity. A symmetric window causes no phase shift. The fit uses the true times, so uneven sampling causes no error.
 ///
-/// `window` is the longest window, s. At least five samples are used. At the ends of the record, the window is
-/// one-sided. If the motion turns within the window, as at the corners of a triangle, a cubic would round the corner
-/// and overshoot. The sample then has the longest window with a slope that agrees with the slopes of all shorter
-/// windows within their noise. This is the intersection of confidence intervals of Goldenshluger and Nemirovski (Math.
-/// Methods Stat. 6, 1997).
+/// `window` is the longest window, s. It has at least five samples unless the record is shorter. At the ends of the
+/// record, the window is one-sided. If the motion turns within the window, as at the corners of a triangular motion, a
+/// cubic would round the corner and overshoot. The sample then has the longest window whose slope agrees with the
+/// slopes of all shorter windows within their noise. This is the intersection of confidence intervals of Goldenshluger
+/// and Nemirovski (Math. Methods Stat. 6, 1997).
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
@@ -37,7 +37,7 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     let noise = displacement_noise(displacement);
     let (mut low, mut high) = (vec![f64::NEG_INFINITY; n], vec![f64::INFINITY; n]);
     let mut velocity = vec![0.0; n];
-    // Samples whose slopes have agreed so far.
+    // Whether the slopes of all windows so far agree, for each sample.
     let mut agree = vec![true; n];
     let mut reach = longest.min(2);
     loop {

@@ -52,7 +52,7 @@ pub fn smooth(record: &Record) -> Motion {
     // Smallest noise, so that the covariances stay regular. It is far below that of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
-    // Jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
+    // Spectral density of the jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
     let q = peak * peak * w.powi(3);
     let h = Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     let r = Matrix2::new(rx, 0.0, 0.0, rv);
@@ -96,7 +96,8 @@ pub fn smooth(record: &Record) -> Motion {
     Motion { displacement, velocity, acceleration, displacement_noise: sx, velocity_noise: sv }
 }
 
-/// Returns the transition matrix over `dt` and the covariance of white jerk with density `q`.
+/// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s, and the covariance
+/// that white jerk of spectral density `q` adds in this time.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);
@@ -160,8 +161,8 @@ mod tests {
         let m = smooth(&record);
         let before = rms(&record.displacement, &x);
         assert!((m.displacement_noise / before - 1.0).abs() < 0.2);
-        // The velocity channel reduces the displacement noise more than the displacement channel reduces the velocity
-        // noise.
+        // The velocity channel reduces the displacement noise strongly. The displacement channel reduces the velocity
+        // noise only a little.
         assert!(rms(&m.displacement, &x) < 0.3 * before);
         assert!(rms(&m.velocity, &v) < 0.95 * rms(&record.velocity, &v));
     }
