@@ -115,7 +115,7 @@ impl SettingSignal {
     }
 
     /// Returns the value of the setting during the time step that ends at a sample. A change may occur anywhere in the
-    /// time step, so the result is the mean of the values at the sample and at the previous one.
+    /// time step, so the result is the mean of the values at both ends of the step.
     pub fn command(&self, sample: usize) -> f64 {
         let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
         0.5 * (at(sample.saturating_sub(1)) + at(sample))

@@ -295,8 +295,8 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
-        // Uniform white noise with a standard deviation of 30 mA, which is three fifths of the variation of 50 mA that
-        // one setting may have without noise.
+        // Uniform white noise with a standard deviation of 30 mA, three fifths of the variation of 50 mA that one
+        // setting may have without noise.
         let mut seed = 1u32;
         let mut white = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

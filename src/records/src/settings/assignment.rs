@@ -122,7 +122,7 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
 
 /// Replaces measured currents by their median if they differ only by rounding.
 ///
-/// Because of zero error and noise, a current of 0.41 A may be measured as 0.40 A in one test and as 0.42 A in another.
+/// Because of zero error and noise, 0.41 A may be measured as 0.40 A in one test and as 0.42 A in another.
 fn merge_currents(records: &mut [Record]) {
     let is_current = |of: &&mut Setting| of.name == "current";
     let mut all: Vec<&mut Setting> =

@@ -96,8 +96,8 @@ pub fn smooth(record: &Record) -> Motion {
     Motion { displacement, velocity, acceleration, displacement_noise: sx, velocity_noise: sv }
 }
 
-/// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s, and the covariance
-/// that white jerk of spectral density `q` adds in this time.
+/// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s. Also returns the
+/// covariance that white jerk of spectral density `q` adds in this time.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);

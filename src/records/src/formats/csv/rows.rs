@@ -72,8 +72,9 @@ pub(super) fn table(
     if let Some(crank) = &crank {
         rows.note("crank", Sentence::from(phrases::CRANK).with("rpm", crank.rpm));
     }
-    // Start of each test, from the lines above its rows, and the position up to which these lines are read. Programs
-    // that write a decimal comma, or a semicolon as delimiter, write dates with the day first.
+    // `began` has the start of each test, from the lines above its rows. `behind` is the position of the last row,
+    // after which the lines above a next test begin. Programs that write a decimal comma, or a semicolon as delimiter,
+    // write dates with the day first.
     let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
     let usual = (delimiter == b';' || first_row.iter().any(is_comma)).then_some(DateOrder::DayFirst);
     let began_by = |lines: &str| {
