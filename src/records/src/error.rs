@@ -58,7 +58,7 @@ pub struct FilesUnit {
     pub tests: Vec<String>,
     /// The tests that agree with each other.
     pub others: Vec<String>,
-    /// Number of all tests.
+    /// Number of all tests of the campaign.
     pub all: usize,
     /// Name of the test with the values that the message states.
     pub shown: String,

@@ -470,7 +470,7 @@ mod tests {
         };
         let deep = Options { subfolders: true, ..Options::default() };
         let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
-        // The folder contains only subfolders, and a results table, which is not a record.
+        // The folder contains subfolders alone, then also a results table and a text, which are not records.
         for strays in
             [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
         {
@@ -478,7 +478,7 @@ mod tests {
             tests(&folder);
             let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
             assert!(message.contains("sine, tri") && message.contains("--subfolders"), "{message}");
-            // A link to the campaign's own folder adds nothing.
+            // A link to a folder of the campaign adds no record.
             #[cfg(unix)]
             std::os::unix::fs::symlink(folder.path().join("sine"), folder.path().join("tri/again")).unwrap();
             #[cfg(unix)]

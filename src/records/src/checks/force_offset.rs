@@ -51,8 +51,8 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let from_others = |levels: &Levels, turn: f64, at: &Others| deviation((i, &is_alike), levels, turn, at, offset);
         let Some(own) = from_others(&as_read[i], 1.0, &at) else { continue };
-        // The deviation must be large at every velocity of the test. A triangle has many samples at a single velocity
-        // and few at all others.
+        // The deviation must be large at every velocity of the test. A triangular motion has many samples at a single
+        // velocity and few at all others.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
         if is_off && from_others(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));

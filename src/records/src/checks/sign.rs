@@ -258,8 +258,8 @@ fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Op
     (forces.len() >= FEWEST).then(|| median(&mut forces))
 }
 
-/// Forces of a test near its peak velocity. A faster test without slow samples, such as a triangle, uses them as its
-/// forces at low speed.
+/// Forces of a test near its peak velocity. A faster test without slow samples, such as a triangular motion, uses them
+/// as its forces at low speed.
 struct Slow {
     peak: f64,
     /// Median force near the peak velocity, at positive and at negative velocity, N.
@@ -688,7 +688,7 @@ mod tests {
         }
     }
 
-    /// Finds the sign of a device on sines or triangles at three speeds, with a force that depends on velocity.
+    /// Finds the sign of a device in sine or triangular motion at three speeds, with a force that depends on velocity.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
         let motions: Vec<Motion> = [0.4, 1.5, 2.0]
             .iter()
@@ -698,8 +698,8 @@ mod tests {
                     let (x, v) = (samples.displacement.as_mut().unwrap(), samples.velocity.as_mut().unwrap());
                     let (mut place, step) = (0.01, samples.time[1] - samples.time[0]);
                     for (x, v) in x.iter_mut().zip(v) {
-                        // The speed of the triangle is the mean speed of the sine, with its sign. Zero velocity stays
-                        // zero.
+                        // The speed of the triangular motion is the mean speed of the sine, with its sign. Zero
+                        // velocity stays zero.
                         *v = if *v == 0.0 { 0.0 } else { (4.0 * 0.05 * frequency).copysign(*v) };
                         place += step * *v;
                         *x = place;

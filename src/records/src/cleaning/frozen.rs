@@ -73,8 +73,8 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
             let coarse = equal_share(&values[..start], &values[end..]) > 0.2;
-            // A constant velocity over a stroke is a triangle test, not a fault. Zero velocity during a motion is a
-            // fault.
+            // A constant velocity over a stroke belongs to a triangular motion and is not a fault. Zero velocity during
+            // a motion is a fault.
             let steady_motion = channel == Channel::Velocity && run[0] != 0.0;
             let frozen = swings >= 2 || (!coarse && !steady_motion && moved > share * whole);
             if frozen {

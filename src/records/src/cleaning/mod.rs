@@ -136,7 +136,7 @@ struct CompleteMotion {
     displacement: Vec<f64>,
     velocity: Vec<f64>,
     cycles: Vec<Cycle>,
-    /// See [`Record::velocity_window_s`].
+    /// Length of the window for deriving the velocity from the displacement, s; 0 if the recorded velocity is used.
     velocity_window_s: f64,
 }
 

@@ -23,7 +23,7 @@ struct Moves {
     samples: Range<usize>,
     low: f64,
     high: f64,
-    /// Distance between turning points divided by its duration, m/s.
+    /// Sum of the distances between turning points divided by the time between the first and the last, m/s.
     speed: f64,
     returns: bool,
     /// Whether the motion consists of strokes in one direction with standstills between the strokes.
@@ -257,8 +257,8 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// A motion, mm, in pieces: standstills, sines (amplitude in mm, frequency in Hz, number of cycles) and moves to
-    /// another position (mm, mm/s).
+    /// A displacement, mm, that consists of pieces: standstills, sines (amplitude in mm, frequency in Hz, number of
+    /// cycles) and moves to another position (mm, mm/s).
     struct Course {
         x: Vec<f64>,
         at: f64,

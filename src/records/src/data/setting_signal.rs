@@ -10,7 +10,7 @@ use dashpot_messages::Sentence;
 /// Tolerance of a level as a fraction of the signal's range: the largest deviation of a sample from the mean of its
 /// level. The larger one of this tolerance and that by [`NOISE`] applies.
 const LEVEL: f64 = 0.03;
-/// Tolerance of a level in standard deviations of the noise.
+/// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).
 const NOISE: f64 = 4.0;
 /// Smallest difference of successive levels, in tolerances, of a signal that consists of steps. The apparent levels of
 /// a ramp differ by less, so a ramp counts as varying.
@@ -37,9 +37,9 @@ pub enum SettingPattern {
 /// A change from one level to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SettingStep {
-    /// First sample after the previous level.
+    /// Index of the first sample after the previous level.
     pub index: usize,
-    /// End of the next level, exclusive.
+    /// Index of the first sample after the next level.
     pub end: usize,
     /// Level before the change.
     pub from: f64,

@@ -9,7 +9,7 @@ use crate::numbers::range;
 pub(crate) struct Dates {
     /// Start date of the test, if it is valid in both orders.
     pub(crate) open: Option<Open>,
-    /// Order that a date of the file with only one valid order determines.
+    /// Order of day and month in the dates of the file, if one of them is valid in only one order.
     pub(crate) decided: Option<DateOrder>,
     /// Order that is typical of programs with the number format of this file.
     pub likely: Option<DateOrder>,

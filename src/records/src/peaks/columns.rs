@@ -134,7 +134,7 @@ pub struct PeakPair {
 pub(crate) struct Found {
     /// Index of the heading among the rows, or `None` for a table without a heading.
     pub header: Option<usize>,
-    /// Index of the first row below the heading.
+    /// Index of the first row below the heading and its units.
     pub data: usize,
     pub pairs: Vec<PeakPair>,
 }
@@ -205,8 +205,8 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        // A line is also the heading if it contains a column name that the user stated, because RO and CO alone are not
-        // recognized.
+        // A line is also the heading if it contains a column name that the user stated, because names such as RO and CO
+        // are not recognized.
         let asked = |(what, text): (&PeakColumn, &String), force: bool| {
             what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
         };
@@ -418,8 +418,8 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
 
 /// Formulates the request to select one of several columns.
 ///
-/// Columns without a stroke may belong to one stroke each, so the request names both strokes. If the user names a
-/// column for both strokes, it replaces the other column.
+/// Columns without a stroke may belong to one stroke each, so the request names both strokes. A column that the user
+/// names for both strokes replaces all others.
 fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
     let given = |what: PeakColumn, column: &Candidate| format!("--column {what}={}", by_name(column.index, cells));
     match (what.stroke, of) {
@@ -444,8 +444,8 @@ fn by_name(index: usize, cells: &[String]) -> String {
     if name.is_empty() || alike > 1 { (index + 1).to_string() } else { format!("\"{name}\"") }
 }
 
-/// Returns the velocity that belongs to the force `of`: the only one, or the only one whose heading names nothing else.
-/// Otherwise, the error requests a column.
+/// Returns the velocity that belongs to the force `of`: the only one, or the only one whose heading names only the
+/// quantity and its stroke. Otherwise, the error requests a column.
 fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Result<&'a Candidate, String> {
     let plain: Vec<&Candidate> = velocities.iter().filter(|c| c.plain).copied().collect();
     let force = cells.get(of.index).map_or("", |c| c.trim());

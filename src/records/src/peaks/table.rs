@@ -381,7 +381,8 @@ mod tests {
             "Geschwindigkeit;Zugstufe;Druckstufe\nmm/s;kN;kN\n250;0,7;0,4\n500;1,1;0,6\n",
             "velocity_m_s,force_N\n0.25,700\n0.25,-400\n0.5,1100\n0.5,-600\n",
             "Abs Velocity (mm/s),Comp Force (N),Reb Force (N)\n250,400,700\n500,600,1100\n",
-            // Each side has its own velocity, identified by its name or by its position to the left of the force.
+            // Each stroke has its own velocity column, identified by its name or by its position to the left of the
+            // force.
             "compression velocity [mm/s],compression [N],rebound velocity [mm/s],rebound [N]\n250,400,500,1100\n500,600,250,700\n",
             "rebound velocity [mm/s],compression velocity [mm/s],rebound [N],compression [N]\n250,500,700,600\n500,250,1100,400\n",
             "v [m/s];Zug [N];v [m/s];Druck [N]\n0,25;700;0,5;600\n0,5;1100;0,25;400\n",

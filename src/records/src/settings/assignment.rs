@@ -263,7 +263,7 @@ mod tests {
         let mut drifting: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
         assign_settings(&mut drifting, &SettingRules::default(), &mut Vec::new());
         assert!(drifting.iter().all(|record| record.setting == of(0.41)), "{drifting:?}");
-        // The name states the same quantity as the channel.
+        // A note reports a name that states the same quantity as the channel with a clearly different value.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };
             let mut records = vec![Record { setting: Some(setting), ..record(name) }];

@@ -18,7 +18,7 @@ pub struct Delay {
     pub seconds: f64,
     /// Fraction of the force variance that an FV curve cannot explain, without a shift of the records.
     pub unexplained_as_recorded: f64,
-    /// Unexplained fraction after correction of the delay.
+    /// Fraction of the force variance that an FV curve cannot explain after correction of the delay.
     pub unexplained: f64,
 }
 
@@ -182,7 +182,7 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
         power.push(if sums[1] > 0.0 && sums[2] > 0.0 { sums[0] / (sums[1] * sums[2]).sqrt() } else { 0.0 });
     }
     for i in 0..size {
-        // Nodes without samples stay at zero.
+        // A small diagonal term keeps the force at nodes without samples at zero.
         normal[(i, i)] += 1e-9 * (1.0 + normal[(i, i)]);
     }
     let explained = normal.cholesky().map_or(0.0, |c| c.solve(&right).dot(&right));

@@ -33,8 +33,8 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// Returns the shifted values of a channel with jumps. Each is the value of the previous sample, without
-    /// interpolation.
+    /// Returns the shifted values of a channel with jumps. Each is the value of the last sample before the shifted
+    /// time, without interpolation.
     pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
         let value = |t: &f64| {
             // If the delay is a whole number of samples, its rounding error must not shift the channel by a further

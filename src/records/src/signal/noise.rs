@@ -41,7 +41,8 @@ struct Partner {
     weight: f64,
 }
 
-/// Deviation of a sample from its partners, whose mean force is `partner`, and their interpolation weights.
+/// Deviation of a sample from the mean `partner` of the forces of neighboring cycles at equal phase, N, and their
+/// interpolation weights.
 struct Deviation {
     value: f64,
     partner: f64,
@@ -93,7 +94,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if cycles.len() < 2 {
         return None;
     }
-    // Runs of deviations with the interpolation weights of their partners. A missing partner ends a run.
+    // Deviations of consecutive samples. A sample without a force at equal phase in a neighboring cycle ends a run.
     let mut runs: Vec<Vec<Deviation>> = Vec::new();
     let one_sided = cycles.len() == 2;
     let judged = if one_sided { 1..2 } else { 1..cycles.len() - 1 };
@@ -133,7 +134,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     // factors.
     let share = if one_sided { 1.0 } else { 0.25 };
     let (mut d0, mut n0, mut d1, mut n1) = (0.0, 0.0, 0.0, 0.0);
-    // Sums over the partners of (1−w)² + w² and of w(1−w), with the interpolation weight w.
+    // Sums over the neighboring cycles of (1−w)² + w² and of w(1−w), with the interpolation weight w.
     let (mut same, mut cross) = (0.0, 0.0);
     for run in &runs {
         for (i, Deviation { value: d, weights, .. }) in run.iter().enumerate() {

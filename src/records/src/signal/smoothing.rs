@@ -18,14 +18,14 @@ pub struct Motion {
     pub velocity: Vec<f64>,
     /// Acceleration, m/s².
     pub acceleration: Vec<f64>,
-    /// Noise found in the displacement channel, m.
+    /// Standard deviation of the noise found in the displacement channel, m.
     pub displacement_noise: f64,
-    /// Noise found in the velocity channel, m/s.
+    /// Standard deviation of the noise found in the velocity channel, m/s.
     pub velocity_noise: f64,
 }
 
-/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. For a
-/// motion with forty samples per cycle, these differences nearly vanish.
+/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. With forty
+/// samples per cycle, the fourth differences of the motion itself nearly vanish.
 pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
@@ -45,7 +45,7 @@ pub fn smooth(record: &Record) -> Motion {
     let w = if record.frequency > 0.0 {
         TAU * record.frequency
     } else {
-        // If there are no cycles, use the frequency of a sine with this amplitude and peak velocity.
+        // If there are no cycles, use the frequency of a sine with the amplitude and peak velocity of the record.
         (record.peak_velocity / record.amplitude.max(1e-9)).max(1.0)
     };
     let peak = record.peak_velocity.max(1e-9);

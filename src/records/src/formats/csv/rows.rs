@@ -53,7 +53,7 @@ pub(super) fn table(
     if let Some(units) = &mut units {
         units.resize(header.len(), String::new());
     }
-    // Sensor names and rates may be between the heading and the first row.
+    // Sensor names and rates may be between the heading and the first row, so such lines are skipped.
     for _ in 0..LABELS {
         if first_row.iter().any(|cell| !cell.trim().is_empty() && is_figure(cell, decimal_comma)) {
             break;
