@@ -145,8 +145,8 @@ pub(crate) mod derivative {
     /// Test: `a_triangle_keeps_its_velocity_up_to_its_corners`.
     pub(crate) const SAME: f64 = 5.0;
 
-    /// Ratio of the lengths of successive windows. A smaller ratio costs time. With a larger ratio, some samples have a
-    /// window that is too short by up to this ratio.
+    /// Ratio of the lengths of successive differentiating windows, from the shortest to the longest. A smaller ratio
+    /// costs time. With a larger ratio, some samples have a window that is too short by up to this ratio.
     ///
     /// Test: none.
     pub(crate) const LONGER: f64 = 1.4;
@@ -216,8 +216,8 @@ pub(crate) mod force_offset {
     pub(crate) const STRONG: f64 = 2.0;
 
     /// Largest ratio of scatter to offset at which a changed zero of the load cell explains the deviation of a test.
-    /// The offset is the median deviation over the velocities, and the scatter is that of the deviations. A larger
-    /// scatter indicates an effect of stroke or position.
+    /// The offset is the median deviation over the velocities, and the scatter is the median absolute deviation from
+    /// this median. A larger scatter indicates an effect of stroke or position.
     ///
     /// The offset at the ends of the strokes may differ from that in the middle by this fraction.
     ///
@@ -268,8 +268,8 @@ pub(crate) mod file_units {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AGREE: f64 = 0.4;
 
-    /// Absolute natural logarithm of the force ratio above which the damper cannot cause the difference: a factor of
-    /// 3.5.
+    /// Absolute natural logarithm of the force ratio above which the damper cannot cause the difference, so that a
+    /// wrong unit is likely: a factor of 3.5.
     ///
     /// The pound-force is the unit of force closest to the newton. The logarithm of their ratio is 1.49. Free play and
     /// presliding cause differences of up to 0.7.
@@ -489,8 +489,8 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const MOVING: f64 = 0.02;
 
-    /// Damping of the fastest test, N s/m, above which a displacement in m was likely read as mm. A heavy damper has 20
-    /// kN at 50 mm/s, which is 4e5 N s/m.
+    /// Damping of the fastest test, N s/m, above which a displacement in m was likely read as mm. A heavy damper may
+    /// exceed this limit (20 kN at 50 mm/s are 4e5 N s/m), but not at amplitudes below [`SHORTEST`].
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const STIFFEST: f64 = 3e5;
@@ -723,7 +723,7 @@ pub(crate) mod cycles {
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const END_TOLERANCE: f64 = 0.003;
 
-    /// Correlation of neighboring cycles above which a test is periodic.
+    /// Median correlation of the shapes of neighboring cycles above which a test is periodic.
     ///
     /// Test: `a_record_that_is_whole_cycles_already_keeps_them_all`.
     pub(crate) const LIKENESS: f64 = 0.97;
@@ -990,7 +990,7 @@ pub(crate) mod lvm {
     /// Largest gap or overlap between consecutive packets of one record, relative to the length of a packet. After a
     /// larger one, another test begins.
     ///
-    /// The acquisition system reads the clock once per packet, so small gaps and overlaps are no real ones.
+    /// The acquisition system reads the clock once per packet, so small gaps and overlaps are not real.
     ///
     /// Test: none.
     pub(crate) const TOGETHER: f64 = 0.02;

@@ -205,8 +205,8 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        // A line is also the heading if it contains a column name that the user stated, because names such as RO and CO
-        // are not recognized.
+        // A line with a column name that the user stated is also the heading, because names such as RO and CO are not
+        // recognized.
         let asked = |(what, text): (&PeakColumn, &String), force: bool| {
             what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
         };
