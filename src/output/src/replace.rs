@@ -19,8 +19,8 @@ const TRIES: usize = 5;
 /// to a device or a pipe is direct.
 ///
 /// # Errors
-/// An existing file of another kind without `--force`, a missing folder, a full disk, or a file that cannot be replaced. The older file
-/// then stays unchanged.
+/// An existing file of another kind without `--force`, a missing folder, a full disk, or a file that cannot be
+/// replaced. The older file then stays unchanged.
 pub fn replace_file(path: &Path, contents: &[u8]) -> anyhow::Result<()> {
     match target(path, Some(&Kind::detect(contents)))? {
         Target::Stream(path) => {

@@ -268,8 +268,8 @@ pub(crate) mod file_units {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AGREE: f64 = 0.4;
 
-    /// Absolute natural logarithm of the force ratio above which the damper cannot cause the difference, so that a
-    /// wrong unit is likely: a factor of 3.5.
+    /// Absolute natural logarithm of the force ratio above which the damper cannot cause the difference: a factor of
+    /// 3.5. A wrong unit is then likely.
     ///
     /// The pound-force is the unit of force closest to the newton. The logarithm of their ratio is 1.49. Free play and
     /// presliding cause differences of up to 0.7.
@@ -277,8 +277,8 @@ pub(crate) mod file_units {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const OFF: f64 = 1.25;
 
-    /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force of an adjustable
-    /// damper changes by a factor of up to 15.
+    /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force
+    /// of an adjustable damper changes by a factor of up to 15.
     ///
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
