@@ -33,8 +33,8 @@ const LOOKED_INTO: u64 = 1 << 28;
 /// Follows links and determines the target. `new` is the kind of the output, if known.
 ///
 /// # Errors
-/// Without `--force`, a message if the output would destroy an existing file or go to a device, or if the extension
-/// implies another kind of file. A folder, a disk or a socket is always an error.
+/// Without `--force`, an output that would destroy an existing file or go to a device, or whose extension implies
+/// another kind of file. A folder, a disk or a socket is always an error.
 pub fn target(path: &Path, new: Option<&Kind>) -> anyhow::Result<Target> {
     target_forced(path, new, FORCE.load(Ordering::Relaxed) || run::is_forced())
 }
@@ -104,7 +104,7 @@ fn follow(path: &Path) -> anyhow::Result<PathBuf> {
     bail!("{} is a symbolic link that leads in a circle", path.display())
 }
 
-// On Windows, metadata do not distinguish pipes and disks from other files.
+// On Windows, metadata do not distinguish pipes and disks from other files, so only one variant is used there.
 #[cfg_attr(not(unix), allow(dead_code))]
 enum Stream {
     Pipe,

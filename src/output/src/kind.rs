@@ -60,7 +60,8 @@ const LITERATURE: &str = "literature_model";
 /// Author in every workbook of dashpot. A program that changes a workbook records its own user, so an edited workbook
 /// does not count as an output of dashpot.
 pub const AUTHOR: &str = "dashpot";
-/// Largest list of properties that is read, bytes. The list of dashpot is less than one kilobyte.
+/// Size of the largest list of properties of a workbook that is read, bytes. The list of dashpot is less than one
+/// kilobyte.
 const PROPERTIES: u64 = 1 << 16;
 /// Generator tag in the HTML head of every report of dashpot.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
@@ -68,8 +69,8 @@ pub const GENERATOR: &str = "<meta name=\"generator\" content=\"dashpot\">";
 /// Beginning of the first comment in every property file of dashpot. In XML, the first line does not identify dashpot,
 /// because files of other programs begin with the same declaration.
 pub const WRITTEN: &str = "Written by dashpot ";
-/// Text in every dataset with dashpot's routines. The first line of a dataset, its title, does not identify dashpot,
-/// because most models have the same title.
+/// Text in every Adams dataset with dashpot's routines. The first line of a dataset, its title, does not identify
+/// dashpot, because most Adams models have the same title.
 const ROUTINES: &str = "dashpot_adams::";
 
 /// Extensions that imply a kind. Another kind with this extension would be misinterpreted, for example a model in

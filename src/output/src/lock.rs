@@ -75,7 +75,8 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// Marks a temporary file as belonging to an existing run. The mark disappears at any end of the run.
+/// Marks a temporary file as belonging to an existing run. The mark disappears when the run ends, even if the run is
+/// killed.
 pub fn mark_alive(file: &File) {
     // A file system without locks has no marks, and its temporary files are never removed.
     #[cfg(unix)]

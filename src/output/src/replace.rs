@@ -10,7 +10,7 @@ use std::path::Path;
 
 /// Prefix of the names of temporary files.
 const TEMPORARY: &str = ".dashpot-";
-/// Number of attempts. Another run may remove the temporary file by mistake, as a file of a dead run.
+/// Number of attempts to write a file. Another run may remove the temporary file by mistake, as a file of a dead run.
 const TRIES: usize = 5;
 
 /// Writes a file, and replaces an older file of the same kind through a temporary file in the same folder.
@@ -19,8 +19,8 @@ const TRIES: usize = 5;
 /// to a device or a pipe is direct.
 ///
 /// # Errors
-/// An existing file of another kind without `--force`, a missing or full folder, or a file that cannot be replaced. The older file then
-/// stays unchanged.
+/// An existing file of another kind without `--force`, a missing folder, a full disk, or a file that cannot be
+/// replaced. The older file then stays unchanged.
 pub fn replace_file(path: &Path, contents: &[u8]) -> anyhow::Result<()> {
     match target(path, Some(&Kind::detect(contents)))? {
         Target::Stream(path) => {
@@ -83,7 +83,7 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Checks that a folder is writable.
+/// Checks that a folder is writable, and removes temporary files of killed runs from it.
 ///
 /// # Errors
 /// The error of the system.

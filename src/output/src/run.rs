@@ -16,7 +16,7 @@ thread_local! {
     static RUN: RefCell<Run> = RefCell::default();
 }
 
-/// Guard that restores the previous run at any end of the work.
+/// Guard that restores the previous run when the work ends, even by a panic.
 struct Before(Option<Run>);
 
 impl Drop for Before {

@@ -7,8 +7,8 @@ use std::io::Write;
 
 /// Returns whether a character affects a terminal, or the order of the text around it.
 ///
-/// These are control characters except line feed and tab, the direction marks of Unicode's annex 9, and the separators of lines and
-/// paragraphs.
+/// These are control characters except line feed and tab, the direction marks of Unicode's annex 9, and the separators
+/// of lines and paragraphs.
 fn acts(c: char) -> bool {
     let is_mark = matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     (c.is_control() && c != '\n' && c != '\t') || is_mark

@@ -20,7 +20,7 @@ fn unit_options(channels: impl Iterator<Item = Channel>) -> String {
     channels.map(|channel| format!("--unit {channel}={}", channel.example())).collect::<Vec<_>>().join(" ")
 }
 
-/// Formats a file size for readers.
+/// Formats a file size for messages: below 10 MiB in bytes, else in MiB.
 fn size(bytes: u64) -> String {
     if bytes < 10 << 20 { format!("{bytes} bytes") } else { format!("{} MiB", bytes >> 20) }
 }
@@ -58,7 +58,7 @@ pub struct FilesUnit {
     pub tests: Vec<String>,
     /// The tests that agree with each other.
     pub others: Vec<String>,
-    /// Number of all tests.
+    /// Number of all tests of the campaign.
     pub all: usize,
     /// Name of the test with the values that the message states.
     pub shown: String,
@@ -70,7 +70,8 @@ pub struct FilesUnit {
     pub channel: Channel,
     /// The unit in which the channel was read.
     pub written: Unit,
-    /// The likely units. The list contains several units if their ratios are nearly equal.
+    /// The likely units. The list contains several units if they explain the forces nearly equally well, such as kgf
+    /// and daN.
     pub likely: Vec<Unit>,
 }
 
@@ -114,7 +115,8 @@ pub(crate) fn name_several(tests: &[String]) -> Sentence {
 
 /// Reason for which a campaign is rejected. Every message states the file, the line if known, and the remedy.
 ///
-/// Lines count from 1, as in an editor. For a sheet, they are rows. For a MAT file, they are elements.
+/// Lines count from 1, as in an editor. The lines of a sheet are its rows, and the lines of a MAT file are the elements
+/// of its arrays.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 #[allow(missing_docs)] // the messages are the meaning of variants and fields
@@ -640,8 +642,8 @@ impl RecordError {
         }
     }
 
-    /// Returns the sentence for a file or test that the campaign leaves out. The sentence requires no action of the
-    /// user, so it omits the list of supported headings.
+    /// Returns the sentence for a file or test that the campaign leaves out. The user need not act, so the sentence
+    /// omits the list of supported headings.
     pub(crate) fn fault(&self) -> Sentence {
         match self {
             RecordError::Header { at, found, near, .. } => {

@@ -47,7 +47,8 @@ pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl 
     }
 }
 
-/// Returns the samples of the file `long.txt`: the given displacement at equal time steps, without force.
+/// Returns the samples of the file `long.txt`: the given displacement, m, at `rate` samples per second, with zero
+/// force.
 pub(crate) fn moving(rate: f64, displacement: Vec<f64>) -> Samples {
     let n = displacement.len();
     Samples {
@@ -82,7 +83,7 @@ pub(crate) struct SineTest {
     /// Standstill before the run-up and after the run-down, in cycles.
     pub rest: f64,
     pub per_cycle: usize,
-    /// Force noise, N, with autocorrelation `lag1`.
+    /// Standard deviation of the force noise, N. `lag1` is the autocorrelation of the noise from sample to sample.
     pub noise: f64,
     pub lag1: f64,
     /// Force at standstill, N.
@@ -119,7 +120,7 @@ impl SineTest {
         1.0 / self.frequency
     }
 
-    /// Returns the time of the first upward crossing of the steady cycles, s.
+    /// Returns the time at which the steady cycles begin with an upward crossing of the mean displacement, s.
     pub fn steady_from(&self) -> f64 {
         (self.rest + 1.0) * self.period()
     }
@@ -132,7 +133,7 @@ impl SineTest {
         let (mut time, mut x, mut v, mut force) = (vec![], vec![], vec![], vec![]);
         let mut noise = random.normal();
         for i in 0..n {
-            // Shift the phase by a fraction of a sample, so that every sample is off a turning point.
+            // Shift the phase by a fraction of a sample, so that no sample lies at a turning point.
             let phase = (i as f64 + 0.37) / self.per_cycle as f64 - self.rest;
             let envelope = phase.min(self.cycles as f64 + 2.0 - phase).clamp(0.0, 1.0);
             let slope = if envelope > 0.0 && envelope < 1.0 {

@@ -2,9 +2,9 @@
 //!
 //! [`load`] is the entry point. Its results are in SI units, with rebound (extension) and tension positive.
 //!
-//! The list gives the folders in order of dependency. Each folder uses only the folders before it and the files
-//! directly in `src`: `messages`, `quantities`, `dates`, `data`, `columns`, `formats`, `signal`, `cleaning`, `checks`,
-//! `settings`, `peaks`, `campaign`.
+//! Each folder of `src` uses only the files directly in `src` and the folders before it in this list: `messages`,
+//! `quantities`, `dates`, `data`, `columns`, `formats`, `signal`, `cleaning`, `checks`, `settings`, `peaks`,
+//! `campaign`.
 
 mod campaign;
 mod checks;

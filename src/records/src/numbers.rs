@@ -1,7 +1,7 @@
 //! Functions for numbers: limits, numbers in texts, and statistics of lists.
 
-/// Limits a value to an interval. If the limits are in the wrong order, the upper limit has precedence, whereas `clamp`
-/// would panic.
+/// Limits a value to the interval from `low` to `high`. If the limits are in the wrong order, the upper limit has
+/// precedence, whereas `clamp` would panic.
 pub fn restrict<T: PartialOrd>(value: T, low: T, high: T) -> T {
     let raised = if value < low { low } else { value };
     if raised > high { high } else { raised }
@@ -16,7 +16,7 @@ pub fn split_unit(text: &str) -> Option<(f64, &str)> {
     longest.filter(|(value, _)| value.is_finite())
 }
 
-/// Returns the median, or 0 for an empty list. Reorders its argument.
+/// Returns the median (the upper of two middle values), or 0 for an empty list. Reorders its argument.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     quantile(values, 0.5)
 }
@@ -50,7 +50,7 @@ pub(crate) fn quantum(values: &[f64]) -> f64 {
 }
 
 /// Estimates the standard deviation of white noise from differences of neighboring samples. The median suppresses the
-/// effect of steps.
+/// effect of steps. Returns 0 if no difference is finite.
 pub(crate) fn white_noise(values: &[f64]) -> f64 {
     let mut differences: Vec<f64> =
         values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|difference| difference.is_finite()).collect();

@@ -78,8 +78,8 @@ pub struct Options {
     pub delay_s: f64,
     /// Reading of the force channel at zero force, N, in the file's direction (`--force-zero`).
     pub force_zero_n: f64,
-    /// Reading of the displacement channel at the position that shall be zero, m, in the file's direction
-    /// (`--displacement-zero`).
+    /// Reading of the displacement channel at the position that shall be zero, times the channel's gain, m, in the
+    /// file's direction (`--displacement-zero`).
     pub displacement_zero_m: f64,
     /// Factor on the force, applied after the zero is subtracted (`--gain`).
     pub gain: f64,
@@ -126,10 +126,12 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Checks that the numbers are within their limits.
+    /// Checks that the numbers are within their limits, and that the rules for settings and the ignored channels are
+    /// valid.
     ///
     /// # Errors
-    /// A sentence that names the number.
+    /// A sentence that names the invalid option. A gain of time or temperature is invalid, and so is ignoring time or
+    /// force.
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
             return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", self.delay_s));
@@ -175,7 +177,9 @@ impl Options {
         }
     }
 
-    /// Merges these options with the options of a profile. Entries of `self` have precedence.
+    /// Merges these options with the options of a profile. Entries of `self` have precedence. A number that equals its
+    /// default counts as not given. Lists are joined, and a switch is on if it is on in either of the two. `strict` is
+    /// that of `self`.
     pub fn over(&self, profile: &Options) -> Options {
         let number = |own: f64, other: f64, nothing: f64| if own == nothing { other } else { own };
         let mut all = self.clone();
@@ -211,7 +215,7 @@ impl Options {
 mod tests {
     use super::*;
 
-    /// A change of one number of the options.
+    /// Function that sets one number of the options.
     type Change<'a> = &'a dyn Fn(&mut Options, f64);
 
     #[test]

@@ -1,7 +1,7 @@
 //! The bytes of a record file, and the budget of work and memory for reading them.
 //!
-//! Every reader obtains its bytes from this module. Stated sizes, blocks with several references and repeated texts are
-//! charged to the budget for each use. Thus, the size of the file limits the cost of reading.
+//! Every reader obtains its bytes from this module. Readers charge the budget for each size that a file states, and for
+//! each use of a shared block or text. Thus, the size of the file limits the cost of reading.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -11,14 +11,15 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use crate::error::{Place, RecordError};
 
-/// Largest record file, bytes: an hour of four channels at 1 kHz as text has 130 MB.
+/// Size of the largest record file that is read, bytes. As text, an hour of four channels at 1 kHz has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;
-/// Memory for the data that a reader makes of a file, bytes. It is a constant for any file, plus a multiple of the file
-/// size. Numbers of 16 bits become eight bytes long, and compression reduces numbers to a third. Cleaning then uses up
-/// to three times the memory. A file of 10 MiB stays within 1 GiB.
+/// Memory for the data that a reader makes of a file, bytes. The first number is a constant for any file, and the
+/// second is a factor on the file size. A number of 16 bits becomes eight bytes long, and a compressed file may have a
+/// third of the size of its numbers. Cleaning then uses up to three times the memory. A file of 10 MiB stays within 1
+/// GiB.
 const MEMORY: (u64, u64) = (192 << 20, 10);
-/// Work for a file, in steps of about a nanosecond: a constant for any file, plus a number per byte. A text requires 30
-/// steps per byte.
+/// Work for reading a file, in steps of about a nanosecond: a constant for any file, and a number per byte of the file.
+/// A text requires 30 steps per byte.
 const WORK: (u64, u64) = (2_000_000_000, 200);
 
 /// A record file in memory.
@@ -50,7 +51,8 @@ impl Source {
 /// Reads the bytes of a regular file of at most `largest` bytes.
 ///
 /// # Errors
-/// The file cannot be read, is larger, or is not a regular file. A pipe would block forever, and a device never ends.
+/// The file cannot be read, is larger than `largest`, or is not a regular file. Reading a pipe could block forever, and
+/// a device never ends.
 pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
     let unreadable = |source| RecordError::Read { file: file.into(), source };
     let metadata = std::fs::metadata(file).map_err(unreadable)?;
@@ -88,7 +90,7 @@ const LARGEST_SMALL: u64 = 16 << 20;
 /// Reads the bytes of a table, a model or a description: a regular file of at most 16 MiB.
 ///
 /// # Errors
-/// The file cannot be read, is a pipe or a device, or is larger.
+/// The file cannot be read, is no regular file (such as a folder, a pipe or a device), or is larger than 16 MiB.
 pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
     read_regular(file, LARGEST_SMALL)
 }
@@ -96,7 +98,7 @@ pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
 /// Reads the bytes of a regular file of at most `largest` bytes.
 ///
 /// # Errors
-/// The file cannot be read, is a pipe or a device, or is larger.
+/// The file cannot be read, is no regular file (such as a folder, a pipe or a device), or is larger than `largest`.
 pub fn read_regular(file: &Path, largest: u64) -> std::io::Result<Vec<u8>> {
     bytes(file, largest).map_err(|error| match error {
         RecordError::Read { source, .. } => source,
@@ -136,12 +138,14 @@ impl Budget {
         Budget(Arc::new(Left { work: of(WORK), memory: of(MEMORY) }))
     }
 
-    /// Charges work, in steps of about a nanosecond, for example for a visited block or an unpacked byte.
+    /// Charges work, in steps of about a nanosecond, for example for a visited block or an unpacked byte. It is an
+    /// error if less work remains.
     pub fn work(&self, steps: u64) -> Result<(), Exhausted> {
         charge(&self.0.work, steps)
     }
 
-    /// Charges memory that stays in use until the file has been read, bytes, and the work of filling it.
+    /// Charges `bytes` of memory, and one step of work for each byte. [`Budget::free`] returns memory that was in use
+    /// only temporarily.
     pub fn hold(&self, bytes: u64) -> Result<(), Exhausted> {
         charge(&self.0.memory, bytes)?;
         self.work(bytes)

@@ -10,13 +10,15 @@ pub(crate) mod date_agreement {
     /// Smallest ratio of a campaign's time spans in the two orders of day and month at which the order with the shorter
     /// span is used.
     ///
-    /// A campaign takes days. With day and month exchanged, its tests are scattered over the year.
+    /// A campaign takes days. With day and month exchanged, its tests are scattered over the year. At a smaller ratio,
+    /// the usual order for the separator of the date is used.
     ///
     /// Test: `dates_decide_only_where_one_reading_lies_much_closer_together`.
     pub(crate) const CLOSER: f64 = 5.0;
 
-    /// Smallest time span of the tests, s, in one order of day and month at which this order counts as wrong. With day
-    /// and month exchanged, the tests of a campaign are scattered over the year.
+    /// Smallest time span of the tests, s, in one order of day and month at which this order counts as wrong. The ratio
+    /// [`CLOSER`] must be exceeded too. With day and month exchanged, the tests of a campaign are scattered over the
+    /// year.
     ///
     /// Test: `tests_of_one_campaign_lie_close_together`.
     pub(crate) const APART: f64 = 20.0 * 86_400.0;
@@ -26,7 +28,8 @@ pub(crate) mod date_agreement {
 pub(crate) mod rig_sign {
     /// Confidence in a campaign's sign above which other campaigns have no influence on it.
     ///
-    /// If two campaigns have this confidence and opposite signs, they come from two rigs or two exports.
+    /// If two campaigns have this confidence and opposite signs, they come from two rigs or two exports. A note reports
+    /// them, and neither is reversed.
     ///
     /// Test: `the_surest_decides_for_those_that_hardly_tell`.
     pub(crate) const OWN: f64 = 0.9;
@@ -34,13 +37,14 @@ pub(crate) mod rig_sign {
 
 /// Constants of `campaign/common_clock.rs`.
 pub(crate) mod common_clock {
-    /// Longest campaign, s, if its files state only the time of day. Beyond half a day, the order of two tests is
-    /// uncertain.
+    /// Longest time span of a campaign, s, for which its records get a common clock if the files state only the time of
+    /// day. Beyond half a day, the order of two tests is uncertain.
     ///
     /// Test: `what_is_no_one_clock_is_said`.
     pub(crate) const WITHOUT_DATE: f64 = 0.5 * 86_400.0;
 
-    /// Longest campaign, s, if its files state the date too: a year. In a longer campaign, a date is wrong.
+    /// Longest time span of a campaign, s, for which its records get a common clock if the files state the date: a
+    /// year. In a longer campaign, a date is likely wrong.
     ///
     /// Test: `a_campaign_with_dates_lasts_a_year_at_most`.
     pub(crate) const WITH_DATE: f64 = 366.0 * 86_400.0;
@@ -48,21 +52,23 @@ pub(crate) mod common_clock {
 
 /// Constants of `signal/consistency.rs`.
 pub(crate) mod consistency {
-    /// Acceptable time shift of a velocity relative to the displacement, as a fraction of a sample. A converter samples
-    /// the two channels one after the other.
+    /// Largest time shift of a recorded velocity relative to the displacement, as a fraction of the sampling interval,
+    /// at which the velocity is used. A converter samples the two channels one after the other. If this limit and
+    /// [`LAG_OF_PHASE`] are exceeded, the velocity is derived from the displacement.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_SAMPLE: f64 = 0.25;
 
-    /// Acceptable phase shift of a velocity relative to the displacement, rad.
+    /// Largest phase shift of a recorded velocity relative to the displacement, rad, at which the velocity is used.
     ///
     /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. The limit is twice that
-    /// shift. At 200 samples per cycle, it exceeds half a sample.
+    /// shift. At 200 samples per cycle, the limit exceeds half a sample.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_PHASE: f64 = 0.02;
 
-    /// Fraction of the displacement's variance that a velocity must explain for its lag to be reliable.
+    /// Fraction of the displacement's variance that the integral of a velocity must explain for the lag of the velocity
+    /// to be reliable. At a smaller fraction, the lag is ignored.
     ///
     /// Test: `gain_and_lag_are_found`.
     pub(crate) const SAME_MOTION: f64 = 0.98;
@@ -81,29 +87,31 @@ pub(crate) mod delay {
     /// Test: none.
     pub(crate) const STEP: f64 = 0.001;
 
-    /// Smallest ratio of the longest delay to the period for which a test can show a delay. In slower tests, friction
-    /// would mask a delay.
+    /// Smallest ratio of [`LONGEST`] to the period of a test at which the search for a delay uses the test. In slower
+    /// tests, friction would mask a delay.
     ///
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const TELLING: f64 = 0.02;
 
-    /// Smallest number of samples that remain of a longer test after decimation.
+    /// Number of samples that decimation leaves of a longer test: at least this number, and less than twice as many.
     ///
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const SAMPLES: usize = 1500;
 
-    /// Nodes of the FV curve for one sign of velocity, relative to the highest velocity. They are dense near zero,
-    /// where friction reverses.
+    /// Nodes of the force-velocity curve for one sign of velocity, relative to the highest velocity of all tests. They
+    /// are dense near zero, where friction reverses.
     ///
     /// Test: `nodes_of_the_curve_join`.
     pub(crate) const NODES: [f64; 7] = [0.015, 0.03, 0.06, 0.12, 0.25, 0.5, 1.0];
 
-    /// Normalized power below which its sign is uncertain: the test may dissipate or feed energy.
+    /// Absolute value of the normalized power, 0 to 1, below which a test counts neither as dissipating nor as feeding
+    /// energy. The normalized power is the correlation of force and velocity.
     ///
     /// Test: `power_near_zero_is_neither_dissipation_nor_its_contrary`.
     pub(crate) const UNCLEAR: f64 = 0.1;
 
-    /// Shortest delay that is reported, s. Shorter delays are indistinguishable from series compliance and filters.
+    /// Shortest delay that a note reports, s. Shorter delays are indistinguishable from the effects of series
+    /// compliance and filters.
     ///
     /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
     pub(crate) const SHORTEST_REPORTED: f64 = 0.005;
@@ -113,7 +121,8 @@ pub(crate) mod delay {
     /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of the unexplained variances of two causes below which the cause with the smaller variance is selected.
+    /// Ratio of the unexplained variances of two causes, a delay and a reversed sign, below which the cause with the
+    /// smaller variance is selected. At a larger ratio, the error names both causes.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
     pub(crate) const CLEARLY: f64 = 0.7;
@@ -121,22 +130,23 @@ pub(crate) mod delay {
 
 /// Constants of `signal/derivative.rs`.
 pub(crate) mod derivative {
-    /// Largest number of samples on either side of the window. More samples cost time and hardly reduce the noise.
+    /// Largest number of samples on each side of the center of a differentiating window. More samples cost time and
+    /// hardly reduce the noise.
     ///
     /// Test: `a_window_holds_a_bounded_number_of_samples`.
     pub(crate) const REACH: usize = 250;
 
-    /// Tolerance of the agreement between the derivatives of a long and a shorter window, in standard deviations of
-    /// their noise.
+    /// Tolerance of the agreement between the derivatives of a long and a shorter window at one sample, in standard
+    /// deviations of their noise.
     ///
     /// With 4, one sample in a thousand of a smooth motion has a shorter window by chance, and thus a noisy derivative.
-    /// At a corner, the difference is tens of standard deviations.
+    /// At a corner of the motion, the difference is tens of standard deviations.
     ///
     /// Test: `a_triangle_keeps_its_velocity_up_to_its_corners`.
     pub(crate) const SAME: f64 = 5.0;
 
-    /// Ratio of the lengths of successive windows. A smaller ratio costs time. With a larger ratio, some samples have a
-    /// window that is too short by up to this ratio.
+    /// Ratio of the lengths of successive differentiating windows, from the shortest to the longest. A smaller ratio
+    /// costs time. With a larger ratio, some samples have a window that is too short by up to this ratio.
     ///
     /// Test: none.
     pub(crate) const LONGER: f64 = 1.4;
@@ -145,7 +155,8 @@ pub(crate) mod derivative {
 /// Constants of `signal/noise.rs`.
 pub(crate) mod noise {
     /// Smallest number of samples for a noise estimate from sample differences. It is also the smallest number of
-    /// deviations for an estimate from repeated cycles.
+    /// deviations for an estimate from repeated cycles. With fewer deviations, sample differences are used. With fewer
+    /// samples, the noise is unknown.
     ///
     /// Test: `without_cycles_differences_of_samples_serve`.
     pub(crate) const FEWEST: usize = 12;
@@ -161,12 +172,12 @@ pub(crate) mod load_cell {
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub(crate) const OFFSET: f64 = 15.0;
 
-    /// Range of the largest force, N, of car dampers. In this range the expected offset is constant, so that the
+    /// Range of the largest force of a car damper, N. In this range the expected offset is constant, so that the
     /// criteria are equal for soft and firm dampers.
     ///
     /// The range covers the virtual rigs and the measured dampers of the book, 0.4 to 6 kN. A narrower range would
     /// change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for stronger
-    /// dampers.
+    /// dampers. Outside this range, the expected offset is therefore proportional to the largest force.
     ///
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
@@ -174,7 +185,8 @@ pub(crate) mod load_cell {
 
 /// Constants of `checks/force_offset.rs`.
 pub(crate) mod force_offset {
-    /// Smallest number of other tests at a velocity for their median to represent the damper.
+    /// Smallest number of other tests at a velocity for their median to represent the damper. A velocity with fewer
+    /// other tests is not compared.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const FEWEST: usize = 3;
@@ -189,8 +201,8 @@ pub(crate) mod force_offset {
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const TWO: usize = 2;
 
-    /// Acceptable deviation of a test from the others, in addition to the offset of a load cell, in multiples of their
-    /// scatter.
+    /// Acceptable deviation of a test from the others, in addition to the offset of a load cell, in multiples of the
+    /// scatter of the others.
     ///
     /// Creep of the load cell and warming of the gas cause scatter.
     ///
@@ -203,15 +215,17 @@ pub(crate) mod force_offset {
     /// Test: none.
     pub(crate) const STRONG: f64 = 2.0;
 
-    /// Largest ratio of a test's scatter to its offset at which the cause is a changed zero. A larger scatter indicates
-    /// an effect of stroke or position.
+    /// Largest ratio of scatter to offset at which a changed zero of the load cell explains the deviation of a test.
+    /// The offset is the median deviation over the velocities, and the scatter is the median absolute deviation from
+    /// this median. A larger scatter indicates an effect of stroke or position.
     ///
-    /// The offset at the ends of the strokes may differ by this fraction.
+    /// The offset at the ends of the strokes may differ from that in the middle by this fraction.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const CONSTANT: f64 = 0.3;
 
-    /// Largest fraction of the tests that a note reports. If more tests deviate, the other tests may be wrong.
+    /// Largest fraction of deviating tests in a campaign at which a note reports them. If more tests deviate, the other
+    /// tests may be wrong, so no note is made.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const FEW: f64 = 0.34;
@@ -219,18 +233,20 @@ pub(crate) mod force_offset {
 
 /// Constants of `checks/truncated_test.rs`.
 pub(crate) mod truncated_test {
-    /// Fraction of a motion's range that counts as a stroke, as in the search for cycles.
+    /// Smallest distance between two turning points that counts as a stroke, as a fraction of the range of the motion.
+    /// The search for cycles begins with the same fraction.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const STROKE: f64 = 0.3;
 
-    /// Smallest number of stroke ends in a whole cycle, including the ends of the record.
+    /// Smallest number of stroke ends in a whole cycle, including the ends of the record. A test with fewer stroke ends
+    /// that ends in motion counts as truncated.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const OF_A_CYCLE: usize = 4;
 
-    /// Fraction of the peak velocity above which a test ends in motion. A sine is below this fraction for a fifth of
-    /// its time.
+    /// Fraction of the peak velocity above which the last velocity of a test means that the test ends in motion. A sine
+    /// is below this fraction for a fifth of its time.
     ///
     /// Test: `a_test_that_ends_within_its_first_stroke_is_told_and_a_ramp_to_rest_is_not`.
     pub(crate) const MOVING: f64 = 0.3;
@@ -243,16 +259,17 @@ pub(crate) mod truncated_test {
 
 /// Constants of `checks/deviating_tests`.
 pub(crate) mod deviating_tests {
-    /// Natural logarithm of the force ratio below which two tests agree.
+    /// Absolute natural logarithm of the force ratio below which two tests agree.
     ///
-    /// The limit includes a damper that is 30 % softer when warm, and the two branches of a hysteresis loop. Two tests
-    /// of faultless campaigns, even of real dampers, mostly differ by less than 0.1. With free play, they differ by up
-    /// to 0.3.
+    /// The limit includes a damper that is 30 % softer when warm, and the two sides of a hysteresis loop. Two tests of
+    /// faultless campaigns, even of real dampers, mostly differ by less than 0.1. With free play, they differ by up to
+    /// 0.3.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AGREE: f64 = 0.4;
 
-    /// Natural logarithm of the force ratio above which the damper cannot cause the difference: a factor of 3.5.
+    /// Absolute natural logarithm of the force ratio above which the damper cannot cause the difference: a factor of
+    /// 3.5. A wrong unit is then likely.
     ///
     /// The pound-force is the unit of force closest to the newton. The logarithm of their ratio is 1.49. Free play and
     /// presliding cause differences of up to 0.7.
@@ -260,8 +277,8 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const OFF: f64 = 1.25;
 
-    /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force of an adjustable damper changes by a
-    /// factor of up to 15.
+    /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force
+    /// of an adjustable damper changes by a factor of up to 15.
     ///
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
@@ -278,13 +295,14 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
-    /// Difference of the residuals of two units below which both are likely. The logarithms of kilogram-force and
-    /// decanewton differ by 0.02.
+    /// Difference of the residuals of two units, as natural logarithms, below which both units are likely. The
+    /// logarithms of kilogram-force and decanewton differ by 0.02.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AS_LIKELY: f64 = 0.05;
 
-    /// Smallest number of velocities shared with the other tests. A triangle rarely has more than two.
+    /// Smallest number of velocities shared with the other tests at which the unit of a test is checked. A triangular
+    /// motion rarely has more than two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
@@ -317,17 +335,18 @@ pub(crate) mod deviating_tests {
 
 /// Constants of `checks/plausibility.rs`.
 pub(crate) mod plausibility {
-    /// Largest displacement amplitude, m. The amplitude of the longest suspensions is half of that.
+    /// Largest displacement amplitude, m, that is not rejected as implausible. The amplitude of the longest suspensions
+    /// is half of that.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LARGEST_AMPLITUDE: f64 = 0.5;
 
-    /// Highest speed, m/s. Curb strikes reach about 10.
+    /// Highest peak velocity, m/s, that is not rejected as implausible. Curb strikes reach about 10 m/s.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const HIGHEST_SPEED: f64 = 20.0;
 
-    /// Largest force, N. Dampers of heavy vehicles reach a third of that.
+    /// Largest force, N, that is not rejected as implausible. Dampers of heavy vehicles reach a third of that.
     ///
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const LARGEST_FORCE: f64 = 2e5;
@@ -353,13 +372,14 @@ pub(crate) mod plausibility {
     /// Test: `limits_of_what_a_damper_can_show`.
     pub(crate) const SMALL_FORCE: f64 = 20.0;
 
-    /// Range of the force, in standard deviations of its noise, below which the force contains only noise. White noise
-    /// of a hundred thousand samples stays within this range.
+    /// Range of the force, in standard deviations of its noise, below which the force contains only noise.
+    /// [`NOISE_SPREAD`] must be met too. White noise of a hundred thousand samples stays within this range.
     ///
     /// Test: `noise_is_known_by_its_range_and_its_spread`.
     pub(crate) const NOISE_RANGE: f64 = 10.0;
 
     /// Ratio of the standard deviation of the force to that of its noise below which the force contains only noise.
+    /// [`NOISE_RANGE`] must be met too.
     ///
     /// Test: `noise_is_known_by_its_range_and_its_spread`.
     pub(crate) const NOISE_SPREAD: f64 = 1.1;
@@ -394,45 +414,47 @@ pub(crate) mod sign {
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const TARED: f64 = 0.05;
 
-    /// Prior of the logarithm of the ratio of the force in rebound to that in compression, for passenger-car dampers.
+    /// Prior mean of the natural logarithm of the ratio of the force in rebound to that in compression, for
+    /// passenger-car dampers.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const PRIOR_RATIO: f64 = 0.6;
 
-    /// Standard deviation between dampers of the logarithm of the ratio of the force in rebound to that in compression.
+    /// Standard deviation between dampers of the natural logarithm of the ratio of the force in rebound to that in
+    /// compression.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const RATIO_SCATTER: f64 = 0.5;
 
-    /// Largest contribution of the asymmetry, as log odds: seven to one.
+    /// Largest contribution of the asymmetry to the estimated direction, as log odds: seven to one.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const MOST_BY_SHAPE: f64 = 2.0;
 
-    /// Largest log odds of an estimated direction: 99 %.
+    /// Largest log odds of an estimated direction, which equal a confidence of 99 %.
     ///
     /// Test: `no_direction_that_was_worked_out_is_certain`.
     pub(crate) const SUREST: f64 = 4.595;
 
-    /// Confidence in a direction above which there is no warning.
+    /// Confidence in an estimated direction below which a note warns that the direction is uncertain.
     ///
     /// Test: `the_surest_decides_for_those_that_hardly_tell`.
     pub(crate) const UNSURE: f64 = 0.8;
 
-    /// Fraction of a test's peak velocity above which a sample counts as fast.
+    /// Fraction of a test's peak velocity above which a sample belongs to the force at high speed.
     ///
     /// At this velocity, the force of a damper exceeds the force at low velocities by more than the hysteresis.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const FAST: f64 = 0.9;
 
-    /// Fractions of a test's peak velocity between which a sample counts as slow. They exclude the turning points,
-    /// where friction changes its sign.
+    /// Fractions of a test's peak velocity between which a sample belongs to the force at low speed. They exclude the
+    /// turning points, where friction changes its sign.
     ///
     /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
     pub(crate) const SLOW: [f64; 2] = [0.15, 0.35];
 
-    /// Smallest number of samples for the force at a speed.
+    /// Smallest number of samples whose median counts as the force at a speed.
     ///
     /// Test: none.
     pub(crate) const FEWEST: usize = 10;
@@ -446,57 +468,65 @@ pub(crate) mod unit_magnitude {
     /// Test: `milliamperes_that_are_called_amperes_are_refused`.
     pub(crate) const MOST_CURRENT: f64 = 30.0;
 
-    /// Damping of the fastest test, N s/m, below which the force is likely in kN.
+    /// Damping of the fastest test, N s/m, below which kN were likely read as N. The damping is half the force range
+    /// divided by the peak velocity.
     ///
-    /// A damper of 20 N at 1 m/s has 20 N s/m. If the force of a passenger-car damper in kN is read as N, it has a few
-    /// N s/m.
+    /// A damper of 20 N at 1 m/s has 20 N s/m. If the force of a passenger-car damper in kN is read as N, the damping
+    /// seems to be a few N s/m.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAKEST: f64 = 10.0;
 
-    /// Half the force range of the strongest test, N, above which the unit counts as correct. The smallest dampers
-    /// reach twice that force.
+    /// Half the force range of the strongest test, N, above which the unit of force counts as correct. A wrong unit of
+    /// time or displacement is reported only above this force. The smallest dampers reach twice that force.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const WEAK: f64 = 8.0;
 
-    /// Speed, m/s, above which the force is not only friction but also damping.
+    /// Peak velocity of the fastest test, m/s, above which the force is not only friction but also damping. The damping
+    /// of slower tests is no evidence of a wrong unit of force.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const MOVING: f64 = 0.02;
 
-    /// Damping, N s/m, above which a displacement in m was likely read as mm. A heavy damper has 20 kN at 50 mm/s.
+    /// Damping of the fastest test, N s/m, above which a displacement in m was likely read as mm. A heavy damper may
+    /// exceed this limit (20 kN at 50 mm/s are 4e5 N s/m), but not at amplitudes below [`SHORTEST`].
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const STIFFEST: f64 = 3e5;
 
-    /// Amplitude, m, below which a displacement in m was likely read as mm. In strokes of some tenths of a millimeter,
-    /// friction alone can give such damping, but those strokes are longer than this limit.
+    /// Largest amplitude of a campaign, m, below which a displacement in m was likely read as mm. [`STIFFEST`] must be
+    /// exceeded too. In strokes of some tenths of a millimeter, friction alone can give such damping. Those strokes are
+    /// longer than this limit.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SHORTEST: f64 = 1.5e-4;
 
-    /// Velocity of the fastest test, m/s, below which milliseconds may have been read as seconds.
+    /// Peak velocity of the fastest test, m/s, below which milliseconds may have been read as seconds. [`RARELY`] and
+    /// [`LONG`] must be exceeded too.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SLOWEST: f64 = 6e-3;
 
-    /// Sampling interval, s, above which milliseconds may have been read as seconds.
+    /// Sampling interval, s, above which milliseconds may have been read as seconds (with [`SLOWEST`] and [`LONG`]).
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const RARELY: f64 = 0.05;
 
-    /// Length of the longest test, s, above which milliseconds may have been read as seconds.
+    /// Length of the longest test, s, above which milliseconds may have been read as seconds (with [`SLOWEST`] and
+    /// [`RARELY`]).
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const LONG: f64 = 3600.0;
 
-    /// Frequency, Hz, above the range of all damper rigs at an amplitude of 0.1 mm or more.
+    /// Frequency of a test, Hz, above which seconds were likely read as milliseconds. No damper rig reaches this
+    /// frequency at an amplitude of more than 0.1 mm.
     ///
     /// Test: `a_frequency_that_no_rig_reaches_is_another_unit_of_time`.
     pub(crate) const FASTEST: f64 = 150.0;
 
-    /// Correlation of force and velocity above which the force depends on the velocity.
+    /// Absolute correlation of force and velocity above which a force is that of a damper, and a small force suggests a
+    /// wrong unit. At a smaller correlation, the load cell may be dead.
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const FOLLOWS: f64 = 0.3;
@@ -504,28 +534,28 @@ pub(crate) mod unit_magnitude {
 
 /// Constants of `checks/force_levels.rs`.
 pub(crate) mod force_levels {
-    /// Ratio of successive velocities at which a test is evaluated.
+    /// Ratio of the limits of successive velocity levels, at which the forces of a test are evaluated.
     ///
-    /// Between two successive velocities, the force grows by at most this ratio. A sine has nine such velocities in the
-    /// upper 90 % of its velocity range.
+    /// Within a level, the velocity changes by this ratio, and the force of most dampers by at most this ratio. A sine
+    /// has nine levels in the upper 90 % of its velocity range.
     ///
     /// Test: `a_sine_shows_force_against_motion_and_between_at_its_velocities`.
     pub(crate) const STEP: f64 = 1.3;
 
-    /// Fraction of a test's peak velocity below which samples are not evaluated. The noise of a derived velocity
-    /// dominates there.
+    /// Fraction of a test's peak velocity below which samples are not evaluated, because the noise of a derived
+    /// velocity dominates.
     ///
     /// Test: `a_sine_shows_force_against_motion_and_between_at_its_velocities`.
     pub(crate) const LOWEST: f64 = 0.1;
 
-    /// Fraction of the peak velocity above which a test is in the middle of its stroke.
+    /// Fraction of the peak velocity above which a sample lies in the middle of a stroke.
     ///
     /// A sine is then within seven eighths of the distance from its middle to its end.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const MIDDLE: f64 = 0.5;
 
-    /// Smallest number of samples in each direction for a median to represent a velocity.
+    /// Smallest number of samples in each direction for their median to represent the force at a velocity.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 5;
@@ -577,13 +607,13 @@ pub(crate) mod duplicates {
 
 /// Constants of `cleaning/order.rs`.
 pub(crate) mod order {
-    /// Largest distance, in rows, over which a misplaced row is moved to its position in time. Beyond that, the row
-    /// belongs to another block of data.
+    /// Largest distance, in rows, over which a misplaced row is moved to its position in time. A row that is further
+    /// away belongs to another block of data, and the record is rejected.
     ///
     /// Test: `a_row_far_out_of_its_place_is_another_block`.
     pub(crate) const REACH: usize = 10;
 
-    /// Largest fraction of rows from an earlier run in the buffer of a logger at which these rows are removed.
+    /// Largest fraction of rows from an earlier run, in the buffer of a logger, at which these rows are removed.
     ///
     /// More rows may be a separate test.
     ///
@@ -602,12 +632,14 @@ pub(crate) mod trim {
 
 /// Constants of `cleaning/missing.rs`.
 pub(crate) mod missing {
-    /// Largest fraction of rows that may be dropped.
+    /// Largest fraction of rows that may be dropped because a value is missing. If more values are missing, the record
+    /// is rejected. Three rows may be dropped from any record.
     ///
     /// Test: `a_small_fraction_and_a_short_run_may_be_missing`.
     pub(crate) const FRACTION: f64 = 0.02;
 
-    /// Longest run of rows that may be dropped. A longer run has another cause than single bad cells.
+    /// Longest run of consecutive rows that may be dropped because a value is missing. A longer run has another cause
+    /// than single bad cells, so the record is rejected.
     ///
     /// Test: `a_small_fraction_and_a_short_run_may_be_missing`.
     pub(crate) const RUN: usize = 10;
@@ -625,24 +657,24 @@ pub(crate) mod rests {
     /// Test: none.
     pub(crate) const PIECES: usize = 4;
 
-    /// Range of a channel at standstill, in standard deviations of its noise. Ten thousand samples stay within eight
-    /// standard deviations.
+    /// Largest range of the displacement at standstill, in standard deviations of its noise. Ten thousand samples of
+    /// noise stay within eight standard deviations.
     ///
     /// Test: `pauses_between_equal_cycles_part_nothing`.
     pub(crate) const STILL: f64 = 10.0;
 
-    /// Range of a channel at standstill, relative to its whole range. Sensors are accurate to a few ten-thousandths of
-    /// their range.
+    /// Range of the displacement, relative to its whole range, that always counts as standstill. Sensors are accurate
+    /// to a few ten-thousandths of their range.
     ///
     /// Test: `a_channel_that_holds_its_value_at_rest_is_split_too`.
     pub(crate) const STILL_OF_RANGE: f64 = 3e-4;
 
-    /// Fraction of a piece's samples that may be spikes, at either extreme.
+    /// Fraction of a piece's samples at each extreme that may be spikes. The range of the piece leaves them out.
     ///
     /// Test: none.
     pub(crate) const SPIKES: f64 = 0.02;
 
-    /// Largest difference between the ends of two equal motions, relative to the stroke.
+    /// Largest difference between the extreme displacements of two equal motions, relative to the stroke.
     ///
     /// The amplitudes of a test list differ by more. At one setting, the amplitudes of a drive differ by less.
     ///
@@ -662,14 +694,15 @@ pub(crate) mod rests {
     /// Test: none.
     pub(crate) const MARGIN: usize = 2;
 
-    /// Ratio of a pause to the apparent standstill at a turning point above which the pause is a standstill.
+    /// Ratio of a pause to the apparent standstill of a slow motion at its turning points above which the pause is a
+    /// real standstill.
     ///
-    /// The search works piece by piece, and noise makes the apparent standstill longer.
+    /// The search for standstills works piece by piece, and noise makes the apparent standstill longer.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const TURN: f64 = 3.0;
 
-    /// Fraction of a motion's range that counts as a stroke.
+    /// Smallest distance between two turning points that counts as a stroke, as a fraction of the range of the motion.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const STROKE: f64 = 0.3;
@@ -677,31 +710,32 @@ pub(crate) mod rests {
 
 /// Constants of `cleaning/cycles.rs`.
 pub(crate) mod cycles {
-    /// Limits of the relative tolerance of stroke and period about their medians. Within the limits, the tolerance
-    /// follows from the scatter of most cycles.
+    /// Lower and upper limit of the relative tolerance of stroke and period about their medians. Between the limits,
+    /// the tolerance follows from the scatter of most cycles. A motion outside the tolerance is not a cycle of the
+    /// test.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const TOLERANCE: (f64, f64) = (0.03, 0.15);
 
     /// Smallest relative tolerance of stroke and period of the first and the last cycle after refinement of the
-    /// crossings. The end of a run-up causes only a small deviation.
+    /// crossings. It is smaller than [`TOLERANCE`], because the end of a run-up causes only a small deviation.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const END_TOLERANCE: f64 = 0.003;
 
-    /// Correlation of neighboring cycles above which a test is periodic.
+    /// Median correlation of the shapes of neighboring cycles above which a test is periodic.
     ///
     /// Test: `a_record_that_is_whole_cycles_already_keeps_them_all`.
     pub(crate) const LIKENESS: f64 = 0.97;
 
-    /// Smallest fraction of variance in the fundamental if there are only one or two cycles, so that a comparison is
-    /// impossible. A triangle has 0.985.
+    /// Smallest fraction of a cycle's variance in its fundamental at which the cycle counts. It applies to tests of one
+    /// or two cycles, whose shapes cannot be compared. A triangular motion has 0.985.
     ///
     /// Test: `rest_run_up_and_run_down_are_no_cycles`.
     pub(crate) const LONELY: f64 = 0.98;
 
-    /// Fraction of the stroke below which a reversal within a stroke is acceptable, if there are only one or two
-    /// cycles.
+    /// Fraction of the stroke below which a reversal within a stroke is ignored in tests of one or two cycles. A larger
+    /// reversal means that the motion is not periodic.
     ///
     /// Test: none.
     pub(crate) const WIGGLE: f64 = 0.01;
@@ -709,24 +743,25 @@ pub(crate) mod cycles {
 
 /// Constants of `cleaning/clipped.rs`.
 pub(crate) mod clipped {
-    /// Smallest number of equal samples at the extreme that form a flat top.
+    /// Smallest number of consecutive equal samples at the extreme of a channel that may be a flat top.
     ///
     /// Test: `a_rounded_peak_is_none_where_other_tests_go_further`.
     pub(crate) const RUN: usize = 4;
 
-    /// Largest fraction of clipped force samples at which the record is used, without these samples.
+    /// Largest fraction of clipped force samples at which the record is used without these samples. With more, it is
+    /// rejected.
     ///
     /// Test: `a_little_clipped_force_is_masked_and_much_is_refused`.
     pub(crate) const FORCE_FRACTION: f64 = 0.05;
 
-    /// Largest fraction of the samples in a rounded peak. More samples indicate the end of a measuring range, because a
-    /// range may be switched between tests.
+    /// Largest fraction of a record's samples in flat tops that may be rounded peaks if other tests go further. More
+    /// samples indicate the end of a measuring range, because a range may be switched between tests.
     ///
     /// Test: `a_rounded_peak_is_none_where_other_tests_go_further`.
     pub(crate) const ROUNDED_FRACTION: f64 = 0.05;
 
-    /// Fraction of the estimated overshoot of a clipped channel above which the other channel proves the clipping. The
-    /// mean overshoot of a parabola is two thirds of the estimate.
+    /// Fraction of the estimated overshoot of a flat top that the other motion channel must show to prove the clipping.
+    /// The mean overshoot of a parabola is two thirds of the estimate, its largest overshoot.
     ///
     /// Test: `a_clipped_motion_channel_gives_way_to_the_other`.
     pub(crate) const SHOWN: f64 = 1.0 / 3.0;
@@ -734,8 +769,8 @@ pub(crate) mod clipped {
 
 /// Constants of `cleaning/gaps.rs`.
 pub(crate) mod gaps {
-    /// Ratio of a time step to the neighboring steps above which the step is a gap. A change of the logging rate lasts
-    /// for many samples. Lost telegrams are only a few samples.
+    /// Ratio of a time step to the neighboring steps above which the step is a gap. After a change of the logging rate,
+    /// the neighboring steps are as long. Lost telegrams are only a few samples.
     ///
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;
@@ -745,12 +780,14 @@ pub(crate) mod gaps {
     /// Test: none.
     pub(crate) const AROUND: usize = 15;
 
-    /// Largest ratio of the range of an interrupted piece to the largest stroke of the cycles.
+    /// Largest ratio of the range of a piece without a whole cycle to the largest stroke of cycles at which the piece
+    /// is left out.
     ///
     /// Test: none.
     pub(crate) const BEYOND: f64 = 1.1;
 
-    /// Largest number of turning points of an interrupted piece. A motion of another kind has more turning points.
+    /// Largest number of turning points of a piece without a whole cycle at which the piece is left out. A motion of
+    /// another kind has more turning points.
     ///
     /// Test: none.
     pub(crate) const TURNS: usize = 5;
@@ -760,7 +797,7 @@ pub(crate) mod gaps {
 pub(crate) mod still {
     /// Ratio of a channel's standard deviation to that of its noise below which the channel contains only noise.
     ///
-    /// The smallest detectable sine has an amplitude of two thirds of the noise.
+    /// The smallest detectable sine has an amplitude of two thirds of the standard deviation of the noise.
     ///
     /// Test: `rest_is_told_from_the_smallest_motion`.
     pub(crate) const SPREAD: f64 = 1.1;
@@ -771,7 +808,8 @@ pub(crate) mod still {
     /// Test: `rest_is_told_from_the_smallest_motion`.
     pub(crate) const RANGE: f64 = 10.0;
 
-    /// Largest number of distinct values of a sensor at rest, due to changes of its last digit.
+    /// Largest number of distinct values of a channel that always counts as at rest. A sensor at rest changes its last
+    /// digit.
     ///
     /// Test: none.
     pub(crate) const FLICKER: usize = 3;
@@ -779,37 +817,40 @@ pub(crate) mod still {
 
 /// Constants of `cleaning/stairs.rs`.
 pub(crate) mod stairs {
-    /// Smallest ratio of a stroke to the whole range. The slowest speeds may have short strokes.
+    /// Smallest distance between two turning points that counts as a stroke, as a fraction of the range of the
+    /// displacement. The slowest speeds may have short strokes.
     ///
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const STROKE: f64 = 0.1;
 
-    /// Largest root mean square deviation of a stroke from a straight line, relative to its length. Half a sine
-    /// deviates by 0.043.
+    /// Largest root mean square deviation of a stroke of constant speed from a straight line over time, relative to the
+    /// length of the stroke. Half a cycle of a sine deviates by 0.043.
     ///
     /// Test: none.
     pub(crate) const LINE_DEVIATION: f64 = 0.015;
 
-    /// Smallest fraction of straight strokes.
+    /// Smallest fraction of strokes of constant speed in a friction program. Other records are not split by speed.
     ///
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const MOST: f64 = 0.9;
 
-    /// Largest ratio of two speeds within one test.
+    /// Largest ratio of the speeds of two strokes of one test.
     ///
-    /// Drives keep the speed constant within a few percent. Slow loggers round their time stamps.
+    /// Drives keep the speed constant within a few percent. Slow loggers round their time stamps, which changes the
+    /// computed speed.
     ///
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const SAME: f64 = 1.15;
 
-    /// Smallest number of strokes of a test: one in each direction.
+    /// Smallest number of strokes of a test: one in each direction. If a speed has fewer strokes, the record is not
+    /// split.
     ///
     /// Test: `every_speed_of_a_friction_program_is_a_test`.
     pub(crate) const FEWEST_STROKES: usize = 2;
 
-    /// Number of samples of a stroke below which the mean speed of the stroke is its velocity.
+    /// Largest number of samples of the shortest stroke at which the mean speed of each stroke becomes its velocity.
     ///
-    /// A window of a few samples would include both turning points.
+    /// A differentiating window would include both turning points of such a short stroke.
     ///
     /// Test: none.
     pub(crate) const COARSE: usize = 40;
@@ -817,28 +858,32 @@ pub(crate) mod stairs {
 
 /// Constants of `cleaning/swapped_columns.rs`.
 pub(crate) mod swapped_columns {
-    /// Largest displacement range of a damper rig, m.
+    /// Largest displacement range of a damper rig, m. A larger range is one of the criteria for exchanged columns of
+    /// force and displacement.
     ///
     /// Test: none.
     pub(crate) const LONGEST: f64 = 1.0;
 
-    /// Smallest fraction of increasing steps in a time column.
+    /// Fraction of increasing steps above which another column is likely the time, if the time column does not
+    /// increase.
     ///
     /// Test: `swapped_headings_are_told_with_the_evidence`.
     pub(crate) const FORWARD: f64 = 0.9;
 
-    /// Roughness ratio of displacement to force above which the two channels are exchanged. A motion is smoother than a
-    /// force.
+    /// Ratio of the roughness of the displacement to that of the force above which the two channels may be exchanged. A
+    /// motion is smoother than a force.
     ///
     /// Test: none.
     pub(crate) const ROUGHER: f64 = 2.5;
 
-    /// Ratio of harmonics to the fundamental of a motion above which the drive motion was not a sine.
+    /// Ratio of the harmonics to the fundamental of a displacement above which the displacement is not the sine of a
+    /// drive.
     ///
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const NO_SINE: f64 = 0.03;
 
-    /// Ratio of the displacement's harmonics to those of the force above which the two channels are exchanged.
+    /// Ratio of the displacement's harmonics to those of the force above which the two channels seem exchanged.
+    /// Harmonics are relative to the fundamental.
     ///
     /// A force proportional to the motion or to its velocity has at least the harmonics of the motion. A vibrating rig
     /// has harmonics in both channels.
@@ -846,8 +891,8 @@ pub(crate) mod swapped_columns {
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const PURER: f64 = 3.0;
 
-    /// Highest harmonic that is evaluated. Friction and knees mainly cause harmonics up to this one. Noise contributes
-    /// to all harmonics.
+    /// Highest harmonic that is evaluated. Friction and knees of the force mainly cause harmonics up to this one,
+    /// whereas noise contributes to all harmonics.
     ///
     /// Test: `exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed`.
     pub(crate) const HIGHEST: usize = 7;
@@ -855,13 +900,13 @@ pub(crate) mod swapped_columns {
 
 /// Constants of `cleaning/mod.rs`.
 pub(crate) mod cleaning {
-    /// Fewest samples of a test.
+    /// Fewest samples of a test. A test with fewer samples is rejected.
     ///
     /// Test: `too_few_samples_are_refused`.
     pub(crate) const FEWEST: usize = 20;
 
-    /// Length of the differentiating window relative to the cycle. The error is 2e-5 for the fundamental and 1 % for
-    /// its fifth harmonic.
+    /// Length of the differentiating window relative to the period of the cycles. The error is 2e-5 for the fundamental
+    /// and 1 % for its fifth harmonic.
     ///
     /// Test: none.
     pub(crate) const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
@@ -872,8 +917,8 @@ pub(crate) mod cleaning {
     /// Test: none.
     pub(crate) const WINDOW_NO_CYCLE: f64 = 0.017;
 
-    /// Fraction of samples with a shorter window below which no note is added. In a smooth motion, some thousandths of
-    /// the samples have a shorter window by chance.
+    /// Fraction of samples with a shorter differentiating window below which no note is added. In a smooth motion, some
+    /// thousandths of the samples have a shorter window by chance.
     ///
     /// Test: none.
     pub(crate) const BY_CHANCE: f64 = 0.01;
@@ -889,7 +934,7 @@ pub(crate) mod frozen {
 
 /// Constants of `cleaning/outliers.rs`.
 pub(crate) mod outliers {
-    /// Longest spike, samples.
+    /// Largest number of samples of a spike. A longer deviation stays unchanged.
     ///
     /// Test: `spikes_are_replaced_and_nothing_else`.
     pub(crate) const LONGEST: usize = 3;
@@ -902,37 +947,39 @@ pub(crate) mod outliers {
 
 /// Constants of `cleaning/settings.rs`.
 pub(crate) mod settings {
-    /// Smallest swing that counts as a cycle, relative to the whole range. If a record contains large and small tests,
-    /// the small ones are found down to this limit.
+    /// Smallest distance between two turning points that counts in the search for cycles, relative to the range of the
+    /// displacement. If a record contains large and small tests, the small ones are found down to this limit.
     ///
     /// Test: none.
     pub(crate) const SMALLEST: f64 = 0.01;
 
-    /// Largest deviation of stroke and period within one setting from their median, as a logarithm.
+    /// Largest deviation of stroke and period within one setting of the drive from their median, as a natural
+    /// logarithm.
     ///
     /// Drives keep both constant within a few percent.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const SAME: f64 = 0.05;
 
-    /// Smallest number of cycles of a setting. If a drive has four cycles at each setting, the first and the last
-    /// contain the change. On a road, two similar cycles are rare.
+    /// Smallest number of successive similar cycles that form a setting of the drive. If a drive has four cycles at
+    /// each setting, the first and the last contain the change. On a road, two similar cycles are rare.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const STAYS: usize = 2;
 
-    /// Number of preceding cycles with which the next cycle is compared.
+    /// Number of preceding cycles with whose median the next cycle is compared.
     ///
     /// Test: none.
     pub(crate) const BEFORE: usize = 3;
 
-    /// Smallest fraction of all cycles that belong to a setting. A motion that changes all the time, such as a road,
-    /// has no setting.
+    /// Smallest fraction of all cycles in settings of the drive at which a record is split. A motion that changes all
+    /// the time, such as a road, has no setting.
     ///
     /// Test: `frequencies_and_amplitudes_that_are_stepped_through_are_tests_of_their_own`.
     pub(crate) const COVERED: f64 = 0.7;
 
-    /// Smallest ratio of a jump between settings to the scatter between cycles.
+    /// Smallest ratio of a jump of stroke or period to the scatter between cycles at which the jump separates two
+    /// tests.
     ///
     /// Test: none.
     pub(crate) const JUMPS: f64 = 5.0;
@@ -940,9 +987,10 @@ pub(crate) mod settings {
 
 /// Constants of `formats/lvm.rs`.
 pub(crate) mod lvm {
-    /// Largest gap or overlap between consecutive packets of one record, relative to the length of a packet.
+    /// Largest gap or overlap between consecutive packets of one record, relative to the length of a packet. After a
+    /// larger one, another test begins.
     ///
-    /// The acquisition system reads the clock once per packet.
+    /// The acquisition system reads the clock once per packet, so small gaps and overlaps are not real.
     ///
     /// Test: none.
     pub(crate) const TOGETHER: f64 = 0.02;

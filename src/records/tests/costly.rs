@@ -260,7 +260,7 @@ mod mdf {
         let group = file.group(0, channel, 0, 8 << 20);
         let first = (0..4000).fold(0, |next, _| file.data_group(next, group, data, 0));
         rejected(folder, "data.mf4", &file.done(first));
-        // The block is compressed, and a list refers to it many times.
+        // Thousands of groups share one list, which refers many times to one compressed block of data.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -274,7 +274,7 @@ mod mdf {
         let group = file.group(0, channel, 0, 48 << 20);
         let first = (0..4000).fold(0, |next, _| file.data_group(next, group, list, 0));
         rejected(folder, "list.mf4", &file.done(first));
-        // All groups have the same thousands of channels.
+        // Thousands of groups have the same thousands of channels.
         let mut file = File::new();
         let name = file.text("force");
         let mut channel = 0;
@@ -306,7 +306,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "texts.mf4", &file.done(first));
-        // Many groups have record numbers. All records belong to the last group.
+        // Numbers before the records distinguish thousands of groups. All records belong to one of these groups.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -411,7 +411,7 @@ mod hdf5 {
         };
         let message = rejected(folder, "tree.mat", &file(1, |at| chunked(1000, 100, false, at, dag)));
         assert!(message.contains("twice to the same node"), "{message}");
-        // One chunk of zeros is used at thousands of positions.
+        // A tree lists one chunk of zeros thousands of times.
         let mut packer = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::best());
         std::io::Write::write_all(&mut packer, &vec![0; 32 << 20]).unwrap();
         let packed = packer.finish().unwrap();
@@ -420,7 +420,7 @@ mod hdf5 {
             [node(0, packed.len() as u32, &[first + length; 3000]), packed.clone()].concat()
         };
         rejected(folder, "chunk.mat", &file(1, |at| chunked(1000, 4 << 20, true, at, many)));
-        // Thousands of names refer to one data set. In the second file, a data set was never written.
+        // Thousands of names refer to one data set. In the second file, a data set of 2⁴⁰ numbers was never written.
         let set = |at: u64| -> Vec<u8> {
             let [shape, number] = doubles(1 << 20);
             let layout = |data: u64| (8, [&[3, 1][..], &data.to_le_bytes(), &(8_u64 << 20).to_le_bytes()].concat());

@@ -47,7 +47,7 @@ fn mdf_of_asammdf() {
 fn mdf_3_of_asammdf() {
     check("plain.mdf", 1.0);
     check("counts.mdf", 12.0);
-    // Loggers give such files the extension .dat, which rigs also give to their text files.
+    // Loggers give MDF files the extension .dat, which rigs also give to their text files.
     let folder = tempfile::tempdir().unwrap();
     let dat = folder.path().join("counts.dat");
     std::fs::copy(Path::new(FOLDER).join("counts.mdf"), &dat).unwrap();

@@ -274,8 +274,8 @@ fn bombs(folder: &Path) {
     let bomb = mat(&[zeros], true);
     assert!(bomb.len() < 1 << 20);
     assert!(answer(folder, "bomb.mat", &bomb).unwrap_err().contains("unpacks to more"));
-    // These files have hundreds of thousands of tests with one row each, more than a million columns, and thousands of
-    // equal periods.
+    // One file has hundreds of thousands of tests with one row each, one has a million columns, and one has thousands
+    // of equal periods.
     let names: String = (0..450_000).map(|i| format!("t{i},0.1,1,2\n")).collect();
     let refused = answer(folder, "names.csv", format!("test,time_s,x_mm,F_N\n{names}").as_bytes()).unwrap_err();
     assert!(refused.contains("only 1 usable") && refused.len() < 1000, "{refused}");

@@ -96,7 +96,7 @@ fn files_of_mts_stations_in_their_three_forms() {
         .to_owned()
         + &rows(|_, t, x, f| format!("{t:.4},{x:.5},{f:.4},{}", (t * FREQUENCY) as usize));
     check_text("commas", "specimen.dat", &commas);
-    // In the plain form, a single blank separates names that are wider than their columns.
+    // In the plain form of MTS files, a single blank separates names that are wider than their columns.
     let blanks =
         "MTS793|MPT|ENU|1|0|.|/|:|1|0|0|A\n\nData Acquisition: Timed\nStation Name: EML.cfg\nTest File Name: d.000\n\
                   Time      Axial Force Axial Displacement Axial Count\ns         N         mm       cycles\n"

@@ -53,7 +53,7 @@ impl Case {
         Case { effects: Vec::new(), plan: Plan::Diagnosis, options, linear_curve: false, whole_fit: false }
     }
 
-    /// Injects an additional effect.
+    /// Adds an effect to be injected with a severity.
     #[must_use]
     pub fn hiding(mut self, effect: &str, severity: f64) -> Case {
         self.effects.push((effect.to_owned(), severity));
@@ -108,7 +108,7 @@ impl Case {
                 Ok(self.at(&alone, &[], watch)?.campaign)
             });
             strengths[k] = match found {
-                // A sparse plan may be unable to show the effect. The strength is then the typical strength, 1.
+                // With a sparse plan, no strength may reach the severity. The typical strength of 1 is then used.
                 Err(SeverityError::OutOfReach { .. }) if self.plan != Plan::Diagnosis => 1.0,
                 other => other?,
             };
@@ -124,7 +124,7 @@ impl Case {
         self.measure_at(self.strengths()?, &[])
     }
 
-    /// Measures at known strengths, with tests beyond the plan, and identifies the base model.
+    /// Measures the tests of the plan and the tests `more` at known strengths, and identifies the base model.
     ///
     /// # Errors
     /// Errors of rig, reader or fit.
@@ -169,8 +169,8 @@ impl Measured {
 
 /// Identifies the diagnosed model, with the measurement errors that the fit found.
 ///
-/// With `whole_fit`, it is a user's fit with all elements. Otherwise, it is [`base_model`], and the records are not
-/// corrected.
+/// With `whole_fit`, it is a user's fit with all elements. Otherwise, it is [`base_model`], and the list of measurement
+/// errors is empty, so the records are not corrected.
 pub fn model_of(
     records: &[&Record],
     whole_fit: bool,

@@ -4,8 +4,7 @@
 //!
 //! The neutral damper, without injected effects, also has a residual, because its form differs from that of the base
 //! model. Severity is the root mean square of the difference between the residual with the effect and this residual. A
-//! difference of two root mean squares would depend on the
-//! direction of the effect relative to the neutral residual.
+//! difference of two root mean squares would depend on the direction of the effect relative to the neutral residual.
 
 use crate::SeverityError;
 use crate::measured::{base_model, read, without_noise};
@@ -15,20 +14,20 @@ use dashpot_diagnosis::refitted;
 use dashpot_records::Record;
 use dashpot_rig::{CHECK_PREFIX, Campaign};
 
-/// Logarithmic deviation from the requested severity below which the search for the strength ends.
+/// Absolute natural logarithm of the ratio of found to requested severity below which the search for the strength ends.
 const NEAR: f64 = 0.08;
 /// Largest number of trial strengths.
 const TRIES: usize = 7;
-/// Range of trial strengths.
+/// Range of trial strengths. A strength of 1 is a typical strong case.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
-/// Constant part of the rig's force noise, N.
+/// Constant part of the standard deviation of the rig's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
 /// The neutral damper's campaign, relative to which the severity of an effect is measured.
 pub struct SeverityContext {
     /// The base model refitted to the campaign of the neutral damper.
     base: Params,
-    /// Noise of each record, N.
+    /// Standard deviation of the force noise of each record, N.
     noise: Vec<f64>,
     /// Residual of the base model for the campaign of the neutral damper, relative to the noise.
     own: Vec<f64>,
@@ -46,8 +45,8 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 }
 
 impl SeverityContext {
-    /// Makes the context from the neutral damper's campaign. `knows_side_force` is true if the diagnosed model has
-    /// side-force friction.
+    /// Makes the context from the neutral damper's campaign. `percent` is the noise of the rig in percent of the rms
+    /// force of each record. `knows_side_force` is true if the diagnosed model has side-force friction.
     ///
     /// # Errors
     /// Errors of reader or fit.
@@ -95,8 +94,9 @@ impl SeverityContext {
         Ok((of_effect / left.len().max(1) as f64).sqrt())
     }
 
-    /// Finds the strength at which an effect has the requested severity. If the trials end before, a logarithmic
-    /// deviation below 0.35 is accepted.
+    /// Finds the strength at which an effect has the requested severity. `campaign` measures the damper at a trial
+    /// strength. If the trials end without such a strength, the best trial counts if its logarithmic deviation is below
+    /// 0.35. Returns 0 for a severity of 0 or less.
     ///
     /// # Errors
     /// Errors of rig or reader, or a severity that no strength reaches.
@@ -109,7 +109,8 @@ impl SeverityContext {
         if wanted <= 0.0 {
             return Ok(0.0);
         }
-        // The severity grows continuously with strength, so use regula falsi on logarithms, inside the bracket.
+        // The severity grows continuously with strength, so use regula falsi on logarithms, inside the bracket of `low`
+        // and `high`.
         let (mut low, mut high) = (None::<(f64, f64)>, None::<(f64, f64)>);
         let mut strength: f64 = 0.3;
         let mut best = (f64::INFINITY, strength, 0.0);

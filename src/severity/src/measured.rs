@@ -8,7 +8,8 @@ use dashpot_records::{self as records, Record};
 use dashpot_rig::Campaign;
 use std::path::Path;
 
-/// Elements of the fit in [`base_model`]: those of the thesis's model without the break-away peak.
+/// Elements of the fit in [`base_model`]: those of the model of Jonnalagadda and Vyas (KTH, 2020) without the
+/// break-away peak.
 pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 

@@ -93,7 +93,7 @@ impl Search<'_> {
         }
         let own = match Profile::read(folder)? {
             Some(profile) => {
-                // `Profile::read` has checked the profile.
+                // `Profile::read` has checked the profile, so its options are valid.
                 let said = profile.options().unwrap_or_default();
                 let file = folder.join(profile::FILE);
                 let text = Sentence::from(phrases::PROFILE).with("file", file.display());
@@ -121,7 +121,7 @@ impl Search<'_> {
         }
         if own.subfolders {
             for sub in subfolders {
-                // A link to a parent folder would be followed again and again.
+                // Without this check, a link to a parent folder would be followed without end.
                 if !self.seen.insert(std::fs::canonicalize(&sub).unwrap_or_else(|_| sub.clone())) {
                     continue;
                 }

@@ -120,7 +120,7 @@ pub fn split(
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }
-    // Sort pressures, clicks and serial numbers by value.
+    // Sort the groups by value if all their names are numbers, such as pressures, clicks and serial numbers.
     let number = |group: &Group| group.name.replace(',', ".").parse::<f64>().ok();
     if split.groups.iter().all(|g| number(g).is_some()) {
         split.groups.sort_by(|a, b| number(a).unwrap_or(0.0).total_cmp(&number(b).unwrap_or(0.0)));

@@ -53,8 +53,8 @@ impl Campaign {
         self.unusable.extend(others);
     }
 
-    /// Accepts the records as those of one damper at several settings. Removes the warnings about several settings and
-    /// adds notes about changes within a test.
+    /// Accepts the records as those of one damper at several settings. Removes the warnings about several settings, and
+    /// adds notes about changes of the setting within a test.
     pub fn accept_settings(&mut self) {
         self.notes.retain(|note| !["settings", "changing_setting"].contains(&note.kind));
         let mut changes: Vec<(Sentence, Vec<usize>)> = Vec::new();
@@ -79,7 +79,8 @@ impl Campaign {
 /// Progress of loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Number of finished steps: each file is read in one step, and each test is cleaned in one.
+    /// Number of finished steps. Reading a file is one step, and cleaning a test is one step. If a test is split into
+    /// several tests, `done` may exceed `total`.
     pub done: usize,
     /// Total number of steps. Each file that is read adds a step for each of its tests.
     pub total: usize,
@@ -471,7 +472,7 @@ mod tests {
         };
         let deep = Options { subfolders: true, ..Options::default() };
         let names = |campaign: &Campaign| campaign.records.iter().map(|r| r.name.clone()).collect::<Vec<_>>();
-        // The folder contains only subfolders, and a results table, which is not a record.
+        // The folder contains subfolders alone, then also a results table and a text, which are not records.
         for strays in
             [&[][..], &[("results.csv", "v [m/s];pull [N];push [N]\n0.1;200;90\n"), ("notes.txt", "cold start\n")]]
         {
@@ -479,7 +480,7 @@ mod tests {
             tests(&folder);
             let message = load_folder(&folder, &Options::default()).unwrap_err().to_string();
             assert!(message.contains("sine, tri") && message.contains("--subfolders"), "{message}");
-            // A link to the campaign's own folder adds nothing.
+            // A link to a folder of the campaign adds no record.
             #[cfg(unix)]
             std::os::unix::fs::symlink(folder.path().join("sine"), folder.path().join("tri/again")).unwrap();
             #[cfg(unix)]

@@ -46,7 +46,7 @@ pub struct Profile {
     /// Reading of the force channel at zero force, N.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_zero_n: f64,
-    /// Reading of the displacement channel at the position that shall be zero, m.
+    /// Reading of the displacement channel at the position that shall be zero, times the channel's gain, m.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub displacement_zero_m: f64,
     /// Calibration factor on the force.
@@ -123,7 +123,7 @@ impl Profile {
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
         match table.get("format").and_then(toml::Value::as_str) {
             Some(FORMAT) => {}
-            // This format belongs to the description that the virtual rig writes. It has no entries for reading
+            // The virtual rig writes its description of a campaign in this format, which has no entries for reading
             // records.
             Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
             _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),

@@ -1,7 +1,7 @@
 //! Finds one common sign for all campaigns of a rig.
 //!
-//! Groups, a reference and the compared tests come from one rig with the same wiring. The campaign with the most
-//! certain sign therefore determines the uncertain signs.
+//! Groups of tests, their reference and the tests compared with them come from one rig with the same wiring. The
+//! campaign with the most certain sign therefore determines the uncertain signs of the others.
 
 use super::loading::Campaign;
 use crate::cleaning::cycles_of;
@@ -27,7 +27,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
             continue;
         }
         if own.positive == surest.positive {
-            // An uncertain sign becomes certain if the most certain campaign agrees.
+            // If the most certain campaign has the same sign, its confidence applies to this campaign too.
             if surest.confidence >= UNSURE {
                 campaign.notes.retain(|note| note.kind != "sign_unsure");
                 campaign.sign.confidence = surest.confidence;

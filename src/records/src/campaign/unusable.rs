@@ -1,4 +1,4 @@
-//! Parts that a campaign leaves out: files that are not records, and faulty tests.
+//! Files and tests that a campaign leaves out: files that are not records, and faulty tests.
 //!
 //! One faulty test of fifty is no reason to reject the other forty-nine. Every report of the campaign names the faulty
 //! test and the reason. A fault of all tests (a column, a unit, a sign) rejects the campaign, because only the user
@@ -16,7 +16,7 @@ use dashpot_messages::Sentence;
 pub struct Unusable {
     /// Reason, as a sentence that names the file and the test within it.
     pub why: Sentence,
-    /// Whether the part is a faulty test. Otherwise it is a file that is not a record.
+    /// Whether the entry is a faulty test. Otherwise, it is a file that is not a record.
     pub is_test: bool,
 }
 
@@ -43,7 +43,7 @@ pub(crate) enum Reach {
     /// The fault concerns this test only, unless most tests have the same fault. Then a wrong column, unit or sign is
     /// more likely.
     TestUnlessMost,
-    /// The user must decide for the whole campaign.
+    /// The fault rejects the campaign, because only the user can correct it.
     Campaign,
 }
 
@@ -88,7 +88,7 @@ impl RecordError {
     }
 }
 
-/// Collection of the faults of the parts that a campaign leaves out.
+/// Collection of the faults of the files and tests that a campaign leaves out.
 pub(crate) struct Sieve {
     strict: bool,
     faults: Vec<RecordError>,
@@ -100,8 +100,8 @@ impl Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Returns a value as it is. Stores a fault and returns `None` if the campaign can leave the part out. Returns
-    /// other faults as errors.
+    /// Returns the value of a part that was read without a fault. Stores a fault and returns `None` if the campaign can
+    /// leave the file or test out. Returns other faults, and all faults of a strict run, as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -144,9 +144,10 @@ impl Sieve {
     }
 }
 
-/// Returns one note for each of the first parts, and a single note for the rest.
+/// Returns one note for each of the first files and tests that are left out, and a single note for the others.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Largest number of notes about single parts, so that other notes stay visible. `unusable` contains all parts.
+    /// Largest number of notes about single files and tests, so that other notes stay visible. `unusable` contains all
+    /// of them.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();

@@ -7,7 +7,8 @@ use crate::numbers::median;
 use crate::tuning::force_levels::{FEWEST, LOWEST, MIDDLE, STEP};
 use std::collections::BTreeMap;
 
-/// Lower limit of velocity level 0, m/s. Only differences of levels matter.
+/// Lower limit of velocity level 0, m/s. The limit of each further level is higher by the factor [`STEP`]. Only
+/// differences of levels matter.
 const FROM: f64 = 1e-3;
 
 /// Forces of a test at one velocity level.
@@ -20,7 +21,7 @@ pub(crate) struct Level {
     pub between: f64,
 }
 
-/// Forces of a test, by the number of the velocity level.
+/// Forces of a test, by the number of the velocity level (see [`FROM`]).
 pub(crate) type Levels = BTreeMap<i32, Level>;
 
 /// Returns the number of levels, possibly fractional, between two velocities with the given ratio.

@@ -3,7 +3,7 @@
 //! A deviation means that motion and force are both reversed, or that the zero of the load cell has changed.
 //!
 //! The energy does not reveal a test with both signs reversed, because the damper still dissipates. But the gas then
-//! seems to pull the rod in, and rebound and compression are exchanged. Both change the mean force.
+//! seems to pull the rod in, and rebound and compression are exchanged. Both effects change the mean force.
 //!
 //! The forces are compared in the middle of the strokes, where the damper is fast. At the ends of a long stroke the
 //! force of a stop may have the opposite sign. Both halves of a stroke count, so that hysteresis cancels.
@@ -23,7 +23,7 @@ type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 /// Deviation of the mean force of a test from that of the others.
 struct Deviation {
     /// Median over the velocities of the difference, N, between the mean force of the two directions of the test and of
-    /// the others. `scatter` is the median absolute deviation from it.
+    /// the others. `scatter` is the median absolute deviation of the differences from this median, N.
     offset: f64,
     scatter: f64,
     /// Number of velocity levels common to the test and the others.
@@ -33,11 +33,13 @@ struct Deviation {
     farthest: f64,
     /// Largest acceptable deviation, N.
     allowed: f64,
-    /// Mean force of the two directions of the test and of the others at the middle velocity level, N.
+    /// Mean force of the two directions at the middle one of the common velocity levels, N: of the test, and of the
+    /// others.
     forces: (f64, f64),
 }
 
-/// Adds notes about tests that deviate from the others. `as_read` contains the levels in the middle of the strokes.
+/// Adds notes about tests that deviate from the others. `as_read` contains the force levels of each test in the middle
+/// of its strokes.
 pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>) {
     let towards_ends: Vec<Levels> =
         records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
@@ -49,8 +51,8 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let from_others = |levels: &Levels, turn: f64, at: &Others| deviation((i, &is_alike), levels, turn, at, offset);
         let Some(own) = from_others(&as_read[i], 1.0, &at) else { continue };
-        // The deviation must be large at every velocity of the test. A triangle has many samples at a single velocity
-        // and few at all others.
+        // The deviation must be large at every velocity of the test. A triangular motion has many samples at a single
+        // velocity and few at all others.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
         if is_off && from_others(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
@@ -107,8 +109,8 @@ fn by_velocity(seen: &[Levels]) -> Others {
     at
 }
 
-/// Computes the deviation of a test from the others, with its forces multiplied by `turn`. Returns `None` if at no
-/// velocity at least [`FEWEST`] others have a force.
+/// Computes the deviation of a test from the others, with the forces of the test multiplied by `turn`. `offset` is the
+/// expected zero offset of the load cell, N. Returns `None` if at no velocity at least [`FEWEST`] others have a force.
 fn deviation(
     (own, is_alike): (usize, &dyn Fn(usize) -> bool),
     seen: &Levels,

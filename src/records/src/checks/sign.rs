@@ -1,11 +1,12 @@
 //! Determines the positive direction of the files from the physics of a passive damper.
 //!
 //! Two questions have separate answers. First: do force and motion have consistent signs? A damper takes energy out of
-//! the rig, so force times velocity must be positive on average. If it is negative, one of the two is reversed, and the
-//! campaign is rejected.
+//! the rig, so force times velocity must be positive on average. If the mean is negative, one of the two signs is
+//! reversed, and the campaign is rejected.
 //!
-//! Second: are both positive in rebound or in compression? The energy does not depend on this. Gas pressure pushes the
-//! rod out, and most dampers resist rebound more than compression. Both facts are evidence, combined as odds.
+//! Second: are force and motion positive in rebound or in compression? The energy does not depend on this. Gas pressure
+//! pushes the rod out, and most dampers resist rebound more than compression. Both facts are evidence, combined as
+//! odds.
 //!
 //! The asymmetry comes from the valves, so only the increase of the force with speed counts. Friction does not increase
 //! with speed and has no preferred direction. Gas and the zero of the load cell cancel in the increase.
@@ -113,7 +114,7 @@ pub(crate) fn settle(
     Ok((finding, late))
 }
 
-/// Gathers the evidence of all tests, and the campaign's force at standstill.
+/// Gathers the evidence of all tests, and the campaign's force at standstill with its uncertainty, N.
 fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     // A force at standstill below the expected offset of the load cell is no evidence of gas.
     let offset = load_cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
@@ -233,7 +234,8 @@ fn gather(motion: &Motion, offset: f64) -> Evidence {
     Evidence { name: motion.name.clone(), power, standstill, asymmetry: None, growth: None, level_error, peak_velocity }
 }
 
-/// Returns the weighted mean force at standstill of the campaign and its uncertainty.
+/// Returns the weighted mean force at standstill of the campaign and its uncertainty, N. Returns `None` if no test
+/// shows a force at standstill.
 ///
 /// The uncertainties are correlated between tests, so averaging does not reduce them.
 fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
@@ -256,8 +258,8 @@ fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Op
     (forces.len() >= FEWEST).then(|| median(&mut forces))
 }
 
-/// Forces of a test near its peak velocity. A faster test without slow samples, such as a triangle, uses them as its
-/// forces at low speed.
+/// Forces of a test near its peak velocity. A faster test without slow samples, such as a triangular motion, uses them
+/// as its forces at low speed.
 struct Slow {
     peak: f64,
     /// Median force near the peak velocity, at positive and at negative velocity, N.
@@ -288,8 +290,8 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
 
 /// Returns the logarithm of the ratio of force increases at positive and negative velocity, and its uncertainty.
 ///
-/// Both returned values are medians over the tests with at least half of the velocity `fastest`. Hysteresis is similar
-/// in all tests, so more tests do not reduce the uncertainty.
+/// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Hysteresis is
+/// similar in all tests, so more tests do not reduce the uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -319,7 +321,8 @@ fn gas_odds(force: f64, uncertainty: f64) -> f64 {
 }
 
 /// Returns the logarithm of the ratio of damping forces at positive and negative velocity. A damping force is the 95 %
-/// quantile of the deviation from the force at standstill.
+/// quantile of the absolute deviation from the force at standstill. Returns `None` for fewer than ten samples in a
+/// direction.
 fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
@@ -334,7 +337,7 @@ fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     (positive > 0.0 && negative > 0.0).then(|| libm::log(positive / negative))
 }
 
-/// Formats the tests with seemingly exchanged channels, and the evidence.
+/// Formats the names of the tests with seemingly exchanged channels, and the evidence.
 fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Sentence {
     let names: Vec<&Evidence> = exchanged.iter().map(|(i, _)| &evidence[*i]).collect();
     let clearest = exchanged.iter().max_by(|a, b| a.1.displacement.total_cmp(&b.1.displacement));
@@ -429,9 +432,10 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // For two normal distributions the log odds are 2 · prior ratio · found ratio / scatter². Use half of these log
-    // odds, and odds of at most seven to one, since some dampers are symmetric or inverse. The error of the force
-    // increase adds to the scatter of dampers.
+    // The logarithm of the ratio has a normal distribution about plus or minus the prior, one for each direction. The
+    // log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of at most seven to
+    // one, because some dampers are symmetric or inverse. The error of the force increase adds to the scatter of
+    // dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
@@ -684,7 +688,7 @@ mod tests {
         }
     }
 
-    /// Finds the sign of a device on sines or triangles at three speeds, with a force that depends on velocity.
+    /// Finds the sign of a device in sine or triangular motion at three speeds, with a force that depends on velocity.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
         let motions: Vec<Motion> = [0.4, 1.5, 2.0]
             .iter()
@@ -694,8 +698,8 @@ mod tests {
                     let (x, v) = (samples.displacement.as_mut().unwrap(), samples.velocity.as_mut().unwrap());
                     let (mut place, step) = (0.01, samples.time[1] - samples.time[0]);
                     for (x, v) in x.iter_mut().zip(v) {
-                        // The speed of the triangle is the mean speed of the sine, with its sign. Zero velocity stays
-                        // zero.
+                        // The speed of the triangular motion is the mean speed of the sine, with its sign. Zero
+                        // velocity stays zero.
                         *v = if *v == 0.0 { 0.0 } else { (4.0 * 0.05 * frequency).copysign(*v) };
                         place += step * *v;
                         *x = place;

@@ -93,7 +93,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     Ok(())
 }
 
-/// Returns the largest absolute current of a record's valve, A, or zero if the record has none.
+/// Returns the largest absolute current of a record's valve, A, or zero if the record states none in A.
 fn largest_current(record: &Record) -> f64 {
     let constant = record.setting.as_ref().filter(|of| of.name == "current" && of.unit == "A").map(|of| of.value.abs());
     let changing = record.setting_signal.as_ref().filter(|of| of.name == "current" && of.unit == "A");

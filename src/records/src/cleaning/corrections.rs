@@ -123,8 +123,8 @@ mod tests {
                 assert!((found.velocity[i] - sound.velocity[i]).abs() < 1e-9 + 1e-3 * 1.3, "{i}");
             }
         }
-        // The delay is not a whole number of samples. The interpolation of a sine has an error of a thousandth of a
-        // step.
+        // The delay is not a whole number of samples. The interpolation error of a sine is less than a thousandth of
+        // its largest step between samples.
         let options = Options { delay_s: 3.4 / 800.0, ..Options::default() };
         let found = repair(test.samples(), &options).unwrap();
         let steady = found.steady();

@@ -131,7 +131,8 @@ fn drop_run_up(cycles: &mut Vec<Cycle>, noise: f64) -> bool {
 fn refine(time: &[f64], x: &[f64], mut cycles: Vec<Cycle>) -> Vec<Cycle> {
     let means: Vec<f64> = cycles.iter().map(|c| time_mean(time, x, c.start, c.end)).collect();
     let joined = |k: usize| k > 0 && k < cycles.len() && cycles[k - 1].end == cycles[k].start;
-    // Level at the start or at the end of cycle k: the mean of neighboring cycles, extrapolated at the ends.
+    // Mean displacement at the start or at the end of cycle k: the mean of the two cycles that join there, else
+    // extrapolated.
     let level = |k: usize, at_end: bool| {
         let (before, after) = if at_end { (k, k + 1) } else { (k.wrapping_sub(1), k) };
         if joined(after) {
@@ -197,7 +198,8 @@ pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> 
         .map(|pair| {
             let ((start, start_time), (end, end_time)) = (pair[0], pair[1]);
             let inside = &x[start..end];
-            // Spikes have already been removed, so the extremes are those of the motion.
+            // The extremes are those of the motion if spikes have been removed. While a record is split into tests, a
+            // spike may still change them.
             let (low, high) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
             Cycle { start, end, start_time, end_time, low, high }
         })

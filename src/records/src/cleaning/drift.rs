@@ -6,7 +6,8 @@ use crate::messages::phrases;
 use crate::signal::noise;
 use dashpot_messages::Sentence;
 
-/// Adds notes about significant drifts of the cycle means of displacement and force. It requires three cycles.
+/// Adds notes about significant drifts of the cycle means of displacement and force. Fewer than three cycles give no
+/// notes.
 pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: &[Cycle], notes: &mut Vec<Note>) {
     if cycles.len() < 3 {
         return;
@@ -50,7 +51,8 @@ fn trend(time: &[f64], values: &[f64], cycles: &[Cycle]) -> (f64, f64) {
     (slope * (at[cycles.len() - 1] - at[0]), (rest / n).sqrt())
 }
 
-/// Computes the mean over time (trapezoids), so that uneven sampling has no influence.
+/// Computes the mean over time from sample `start` to sample `end` by trapezoids, so that uneven sampling has no
+/// influence.
 pub(crate) fn time_mean(time: &[f64], values: &[f64], start: usize, end: usize) -> f64 {
     let last = end.min(time.len() - 1);
     if last <= start {

@@ -9,11 +9,12 @@ use crate::quantities::channel::Channel;
 use crate::tuning::duplicates::BLOCK;
 use dashpot_messages::Sentence;
 
-/// Largest number of positions that are checked for a repeated block. Each check takes a time proportional to the
-/// number of rows.
+/// Largest number of positions in one search that are checked for a repeated block. Each check takes a time
+/// proportional to the number of rows.
 const LOOKS: usize = 200;
 
-/// Removes repeated blocks, with a note for each kind.
+/// Removes repeated rows. One note reports rows with equal time stamps, and another note reports blocks with new time
+/// stamps.
 pub(crate) fn remove(samples: &mut Samples) {
     same_time(samples);
     new_time(samples);
@@ -59,7 +60,7 @@ fn same_time(samples: &mut Samples) {
 ///
 /// A noise-free periodic record repeats itself too, so one of two further conditions must hold. The first is that the
 /// motion jumps where the block begins. The second is that other rows one block length apart are similar but differ in
-/// the last digit.
+/// the last digit, so that the record is not noise-free.
 fn new_time(samples: &mut Samples) {
     let channels = [Channel::Force, Channel::Displacement, Channel::Velocity];
     let mut removed: Vec<(usize, usize, usize)> = Vec::new();
@@ -102,8 +103,8 @@ fn find_block(samples: &Samples, channels: &[Channel]) -> Option<(usize, usize)>
             continue;
         };
         let lag = i - before;
-        // A block cannot begin inside a run of repeated rows, so only the first row of a run is checked. The number of
-        // checks is limited.
+        // A block cannot begin inside a run of repeated rows, so only the first row of a run is checked. [`LOOKS`]
+        // limits the number of checks.
         let inside = i > lag && equal(samples, i - 1, i - 1 - lag, channels);
         if lag >= BLOCK && !inside && looked_at < LOOKS {
             looked_at += 1;
@@ -128,8 +129,8 @@ fn breaks_motion(samples: &Samples, i: usize, lag: usize) -> bool {
     })
 }
 
-/// Returns whether rows one lag apart, outside the repeated run, differ only by noise. A smooth difference, such as the
-/// run-up of a noise-free record, does not count.
+/// Returns whether rows at a distance of `lag` rows, outside the repeated run, differ only by noise. A smooth
+/// difference, such as the run-up of a noise-free record, does not count.
 fn rest_is_noisy(samples: &Samples, i: usize, lag: usize, run: usize) -> bool {
     let force = &samples.force;
     let scale = 0.2 * range(force);

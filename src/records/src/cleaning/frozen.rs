@@ -11,12 +11,13 @@ use crate::tuning::frozen::RUN;
 
 /// Rejects a record with a frozen channel.
 ///
-/// A force that is constant over part of a stroke can be real (pure friction, a coarse load cell). Therefore, a channel
-/// with coarse resolution counts as frozen only if it is constant for two whole strokes.
+/// A channel counts as frozen if it is constant while another channel moves. A force that is constant over part of a
+/// stroke can be real (pure friction, a coarse load cell). Therefore, a channel with coarse resolution counts as frozen
+/// only if the other channel makes two strokes in this time.
 pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     check(samples, Channel::Force, &motion(samples))?;
     if let Some(velocity) = &samples.velocity {
-        // Integrate the velocity as a reference for the displacement.
+        // The integral of the velocity shows whether the damper moves while the displacement is constant.
         let travelled = travelled(&samples.time, velocity);
         check(samples, Channel::Displacement, &travelled)?;
     } else {
@@ -60,7 +61,7 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
     }
     let noise = difference_noise(other);
     // At standstill, the force may change because friction relaxes. A constant displacement is therefore frozen only if
-    // the other channel changes more.
+    // the other channel changes by half of its range, instead of a tenth.
     let share = if channel == Channel::Displacement { 0.5 } else { 0.1 };
     let mut start = 0;
     for run in values.chunk_by(|a, b| a == b) {
@@ -72,8 +73,8 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
             let moved = range(inner) - 8.0 * noise;
             let swings = turning_points(inner, 0.5 * whole).len().saturating_sub(1);
             let coarse = equal_share(&values[..start], &values[end..]) > 0.2;
-            // A constant velocity over a stroke is a triangle test, not a fault. Zero velocity during a motion is a
-            // fault.
+            // A constant velocity over a stroke belongs to a triangular motion and is not a fault. Zero velocity during
+            // a motion is a fault.
             let steady_motion = channel == Channel::Velocity && run[0] != 0.0;
             let frozen = swings >= 2 || (!coarse && !steady_motion && moved > share * whole);
             if frozen {

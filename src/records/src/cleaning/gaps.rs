@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(pieces.len(), 1, "{:?}", pieces.iter().map(Samples::len).collect::<Vec<_>>());
         assert_eq!(pieces[0].len(), to - from);
         assert!(pieces[0].notes[1].text.to_string().contains("no whole cycle"), "{}", pieces[0].notes[1].text);
-        // A test that continues after the gap gives two tests.
+        // If the pieces before and after the gap have whole cycles, they are two tests.
         let mut halves = sine.samples();
         let middle = halves.len() / 2;
         halves.time[middle..].iter_mut().for_each(|t| *t += 40.0 * step);

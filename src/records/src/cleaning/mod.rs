@@ -136,7 +136,7 @@ struct CompleteMotion {
     displacement: Vec<f64>,
     velocity: Vec<f64>,
     cycles: Vec<Cycle>,
-    /// See [`Record::velocity_window_s`].
+    /// Length of the window for deriving the velocity from the displacement, s; 0 if the recorded velocity is used.
     velocity_window_s: f64,
 }
 
@@ -455,7 +455,7 @@ mod tests {
 
     proptest! {
         #![proptest_config(drawn(200))]
-        /// Cleaning returns a valid record or an error for any file contents, and never panics.
+        /// Checks that cleaning returns a valid record or an error for any file contents, and never panics.
         #[test]
         fn any_table_gives_a_sound_record_or_an_error(
             rows in prop::collection::vec(

@@ -15,7 +15,7 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
     let time = &samples.time;
     let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);
     let (Some(first), None) = (back.next(), back.next()) else { return };
-    // If the clock does not return to before the first row, the rows are out of order, not stale.
+    // If the clock steps back, but not to before the first row, rows are out of order, not stale.
     if time[first] >= time[0] || first as f64 > STALE * time.len() as f64 {
         return;
     }
@@ -39,7 +39,7 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
 /// Makes time strictly increasing: reorders single rows and spreads rows that share a time stamp.
 ///
 /// # Errors
-/// The time never increases, or it steps back by whole blocks of rows.
+/// All time stamps are equal, or a row is more than [`REACH`] rows out of order, or many rows are out of order.
 pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     if range(&samples.time) == 0.0 && samples.len() > 1 {
         return Err(RecordError::ConstantTime { at: samples.at.clone(), time: samples.time[0] });

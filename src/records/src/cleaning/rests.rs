@@ -23,7 +23,7 @@ struct Moves {
     samples: Range<usize>,
     low: f64,
     high: f64,
-    /// Distance between turning points divided by its duration, m/s.
+    /// Sum of the distances between turning points divided by the time between the first and the last, m/s.
     speed: f64,
     returns: bool,
     /// Whether the motion consists of strokes in one direction with standstills between the strokes.
@@ -35,21 +35,23 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
     };
-    // A channel that repeats its last value at standstill shows no noise, so the threshold has two lower limits.
+    // A channel that repeats its last value at standstill shows no noise. Its last digit and a fraction of its range
+    // are therefore lower limits of the threshold.
     let still = (STILL * difference_noise(x)).max(quantum(x)).max(STILL_OF_RANGE * range(x));
     let moving = between(&rests(&samples.time, x, still), x.len());
     if moving.len() < 2 {
         return vec![samples];
     }
     let (tests, found) = tests(&samples.time, x, moving, still);
-    // If no motion is periodic, such as a road with stops, no criterion separates the tests.
+    // If no motion is periodic, such as a road with stops, no criterion separates the tests, so the record stays one
+    // test.
     if tests.len() < 2 || found.iter().all(Vec::is_empty) {
         return vec![samples];
     }
     let of = tests.len();
     samples.notes.insert(0, Note { kind: "rests", text: Sentence::from(phrases::AT_RESTS).with("count", of) });
-    // A test without cycles keeps half of the standstill on either side, for the force at standstill. A later step
-    // removes the standstill of a test with cycles.
+    // A test without cycles keeps half of the standstill on either side, for the force at standstill. A test with
+    // cycles keeps only its motion, because a later step would remove its standstill.
     let middle = |k: usize| match k {
         0 => 0,
         k if k == of => samples.len(),
@@ -91,7 +93,7 @@ pub(super) fn part(
     piece
 }
 
-/// Formats a number to two significant digits, for a name.
+/// Formats a number to two significant digits for a name, or to a whole number if that has more digits.
 fn figures(value: f64) -> String {
     let digits = (1.0 - libm::log10(value.abs().max(1e-6)).floor()).clamp(0.0, 6.0) as usize;
     let text = format!("{value:.digits$}");
@@ -213,7 +215,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
             None => runs.push(next),
         }
     }
-    // A stroke in one direction moves the damper to the start of a test or away from its end.
+    // A stroke in one direction moves the damper to the start of a test or away from its end, so it joins that test.
     let mut groups: Vec<Moves> = Vec::new();
     let mut way_in: Option<Moves> = None;
     for run in runs {
@@ -255,8 +257,8 @@ mod tests {
     use crate::fixtures::{Random, moving};
     use std::f64::consts::TAU;
 
-    /// A motion, mm, in pieces: standstills, sines (amplitude in mm, frequency in Hz, number of cycles) and moves to
-    /// another position (mm, mm/s).
+    /// A displacement, mm, that consists of pieces: standstills, sines (amplitude in mm, frequency in Hz, number of
+    /// cycles) and moves to another position (mm, mm/s).
     struct Course {
         x: Vec<f64>,
         at: f64,

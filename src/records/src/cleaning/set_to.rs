@@ -41,8 +41,8 @@ impl SettingColumn {
     }
 }
 
-/// Moves the channel of the setting out of the samples, with its name and unit. A column that the user named has
-/// precedence over a current column.
+/// Moves the channel of the setting out of the samples, with its name and unit. A setting column has precedence over a
+/// current column, which is removed too.
 pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Option<(Vec<f64>, String, String)> {
     match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {

@@ -38,8 +38,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let cycles_of = |span: &Range<usize>| cycles::find(&samples.time[span.clone()], &x[span.clone()]);
     let test = |(k, run): (usize, &Range<usize>)| {
         let whole = middle(k)..middle(k + 1);
-        // At the ends of the record, standstill and run-down may be longer than the test and hide its cycles. The
-        // second choice is therefore the span of the cycles alone.
+        // At the ends of the record, standstill and run-down may be longer than the test, so that its cycles are not
+        // found. The second choice is therefore the span of the cycles alone.
         let own = all[run.start].start..all[run.end - 1].end;
         [whole, own].into_iter().map(|span| (cycles_of(&span), span)).find(|(cycles, _)| !cycles.is_empty())
     };

@@ -26,8 +26,8 @@ struct Stroke {
     is_straight: bool,
 }
 
-/// Splits a record into its speeds and inserts a note about them before the other notes. If a stroke has few samples
-/// and no velocity was recorded, its mean speed becomes the velocity.
+/// Splits a friction program into one test for each speed, and inserts a note about the tests before the other notes.
+/// If any stroke has few samples and no velocity was recorded, the mean speed of each stroke becomes its velocity.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let Some(x) = samples.displacement.as_deref().filter(|x| x.iter().all(|x| x.is_finite())) else {
         return vec![samples];
@@ -116,8 +116,8 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, moving};
 
-    /// Makes two cycles of a triangle at each speed, mm/s. A stroke has 35 mm or takes half a second, whichever lasts
-    /// longer.
+    /// Makes two cycles of a triangular motion at each speed, mm/s. A stroke has 35 mm or takes half a second,
+    /// whichever lasts longer.
     fn program(rate: f64, speeds: &[f64]) -> Samples {
         let mut random = Random::new(4);
         let mut x = Vec::new();

@@ -63,7 +63,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         ));
     }
     // A damper dissipates, so the sense of rotation of the force-displacement loop is known. Exchanged channels reverse
-    // it. A wrong sign reverses it too. Therefore, a reversed loop counts as evidence only if the displacement is
+    // this sense, and so does a wrong sign. Therefore, a reversed loop counts as evidence only if the displacement is
     // rougher than the force. With a velocity channel, the evidence is its correlation with the derivatives of both
     // channels.
     if let Some(v) = &samples.velocity {
@@ -143,7 +143,7 @@ fn roughness(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> =
         values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
     let spread = range(values);
-    // The few largest differences may be outliers, so they are excluded.
+    // The largest 0.5 % of the differences may be outliers, so they are excluded.
     let count = sizes.len();
     sizes.sort_by(f64::total_cmp);
     sizes.truncate(count - count / 200);
@@ -157,7 +157,8 @@ fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
 }
 
-/// Computes the correlation between the derivative of a column and another column, its possible velocity.
+/// Computes the correlation between the derivative of the column `values` and the column `speed`, which may be its
+/// velocity.
 fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
     let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
     // Differences over several samples reduce the noise.

@@ -45,13 +45,13 @@ pub(crate) struct Crank {
     seconds: f64,
     /// Angle of a full turn, in the unit of the column.
     turn: f64,
-    /// Number of full turns so far, and the previous angle.
+    /// Number of full turns so far. `last` is the previous angle.
     turns: f64,
     last: Option<f64>,
 }
 
-/// Finds a column of angles in a heading without a time, and the speed in the lines above. Replaces the heading of the
-/// column by a time heading. Returns `None` if there is no such column or no speed.
+/// Finds a column of angles in a heading without a time, and the speed in the lines above the table. Replaces the
+/// heading of the column by a time heading. Returns `None` if there is no such column or no speed.
 pub(crate) fn find<'a>(
     header: &mut [String],
     units: Option<&mut Vec<String>>,

@@ -51,7 +51,7 @@ pub(crate) struct Column {
 /// Returns whether a line of cells can be a header.
 ///
 /// Two cells must be known headings or named in the options. If there is a time and no cell is a number, a unit that
-/// indicates a channel also counts. A table without a time contains results.
+/// indicates a channel also counts. A table without a time contains results instead of a record.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
@@ -186,7 +186,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
         };
         cells.iter().take(MOST_COLUMNS).map(AsRef::as_ref).filter_map(of).collect()
     };
-    // Of several lines with the most recognized columns, this is the first.
+    // Of several lines with the largest number of recognized columns, use the first.
     let best = lines.iter().rev().map(|(line, cells)| (line, understood(cells))).max_by_key(|(_, known)| known.len());
     let first = lines.first();
     let figures =
@@ -234,7 +234,8 @@ impl Layout {
         Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
     }
 
-    /// Builds the layout. `is_clock` returns whether a column contains times of day, which require no unit.
+    /// Assigns the columns of a header to channels. `is_clock` returns whether a column contains times of day, which
+    /// require no unit.
     pub fn with_clock<S: AsRef<str>>(
         at: &Place,
         line: usize,

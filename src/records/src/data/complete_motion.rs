@@ -19,13 +19,13 @@ pub(crate) struct Motion {
     pub about: TestMetadata,
     pub displacement: Vec<f64>,
     pub velocity: Vec<f64>,
-    /// See [`Record::velocity_window_s`](super::record::Record::velocity_window_s).
+    /// Length of the window for deriving the velocity from the displacement, s; 0 if the recorded velocity is used.
     pub velocity_window_s: f64,
     pub force: Vec<f64>,
     pub side_force: Option<Vec<f64>>,
     pub temperature: Option<Vec<f64>>,
     pub setting: Option<Setting>,
-    /// See [`Record::setting_signal`](super::record::Record::setting_signal).
+    /// Signal of a setting that changes within the test, if a channel records it.
     pub setting_signal: Option<SettingSignal>,
     pub cycles: Vec<Cycle>,
     /// Error stated by the user. The force channel still contains the inertia force of the mass between load cell and
@@ -35,13 +35,14 @@ pub(crate) struct Motion {
 }
 
 impl Motion {
-    /// Returns the sample range of the steady part: from the first whole cycle to the last, or all samples.
+    /// Returns the sample range of the steady part: from the first whole cycle to the last, or all samples if there are
+    /// no cycles.
     pub fn steady(&self) -> std::ops::Range<usize> {
         steady(&self.cycles, self.time.len())
     }
 }
 
-/// Returns the sample range from the first whole cycle to the last, or all samples.
+/// Returns the sample range from the first whole cycle to the last, or all samples if there are no cycles.
 pub(crate) fn steady(cycles: &[Cycle], samples: usize) -> std::ops::Range<usize> {
     match (cycles.first(), cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,

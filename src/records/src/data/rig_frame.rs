@@ -12,7 +12,7 @@ use crate::tuning::rig_frame::BEYOND;
 pub struct RigFrame {
     /// Sign of displacement in the files: 1 if rebound is positive, −1 if compression is positive.
     pub turn: f64,
-    /// Displacement in the files at internal displacement zero, m.
+    /// Displacement in the files at internal displacement zero, times `gain`, m.
     pub zero_m: f64,
     /// Factor on the displacement of the files.
     pub gain: f64,

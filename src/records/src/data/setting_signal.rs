@@ -7,17 +7,21 @@ use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
 use dashpot_messages::Sentence;
 
-/// Tolerance of a level as a fraction of the signal's range. A step below three times the tolerance does not count.
+/// Tolerance of a level as a fraction of the signal's range: the largest deviation of a sample from the mean of its
+/// level. The larger one of this tolerance and that by [`NOISE`] applies.
 const LEVEL: f64 = 0.03;
-/// Tolerance of a level in standard deviations of the noise.
+/// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).
 const NOISE: f64 = 4.0;
-/// Smallest difference of successive levels, in tolerances. The apparent levels of a ramp differ by less.
+/// Smallest difference of successive levels, in tolerances, of a signal that consists of steps. The apparent levels of
+/// a ramp differ by less, so a ramp counts as varying.
 const APART: f64 = 3.0;
-/// Largest deviation, in tolerances, of samples between two equal levels at which both levels are one.
+/// Largest deviation from a level, in tolerances, of samples between two equal levels at which the two count as one
+/// level.
 const OUTLIER: f64 = 2.0;
-/// Smallest number of samples of a level. A supply in transition gives fewer samples.
+/// Smallest number of samples of a level. A supply in transition gives fewer nearly equal samples.
 const STAYS: usize = 5;
-/// Smallest fraction of the samples at levels. The other samples may be transitions of a slow supply.
+/// Smallest fraction of samples at levels of a signal that consists of steps. The other samples may be transitions of a
+/// slow supply.
 const COVERED: f64 = 0.9;
 
 /// Pattern of a setting that changes within a test.
@@ -33,9 +37,9 @@ pub enum SettingPattern {
 /// A change from one level to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SettingStep {
-    /// First sample after the previous level.
+    /// Index of the first sample after the previous level.
     pub index: usize,
-    /// End of the next level, exclusive.
+    /// Index of the first sample after the next level.
     pub end: usize,
     /// Level before the change.
     pub from: f64,
@@ -110,8 +114,8 @@ impl SettingSignal {
         levels(&self.values).map_or_else(Vec::new, |levels| levels.windows(2).map(of).collect())
     }
 
-    /// Returns the command during the time step that ends at a sample. A change may occur anywhere in the step, so the
-    /// result is the mean of both values.
+    /// Returns the value of the setting during the time step that ends at a sample. A change may occur anywhere in the
+    /// time step, so the result is the mean of the values at both ends of the step.
     pub fn command(&self, sample: usize) -> f64 {
         let at = |index: usize| self.values.get(index).copied().unwrap_or(0.0);
         0.5 * (at(sample.saturating_sub(1)) + at(sample))
@@ -162,7 +166,7 @@ const SMOOTHED: usize = 25;
 /// A signal without the white noise that masks its levels.
 struct Smoothed {
     values: Vec<f64>,
-    /// Largest difference of values within a level.
+    /// Largest deviation of a value from the mean of its level.
     tolerance: f64,
     /// Width of the running median, samples; 1 if no median was necessary.
     width: usize,

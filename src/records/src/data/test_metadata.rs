@@ -193,7 +193,8 @@ mod tests {
         let english = TestMetadata::of_lines("\"Part Number\",\"A-17\"\nS/N: 9\n".lines());
         assert_eq!((english.part, english.serial), (some("A-17"), some("9")));
         assert_eq!(TestMetadata::of_lines("零件号\t4711\n".lines()).part, some("4711"));
-        // A description that begins with such a word is not an entry. An empty cell is not an entry either.
+        // A sentence that begins with the name of an entry is not an entry. A name without a value is not an entry
+        // either.
         assert!(TestMetadata::of_lines("Part of the campaign: 3\nTeil;;\n".lines()).is_empty());
         let mut row = TestMetadata::default();
         row.of_row(["Teil:", "", "4711"].map(str::to_owned).into_iter());

@@ -1,4 +1,4 @@
-//! Date and time of day: the notations of files, in a column or above the table, and the notation of reports.
+//! Reads dates and times of day in the notations of files, in a column or above the table, and writes them for reports.
 
 use super::date_order::DateOrder;
 
@@ -69,7 +69,7 @@ pub fn written(seconds: f64) -> String {
     format!("{year:04}-{month:02}-{day:02} {time}")
 }
 
-/// Converts the number of a day to year, month and day (Hinnant, as in `number_of_day`).
+/// Converts the number of a day, days since 1970, to year, month and day (algorithm of Hinnant, as in `number_of_day`).
 fn civil(days: f64) -> (f64, f64, f64) {
     let days = days + 719_468.0;
     let era = (days / 146_097.0).floor();
@@ -95,13 +95,13 @@ pub(crate) fn swapped(seconds: f64) -> Option<f64> {
     Some(number_of_day(year, day, month)? * DAY + (seconds - days * DAY))
 }
 
-/// Reads `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024 12:34:56`, `3/1/2024 1:05:09 PM`,
-/// `2024-03-01T12:34:56Z`.
+/// Reads a time of day, with or without a date: `12:34:56.789`, `34:56.789`, `2024-03-01 12:34:56,789`, `01.03.2024
+/// 12:34:56`, `3/1/2024 1:05:09 PM`, `2024-03-01T12:34:56Z`.
 ///
 /// With a date, the result is in seconds since 1970. Without a date, it is in seconds since midnight. Returns `None`
 /// for any other text.
 pub fn seconds(text: &str) -> Option<f64> {
-    /// Longest text of a time, bytes, including a date and the name of a day.
+    /// Longest text of a time, bytes, including a date and the name of a day. A longer text is not a time.
     const LONGEST: usize = 100;
     if text.len() > LONGEST {
         return None;
@@ -158,14 +158,14 @@ fn whole(text: &str) -> Option<f64> {
 pub(crate) struct Date {
     /// Number of the day, days since 1970.
     pub number: f64,
-    /// Order of day and month with which the date was read. `None` if the text determines the order: year first, with
-    /// points, or equal day and month.
+    /// Order of day and month with which the date was read. `None` if the order is unambiguous: the year comes first,
+    /// points separate the parts, or day and month are equal.
     pub order: Option<DateOrder>,
     /// Number of the day with day and month exchanged, if the exchange gives a valid and different date.
     pub other: Option<f64>,
 }
 
-/// Returns the number of a day, as read by [`date`].
+/// Returns the number of a day, days since 1970, as read by [`date`].
 fn day(text: &str) -> Option<f64> {
     date(text).map(|date| date.number)
 }
@@ -192,7 +192,8 @@ pub(crate) fn date(text: &str) -> Option<Date> {
     Some(Date { number, order: Some(order).filter(|_| a != b), other: other.filter(|_| a != b) })
 }
 
-/// Returns the number of the day of a civil date (Hinnant, chrono-compatible low-level date algorithms, 2013).
+/// Returns the number of the day of a civil date, days since 1970 (Hinnant, chrono-compatible low-level date
+/// algorithms, 2013). Returns `None` if month or day is out of range.
 fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
     if !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
@@ -206,7 +207,7 @@ fn number_of_day(year: f64, month: f64, day: f64) -> Option<f64> {
 }
 
 /// Makes times of day relative to the first one and returns the first. A backward step of more than half a day means
-/// that midnight has passed.
+/// that midnight has passed. Returns `None` if no time is finite.
 pub(crate) fn from_first(times: &mut [f64]) -> Option<f64> {
     let &first = times.iter().find(|t| t.is_finite())?;
     let (mut before, mut midnights) = (first, 0.0);

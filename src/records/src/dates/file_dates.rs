@@ -9,7 +9,7 @@ use crate::numbers::range;
 pub(crate) struct Dates {
     /// Start date of the test, if it is valid in both orders.
     pub(crate) open: Option<Open>,
-    /// Order that a date of the file with only one valid order determines.
+    /// Order of day and month in the dates of the file, if one of them is valid in only one order.
     pub(crate) decided: Option<DateOrder>,
     /// Order that is typical of programs with the number format of this file.
     pub likely: Option<DateOrder>,
@@ -63,7 +63,8 @@ impl Dates {
     /// Uses the other order for the times of a column, s, if the order is ambiguous and the other order puts them
     /// closer together.
     ///
-    /// A test is shorter than a month. Dates that are valid in only one order stay unchanged.
+    /// A test is shorter than a month, whereas days that follow each other lie a month apart in the wrong order. Dates
+    /// that are valid in only one order stay unchanged.
     pub fn resolve_column(&mut self, times: &mut [f64]) {
         let Some(open) = self.open.as_mut().filter(|_| self.decided.is_none()) else { return };
         let other: Vec<f64> = times.iter().map(|time| clock::swapped(*time).unwrap_or(*time)).collect();

@@ -1,6 +1,7 @@
 //! Reads LabVIEW measurement files (`.lvm`): a header of keys for the file and for every packet, then columns. The
 //! header of a packet states the units. The time is in one column, in one column per channel, or only stated as a step.
-//! A packet that continues the previous one belongs to the same test. A packet whose time restarts is another test.
+//! A packet that continues the clock of the previous packet belongs to the same test. Any other packet whose time
+//! restarts is another test.
 
 use crate::columns::delimiter::split;
 use crate::columns::table::{Layout, Rows, is_header, no_header, number};
@@ -31,7 +32,7 @@ struct Packet<'a> {
     names: Vec<String>,
     /// Keys of the packet's header, each with one cell per column.
     keys: Vec<Vec<String>>,
-    /// Lines of figures with their numbers, from 1.
+    /// Lines of numbers, each with its line number, from 1.
     rows: Vec<(usize, &'a str)>,
 }
 
@@ -172,8 +173,8 @@ pub(crate) fn parse(
 /// Heading that replaces `X_Value` as the heading of the time column.
 const TIME: &str = "Time [s]";
 
-/// Returns the heading of each column. The first filled `X_Value` column of dimension time becomes [`TIME`]. Other
-/// `X_Value` columns get an empty heading.
+/// Returns the heading of each column. The first filled `X_Value` column of dimension time becomes [`TIME`], unless the
+/// user names a time column. Other `X_Value` columns get an empty heading.
 fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
     let given = options.columns.contains_key(&crate::Channel::Time);
     let filled = packet.rows.first().map(|(_, text)| split(text, b'\t')).unwrap_or_default();

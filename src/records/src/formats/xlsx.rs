@@ -23,8 +23,7 @@ const PLACE: u64 = 20;
 /// Largest number of columns that are read. Rigs have fewer channels.
 const COLUMNS: u32 = 1000;
 
-/// Reads the tests of all sheets of a workbook, cell by cell. Therefore, announced sizes and remote cells use no
-/// memory.
+/// Reads the tests of all sheets of a workbook, cell by cell, so that announced sizes and remote cells use no memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
     let broken = |cause: String| RecordError::Workbook { file: file.clone(), cause };

@@ -28,7 +28,8 @@ pub(crate) fn clicks(rows: &[(usize, Vec<String>)]) -> Vec<f64> {
     all
 }
 
-/// Returns the table of one click: clears the columns and removes the rows of all other clicks.
+/// Returns the table of one click: clears the columns and removes the rows of all other clicks. Also removes the click
+/// from the headings.
 pub(crate) fn only(mut rows: TableRows, wanted: f64) -> TableRows {
     let Some(layout) = layout(&rows) else { return rows };
     if let Some(of_rows) = layout.of_rows {
@@ -63,7 +64,7 @@ fn layout(rows: &[(usize, Vec<String>)]) -> Option<Layout> {
             let parts = parts(cell);
             parts.iter().any(|part| is_click(part)) && parts.iter().all(|part| number(part, true).is_none())
         });
-        // A heading has more than one cell.
+        // A heading line has more than one cell.
         let has_others = cells.len() > 1;
         let found = has_others && (columns.iter().flatten().count() > 0 || of_rows.is_some());
         found.then_some(Layout { header, columns, of_rows })

@@ -134,7 +134,7 @@ pub struct PeakPair {
 pub(crate) struct Found {
     /// Index of the heading among the rows, or `None` for a table without a heading.
     pub header: Option<usize>,
-    /// Index of the first row below the heading.
+    /// Index of the first row below the heading and its units.
     pub data: usize,
     pub pairs: Vec<PeakPair>,
 }
@@ -142,7 +142,7 @@ pub(crate) struct Found {
 /// Reason for which no columns were found: the index of the row, and a message.
 pub(crate) type Cause = (usize, String);
 
-/// Words for the strokes in headings.
+/// Words for rebound in headings, in several languages.
 const REBOUND: [&str; 14] = [
     "rebound",
     "reb",
@@ -172,8 +172,8 @@ const COMPRESSION: [&str; 11] = [
     "compressione",
     "compresion",
 ];
-/// Prefixes that Chinese and German join to the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. `Druck` also means
-/// pressure, but a pressure has no unit of force.
+/// Prefixes for rebound that Chinese and German join to the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. `Druck`
+/// (compression) also means pressure, but a pressure has no unit of force and is thus not read.
 const REBOUND_BEFORE: [&str; 4] = ["zug", "复原", "拉伸", "回弹"];
 const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
 /// Letters for rebound and compression. A letter indicates a stroke only if the other letter of the pair is in the same
@@ -205,7 +205,7 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     for (k, (_, cells)) in rows.iter().enumerate().take(HEADER_WITHIN) {
         let below = rows.get(k + 1).map(|row| &*row.1).filter(|row| is_units_row(row));
         let candidates = candidates(cells, below, options);
-        // A line is also the heading if it contains a column name that the user stated, because RO and CO alone are not
+        // A line with a column name that the user stated is also the heading, because names such as RO and CO are not
         // recognized.
         let asked = |(what, text): (&PeakColumn, &String), force: bool| {
             what.force == force && text.trim().parse::<f64>().is_err() && cells.iter().any(|cell| is_headed(cell, text))
@@ -374,7 +374,7 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
     let velocities: Vec<&Candidate> = candidates.iter().filter(|c| !c.what.force).collect();
     let forces: Vec<&Candidate> = candidates.iter().filter(|c| c.what.force).collect();
     let of = |stroke: Option<Stroke>| forces.iter().filter(move |c| c.what.stroke == stroke).count();
-    // If each stroke has its own forces, a force without a stroke is a gas or friction force.
+    // If each stroke has its own forces, a force without a stroke is a gas or friction force and is left out.
     let both = of(Some(Stroke::Rebound)) > 0 && of(Some(Stroke::Compression)) > 0;
     let forces: Vec<&Candidate> = forces.into_iter().filter(|c| !both || c.what.stroke.is_some()).collect();
     // The table has one velocity for all forces, or one velocity before each force. In the second case, the positions
@@ -418,8 +418,8 @@ fn pairs<'a>(candidates: &'a [Candidate], cells: &[String]) -> Result<Vec<Chosen
 
 /// Formulates the request to select one of several columns.
 ///
-/// Columns without a stroke may belong to one stroke each, so the request names both strokes. If the user names a
-/// column for both strokes, it replaces the other column.
+/// Columns without a stroke may belong to one stroke each, so the request names both strokes. A column that the user
+/// names for both strokes replaces all others.
 fn asked(what: PeakColumn, of: &[&Candidate], cells: &[String]) -> String {
     let given = |what: PeakColumn, column: &Candidate| format!("--column {what}={}", by_name(column.index, cells));
     match (what.stroke, of) {
@@ -444,7 +444,8 @@ fn by_name(index: usize, cells: &[String]) -> String {
     if name.is_empty() || alike > 1 { (index + 1).to_string() } else { format!("\"{name}\"") }
 }
 
-/// Returns the velocity that belongs to a force.
+/// Returns the velocity that belongs to the force `of`: the only one, or the only one whose heading names only the
+/// quantity and its stroke. Otherwise, the error requests a column.
 fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Result<&'a Candidate, String> {
     let plain: Vec<&Candidate> = velocities.iter().filter(|c| c.plain).copied().collect();
     let force = cells.get(of.index).map_or("", |c| c.trim());

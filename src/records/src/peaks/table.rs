@@ -53,10 +53,10 @@ pub enum StrokeSource {
 }
 
 impl Peaks {
-    /// Returns a velocity, m/s, and the ratio of the force in rebound to that in compression at this velocity.
+    /// Returns a speed, m/s, and the ratio of the force in rebound to that in compression at this speed.
     ///
-    /// The velocity is the highest velocity that occurs on both sides. Forces between the points are interpolated
-    /// linearly. Returns `None` if a side has no points or no positive damping force.
+    /// It is the highest speed that both strokes reach. Forces between the points are interpolated linearly. Returns
+    /// `None` if a stroke has no points, or no positive damping force at this speed.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
             let mut points: Vec<(f64, f64)> = self
@@ -174,7 +174,8 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
                 Ok(column.unit.to_si(value))
             };
-            // A row of units below a repeated heading and rows without a velocity are not points.
+            // A row of units below a repeated heading is not a point, and neither is a row without a velocity or a
+            // force.
             if is_units_row(cells) {
                 continue;
             }
@@ -183,8 +184,8 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
         }
-        // The sign of the force at the highest velocity shows the sign convention of the column. Forces with the other
-        // sign oppose the convention, for example the gas force at low speeds.
+        // The sign of the force at the highest velocity shows the sign convention of the column. A force with the other
+        // sign acts in the direction of the motion, for example the gas force at low speeds.
         let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
         let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
         for point in &mut of_pair {
@@ -380,7 +381,8 @@ mod tests {
             "Geschwindigkeit;Zugstufe;Druckstufe\nmm/s;kN;kN\n250;0,7;0,4\n500;1,1;0,6\n",
             "velocity_m_s,force_N\n0.25,700\n0.25,-400\n0.5,1100\n0.5,-600\n",
             "Abs Velocity (mm/s),Comp Force (N),Reb Force (N)\n250,400,700\n500,600,1100\n",
-            // Each side has its own velocity, identified by its name or by its position to the left of the force.
+            // Each stroke has its own velocity column, identified by its name or by its position to the left of the
+            // force.
             "compression velocity [mm/s],compression [N],rebound velocity [mm/s],rebound [N]\n250,400,500,1100\n500,600,250,700\n",
             "rebound velocity [mm/s],compression velocity [mm/s],rebound [N],compression [N]\n250,500,700,600\n500,250,1100,400\n",
             "v [m/s];Zug [N];v [m/s];Druck [N]\n0,25;700;0,5;600\n0,5;1100;0,25;400\n",

@@ -1,7 +1,8 @@
 //! Practical units in which reports show quantities stored in SI units.
 
-/// Returns the factor from the SI unit and the practical unit. Lengths, times and speeds below one use thousandths, and
-/// stiffnesses are per millimeter. `size` is the largest value in the same context.
+/// Returns the factor from the SI unit to the practical unit, and the practical unit. If `size` is below one, lengths,
+/// times and speeds are in thousandths, such as mm. Stiffnesses are per millimeter. `size` is the largest value of a
+/// table or plot.
 pub fn reading_unit(size: f64, si: &str) -> (f64, String) {
     let small = size.abs() < 1.0;
     match si {

@@ -22,22 +22,23 @@ pub struct Setting {
 
 /// Largest variation of a setting channel within a test that counts as one setting.
 ///
-/// The first limit is a fraction of the value. The second limit is in the unit of the channel. For a current in A, it
-/// covers sensor noise and supply ripple.
+/// The first limit is a fraction of the value. The second limit is in the unit of the channel. The larger limit
+/// applies. For a current in A, the second limit covers sensor noise and supply ripple.
 const STEADY: (f64, f64) = (0.1, 0.05);
-/// Range of white noise without [`SPIKES`], in standard deviations. It includes an extra quarter, because few samples
-/// give an uncertain estimate.
+/// Range of white noise without [`SPIKES`], in standard deviations. The value is a quarter larger than that of many
+/// samples, because few samples give an uncertain estimate.
 const NOISE: f64 = 4.1;
-/// Fraction of samples at each extreme that may be spikes or the switch-on transition.
+/// Fraction of samples at each extreme that may be spikes or the switch-on transition. The range of a channel leaves
+/// them out.
 const SPIKES: f64 = 0.05;
-/// Largest difference of values that count as one setting, A or clicks. Supplies have a resolution of one hundredth: a
-/// difference of one hundredth is within the limit, a difference of two is not.
+/// Largest difference of values that count as one setting, A or clicks. Supplies have a resolution of 0.01 A: a
+/// difference of 0.01 is within the limit, a difference of 0.02 is not.
 pub(crate) const SAME: f64 = 0.0195;
 /// Largest relative difference of values that count as one setting, in any unit. With a larger limit, 200 and 201
 /// clicks would be one setting.
 const ALIKE: f64 = 0.005;
 
-/// Names of the clicks of an adjuster.
+/// Words for the clicks of an adjuster, in headings and in names of tests.
 pub(crate) const CLICKS: [&str; 9] = ["clk", "clks", "click", "clicks", "klick", "klicks", "cran", "crans", "档"];
 /// Units in names of tests: spellings, name of the setting, its unit, and the factor to this unit.
 const UNITS: [(&[&str], &str, &str, f64); 9] = [
@@ -88,8 +89,8 @@ fn clicks_in(part: &str) -> Option<f64> {
     if count.chars().all(is_of_number) { count.parse().ok() } else { None }
 }
 
-/// Rounds a measured value to the likely set value. Set currents are multiples of a hundredth, and other set values
-/// have at most four digits.
+/// Rounds a measured value to the likely set value. Set currents are multiples of 0.01 A, and other set values have at
+/// most four digits.
 pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     let per_step =
         if unit == "A" || value == 0.0 { 100.0 } else { 10f64.powi(3 - libm::log10(value.abs()).floor() as i32) };
@@ -97,14 +98,14 @@ pub(crate) fn as_set(value: f64, unit: &str) -> f64 {
     (value * per_step).round() / per_step + 0.0
 }
 
-/// Returns the range, in the unit of the channel, within which the values of a steady channel stay.
+/// Returns the largest range of a channel that counts as steady, in the unit of the channel. `middle` is its median.
 pub(crate) fn tolerance(middle: f64, channel: &[f64]) -> f64 {
     STEADY.1.max(STEADY.0 * middle.abs()) + NOISE * white_noise(channel)
 }
 
 impl Setting {
-    /// Returns the setting of a channel. If the channel is not steady, the error contains the lowest and the highest
-    /// value.
+    /// Returns the setting of a channel, or `None` if the channel has no value. If the channel is not steady, the error
+    /// contains the lowest and the highest value.
     pub(crate) fn of_channel(channel: &[f64], name: &str, unit: &str) -> Result<Option<Setting>, (f64, f64)> {
         let mut values: Vec<f64> = channel.iter().copied().filter(|v| v.is_finite()).collect();
         if values.is_empty() {
@@ -139,7 +140,7 @@ impl Setting {
     }
 
     /// Returns the setting in a name, and whether it is certainly a setting and not the number of the test. Returns
-    /// `None` if the parts state no setting or several settings.
+    /// `None` if the name states no setting or several different settings.
     pub(crate) fn of_name(name: &str) -> Option<(Setting, bool)> {
         let parts: Vec<&str> =
             name.split(|c: char| "_ ()[]/;".contains(c) || c == '\u{a0}').filter(|part| !part.is_empty()).collect();
@@ -151,7 +152,7 @@ impl Setting {
         };
         let mut found = parts.iter().enumerate().filter_map(whole);
         let first = found.next()?;
-        // A folder and the files in it may state the same setting.
+        // A folder and the files in it may state the same setting, so equal settings are not several.
         found.all(|(other, _)| first.0.is_same(&other)).then_some(first)
     }
 
@@ -264,7 +265,7 @@ mod tests {
         }
     }
 
-    /// A quarter of an ampere is not rounded to 0.26 A, and 1245 psi is not rounded to 1250 psi.
+    /// Checks that 0.25 A is not rounded to 0.26 A, and that 1245 psi is not rounded to 1250 psi.
     #[test]
     fn a_measured_setting_is_the_value_that_was_set() {
         for (unit, measured, set) in [
@@ -294,8 +295,8 @@ mod tests {
 
     #[test]
     fn a_steady_current_is_a_setting_and_a_changing_one_is_none() {
-        // Uniform white noise with a standard deviation of 30 mA. That is three fifths of the largest variation of a
-        // setting.
+        // Uniform white noise with a standard deviation of 30 mA, three fifths of the variation of 50 mA that one
+        // setting may have without noise.
         let mut seed = 1u32;
         let mut white = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

@@ -58,11 +58,12 @@ fn unite_units(records: &mut [Record]) {
     }
 }
 
-/// Largest relative difference of measured values of one setting, because of a pressure regulator or a drifting supply.
+/// Largest difference between measured values of one setting, relative to the largest value of all settings with this
+/// name. A pressure regulator or a drifting supply causes such differences.
 const SCATTER: f64 = 0.02;
 
-/// Replaces measured settings that scatter about one value by their mean. Excludes currents, because their set values
-/// are multiples of a hundredth.
+/// Replaces measured settings that scatter about one value by their mean. Excludes currents, which [`merge_currents`]
+/// merges, because set currents are multiples of 0.01 A.
 fn merge_scattered(records: &mut [Record]) {
     let mut all: Vec<&mut Setting> =
         records.iter_mut().filter_map(|record| record.setting.as_mut()).filter(|of| of.name != "current").collect();
@@ -89,11 +90,11 @@ fn merge_scattered(records: &mut [Record]) {
 /// Largest difference between neighboring measured currents of one setting, A. [`WIDEST`] is the largest difference
 /// between the extremes.
 ///
-/// Set currents are multiples of a hundredth, and the zero of a channel drifts by a similar amount.
+/// Set currents are multiples of 0.01 A, and the zero of a channel drifts by a similar amount.
 const NEXT: f64 = 1.25 * SAME;
 const WIDEST: f64 = 2.5 * SAME;
-/// Largest deviation of a channel from the setting in the name, relative to the larger value. Supplies and measured
-/// coil currents stay within a tenth.
+/// Largest deviation of a setting channel from the setting in the test's name, relative to the larger one. A note
+/// reports a larger deviation as a contradiction, because supplies and measured coil currents stay within a tenth.
 const NAMED: f64 = 0.1;
 
 /// Returns the setting in the name of a test and the setting of its channel if they differ, else `None`.
@@ -121,7 +122,7 @@ fn contradicted_names<'r>(records: impl Iterator<Item = &'r Record>) -> Option<N
 
 /// Replaces measured currents by their median if they differ only by rounding.
 ///
-/// Because of zero error and noise, 0.41 A may be rounded up or down.
+/// Because of zero error and noise, 0.41 A may be measured as 0.40 A in one test and as 0.42 A in another.
 fn merge_currents(records: &mut [Record]) {
     let is_current = |of: &&mut Setting| of.name == "current";
     let mut all: Vec<&mut Setting> =
@@ -234,7 +235,8 @@ mod tests {
         let (_, notes) = settled(&["a_0.4A", "b_0.4A", "a_1.6A", "b_1.6A"]);
         let told = notes[0].text.to_string();
         assert!(told.contains("'*0.4A' (2)") || told.contains("'*_0.4A' (2)"), "{told}");
-        // Groups by current have one setting each and give no note. Groups by damper still have two settings.
+        // Groups by current have one setting each and give no note. Groups by damper still have two settings each and
+        // give two notes.
         let (mut records, mut notes) = settled(&["a_0A", "b_0A", "a_1.6A", "b_1.6A"]);
         let mut of_dampers = notes.clone();
         note_settings_of_groups([&records[..2], &records[2..]].into_iter(), &mut notes);
@@ -261,7 +263,7 @@ mod tests {
         let mut drifting: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();
         assign_settings(&mut drifting, &SettingRules::default(), &mut Vec::new());
         assert!(drifting.iter().all(|record| record.setting == of(0.41)), "{drifting:?}");
-        // The name states the same quantity as the channel.
+        // A note reports a name that states the same quantity as the channel with a clearly different value.
         for (name, value, is_noted) in [("a_1.6A", 0.4, true), ("a_1.6A", 1.52, false), ("a_12clicks", 0.4, false)] {
             let setting = Setting { name: "current".into(), unit: "A".into(), value };
             let mut records = vec![Record { setting: Some(setting), ..record(name) }];

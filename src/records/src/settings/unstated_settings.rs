@@ -18,25 +18,25 @@ use dashpot_messages::Sentence;
 ///
 /// Drives reproduce these values more accurately.
 const SAME: f64 = 0.1;
-/// Ratio of the damping forces above which two tests differ. Warm oil, a break-in and the scatter of the rig cause
-/// differences of a quarter.
+/// Ratio of the damping forces of two tests above which a note reports several settings. Warm oil, a break-in and the
+/// scatter of the rig cause differences of a quarter.
 const TIMES: f64 = 1.5;
 /// Ratios of force at which settings are separated, beginning with the finest. Clicks of an adjuster may differ by less
 /// than [`TIMES`]. A fine ratio counts only if it gives the same number of settings in every motion. Warming and wear
 /// give different numbers in different motions.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// Smallest ratio of two force distances at which a test of another motion belongs to the nearest setting. The
-/// distances are to the second nearest and to the nearest setting.
+/// Smallest ratio of the distances to the second nearest and the nearest setting at which a test of another motion
+/// belongs to the nearest. A distance is the logarithm of a force ratio.
 const NEARER: f64 = 2.0;
-/// Difference of side force, N, and of temperature, K, above which this difference may explain different forces of one
-/// damper.
+/// Largest difference of side force, N, and of temperature, K, between equal motions. A larger difference may explain
+/// different forces of one damper, so such tests are not compared.
 const SIDE_FORCE: f64 = 20.0;
 const WARMER: f64 = 40.0;
 /// Largest number of names of each setting in a message.
 const NAMES: usize = 6;
 
-/// Adds notes about tests with equal motion but different force. `seen` contains their levels in the middle of the
-/// strokes.
+/// Adds notes about tests with equal motion but different force. `seen` contains the force levels of each test in the
+/// middle of its strokes.
 pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     // A note has already named the settings, so no further note is added.
     if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
@@ -89,8 +89,8 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
     }
 }
 
-/// Returns the shortest glob pattern that matches the names of `tests` and no others. It contains a part of the first
-/// name. Returns `None` if there is no such pattern or only one test.
+/// Returns the shortest glob pattern that matches the names of `tests` and no others. The pattern contains a part of
+/// the first name. Returns `None` if there is no such pattern or only one test.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
@@ -185,7 +185,8 @@ impl Settings {
             }
         }
         // Assign tests of other motions to the known settings. Each assignment may determine further assignments. Use
-        // the whole stroke, because the middles of two motions may have no common velocity.
+        // the forces of the whole stroke, because the middles of the strokes of two motions may have no common
+        // velocity.
         open.sort_unstable();
         let whole: Vec<Levels> = records.iter().map(|record| levels(record, |_| true)).collect();
         while let Some((place, setting)) =

@@ -18,11 +18,11 @@ pub(crate) struct Agreement {
     pub explained: f64,
 }
 
-/// Fits x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The terms c + d·t absorb offset and integration
-/// drift.
+/// Fits displacement x and velocity v by x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The terms c + d·t
+/// absorb offset and integration drift.
 ///
 /// The integral of the velocity is less sensitive to noise than the derivative of the displacement. Returns `None` for
-/// too few samples or a constant channel.
+/// fewer than eight samples or a constant channel.
 pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
     let n = time.len();
     if n < 8 {
@@ -67,7 +67,7 @@ pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> 
     explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
 }
 
-/// Returns the likely cause if displacement and velocity contradict each other strongly.
+/// Returns the likely cause if displacement and velocity contradict each other strongly, else `None`.
 pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
     let Agreement { gain, explained, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn a_lag_within_conversion_or_noise_is_none() {
         let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
-        // The lags are fractions of a sample, and phases in rad.
+        // The lags are first fractions of a sampling interval of 0.1 s, then phases in rad of a cycle of 1 s.
         assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
         let tau = std::f64::consts::TAU;
         assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));

@@ -1,5 +1,5 @@
-//! Estimates the delay of the force channel: it is the delay with which one FV curve best explains the force of all
-//! tests.
+//! Estimates the delay of the force channel: the delay with which one force-velocity (FV) curve best explains the force
+//! of all tests.
 //!
 //! A charge amplifier, a filter or a second converter delays the force relative to the motion. The delay causes a
 //! force-velocity loop that grows with frequency. If the delay exceeds a quarter of a cycle, the damper seems to feed
@@ -18,7 +18,7 @@ pub struct Delay {
     pub seconds: f64,
     /// Fraction of the force variance that an FV curve cannot explain, without a shift of the records.
     pub unexplained_as_recorded: f64,
-    /// Unexplained fraction after correction of the delay.
+    /// Fraction of the force variance that an FV curve cannot explain after correction of the delay.
     pub unexplained: f64,
 }
 
@@ -36,7 +36,8 @@ struct Thinned<'a> {
 /// Evaluation of the tests for one assumed delay of the force.
 struct Look {
     unexplained: f64,
-    /// Normalized power of every test.
+    /// Normalized power of every test, -1 to 1: the correlation of force and velocity. It is negative if the test feeds
+    /// energy.
     power: Vec<f64>,
 }
 
@@ -53,11 +54,12 @@ pub(crate) enum Cause {
     Delay(Delay),
     /// Both a delay and a reversed sign may explain the tests.
     Either(Delay),
-    /// Only a reversed sign explains the tests.
+    /// A reversed sign explains the tests clearly better than a delay, or no delay explains them.
     Sign,
 }
 
-/// Returns the delay of tests without another fault, if the delay is significant.
+/// Returns the delay of tests that feed no energy. Returns `None` if the delay is shorter than [`SHORTEST_REPORTED`] or
+/// hardly reduces the unexplained variance.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;
     (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
@@ -66,7 +68,7 @@ pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
 /// Determines why the tests `feeding` (indices) feed energy.
 pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     let tests = thin(motions);
-    // A delay that explains no variance is not the cause. These tests then have another fault.
+    // A delay that explains no variance is not the cause. A reversed sign is then assumed.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
     match best(&tests, feeding) {
         Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
@@ -76,8 +78,8 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     }
 }
 
-/// Returns the delay with the smallest unexplained variance, among the delays with which all tests dissipate energy.
-/// Reverses the signs of the tests `turned`.
+/// Returns the delay with the smallest unexplained variance, among the delays with which no test clearly feeds energy.
+/// Reverses the sign of the force in the tests `turned`. Returns `None` if there is no such delay.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;
@@ -113,7 +115,7 @@ fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
         .filter(|(_, motion)| telling(motion))
         .map(|(index, motion)| {
             let span = motion.steady();
-            // The same samples serve for the evaluation of every delay.
+            // Begin at least the longest delay after the start, so that every delay is evaluated with the same samples.
             let begin = span.start.max(motion.time.partition_point(|t| *t < motion.time[0] + LONGEST));
             let every = ((span.end.max(begin) - begin) / SAMPLES).max(1);
             let samples: Vec<(f64, f64)> =
@@ -180,7 +182,7 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
         power.push(if sums[1] > 0.0 && sums[2] > 0.0 { sums[0] / (sums[1] * sums[2]).sqrt() } else { 0.0 });
     }
     for i in 0..size {
-        // Nodes without samples stay at zero.
+        // A small diagonal term keeps the force at nodes without samples at zero.
         normal[(i, i)] += 1e-9 * (1.0 + normal[(i, i)]);
     }
     let explained = normal.cholesky().map_or(0.0, |c| c.solve(&right).dot(&right));
@@ -205,7 +207,7 @@ mod tests {
     use crate::fixtures::SineTest;
     use crate::options::Options;
 
-    /// Makes tests at these frequencies. The force has the delay `late`, s, and is multiplied by `factor`.
+    /// Makes tests at the given frequencies, Hz. The force has the delay `late`, s, and is multiplied by `factor`.
     fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<Motion> {
         frequencies
             .iter()

@@ -11,7 +11,7 @@ pub(crate) struct DelayedMotion<'a> {
 }
 
 impl<'a> DelayedMotion<'a> {
-    /// Makes the shift for samples at these times.
+    /// Makes the shift by `delay` seconds for samples at the times `time`, s.
     pub fn new(time: &'a [f64], delay: f64) -> DelayedMotion<'a> {
         let (first, last) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
         let from = time.partition_point(|t| t - delay < first);
@@ -33,8 +33,8 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// Returns the shifted values of a channel with jumps. Each is the value of the previous sample, without
-    /// interpolation.
+    /// Returns the shifted values of a channel with jumps. Each is the value of the last sample before the shifted
+    /// time, without interpolation.
     pub fn previous_values(&self, of: &[f64]) -> Vec<f64> {
         let value = |t: &f64| {
             // If the delay is a whole number of samples, its rounding error must not shift the channel by a further
@@ -51,8 +51,8 @@ impl<'a> DelayedMotion<'a> {
     }
 }
 
-/// Interpolates at a time after sample `at`, with the cubic through four samples. If possible, two of them are on each
-/// side.
+/// Interpolates `values` at the time `t` after the sample `at`, with the cubic through four samples. If possible, two
+/// of these samples are before `t` and two after it.
 fn between(time: &[f64], values: &[f64], at: usize, t: f64) -> f64 {
     let n = time.len();
     let from = at.saturating_sub(1).min(n.saturating_sub(4));

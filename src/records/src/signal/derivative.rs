@@ -9,12 +9,12 @@ use crate::tuning::derivative::{LONGER, REACH, SAME};
 /// Properties of the filter with which a derivative was computed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Filter {
-    /// Largest number of samples per window.
+    /// Number of samples in the largest window.
     pub points: usize,
     /// Length of the largest window, s.
     pub window: f64,
-    /// Frequency at which the derivative with that window is attenuated by 3 dB, Hz. Half the sampling rate if the
-    /// attenuation stays smaller.
+    /// Frequency at which the derivative with the largest window is attenuated by 3 dB, Hz. Half the sampling rate if
+    /// the attenuation stays smaller.
     pub bandwidth: f64,
     /// Fraction of the samples with a shorter window, because the motion turns within the longest one.
     pub shorter: f64,
@@ -25,11 +25,11 @@ pub(crate) struct Filter {
 /// At every sample, a cubic is fitted by least squares to the window centered on the sample, and its slope is the
 /// velocity. A symmetric window causes no phase shift. The fit uses the true times, so uneven sampling causes no error.
 ///
-/// `window` is the longest window, s. At least five samples are used. At the ends of the record, the window is
-/// one-sided. If the motion turns within the window, as at the corners of a triangle, a cubic would round the corner
-/// and overshoot. The sample then has the longest window with a slope that agrees with the slopes of all shorter
-/// windows within their noise. This is the intersection of confidence intervals of Goldenshluger and Nemirovski (Math.
-/// Methods Stat. 6, 1997).
+/// `window` is the longest window, s. It has at least five samples unless the record is shorter. At the ends of the
+/// record, the window is one-sided. If the motion turns within the window, as at the corners of a triangular motion, a
+/// cubic would round the corner and overshoot. The sample then has the longest window whose slope agrees with the
+/// slopes of all shorter windows within their noise. This is the intersection of confidence intervals of Goldenshluger
+/// and Nemirovski (Math. Methods Stat. 6, 1997).
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
@@ -37,7 +37,7 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     let noise = displacement_noise(displacement);
     let (mut low, mut high) = (vec![f64::NEG_INFINITY; n], vec![f64::INFINITY; n]);
     let mut velocity = vec![0.0; n];
-    // Samples whose slopes have agreed so far.
+    // Whether the slopes of all windows so far agree, for each sample.
     let mut agree = vec![true; n];
     let mut reach = longest.min(2);
     loop {
@@ -166,7 +166,8 @@ pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64
         if i >= 2 && i + 1 < n {
             let (before, after) = (time[i - 1] - time[i - 2], time[i + 1] - time[i]);
             if (before - step).abs() < 0.05 * step && (after - step).abs() < 0.05 * step {
-                // (13 (v1 + v2) − v0 − v3) / 24
+                // Mean velocity of the step from v1 to v2, with the cubic through v0 to v3: (13 (v1 + v2) − v0 − v3) /
+                // 24.
                 mean = (13.0 * (velocity[i] + velocity[i - 1]) - velocity[i - 2] - velocity[i + 1]) / 24.0;
             }
         }
@@ -201,7 +202,7 @@ mod tests {
             for i in filter.points..time.len() - filter.points {
                 assert!((derived[i] - v[i]).abs() < 2e-4 * peak, "{frequency} Hz at {i}: {} {}", derived[i], v[i]);
             }
-            // The accuracy is the same at the ends of the record, where windows are one-sided.
+            // At the ends of the record, where windows are one-sided, the error is below 1 % of the peak velocity.
             assert!(derived.iter().zip(&v).all(|(a, b)| (a - b).abs() < 1e-2 * peak));
             assert!(filter.bandwidth > 5.0 * frequency, "{filter:?}");
         }
@@ -218,7 +219,7 @@ mod tests {
         assert!((gain - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.02, "{gain}");
     }
 
-    /// The test motion is that of a common friction test: constant velocity in both directions.
+    /// Checks the motion of a common friction test, with constant velocity in both directions.
     #[test]
     fn a_triangle_keeps_its_velocity_up_to_its_corners() {
         let (rate, frequency, speed) = (1000.0, 0.31, 0.05);

@@ -1,4 +1,5 @@
-//! Corrects a record by the measurement error that a fit found, so that the comparison is between model and damper.
+//! Corrects a record by the measurement error that a fit found, so that a comparison with the model shows only
+//! differences from the damper.
 
 use super::delayed_motion::DelayedMotion;
 use super::smoothing::smooth;
@@ -7,7 +8,8 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 
 impl MeasurementError {
-    /// Returns the error that the user stated. All records of one campaign have the same stated error.
+    /// Returns the measurement error that the user stated, or no error for an empty list. All records of one campaign
+    /// have the same stated error.
     pub fn stated(records: &[&Record]) -> MeasurementError {
         records.first().map_or(MeasurementError::NONE, |record| record.stated_error)
     }
@@ -52,7 +54,7 @@ fn earlier(record: &Record, delay: f64) -> Record {
         side_force: record.side_force.as_deref().map(kept),
         temperature: record.temperature.as_deref().map(kept),
         setting_signal: record.setting_signal.as_ref().map(|of| of.with_values(earlier.previous_values(&of.values))),
-        // The force samples stay in place, so the cycles stay in place too.
+        // The motion is shifted to the force samples, so cycles keep their force samples.
         cycles: record
             .cycles
             .iter()

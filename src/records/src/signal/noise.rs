@@ -5,11 +5,11 @@ use crate::data::record::{Noise, NoiseSource};
 use crate::numbers::median;
 use crate::tuning::noise::FEWEST;
 
-/// Estimates the force noise of one sample.
+/// Estimates the noise of a single force sample, as a standard deviation and an autocorrelation.
 ///
 /// With three or more cycles, every sample of the inner cycles is compared with the previous and the next cycle at
-/// equal phase. With two cycles, the second is compared with the first. The comparison with both neighbors cancels a
-/// slow trend such as heating.
+/// equal phase. With two cycles, the second is compared with the first. Without cycles, the estimate uses differences
+/// of neighboring samples. The comparison with both neighbors cancels a slow trend such as heating.
 ///
 /// The values of neighboring cycles are interpolated between samples, which reduces their noise. For noise with a
 /// geometrically decreasing autocorrelation, the estimate corrects this effect and the noise of the neighbors exactly.
@@ -41,7 +41,8 @@ struct Partner {
     weight: f64,
 }
 
-/// Deviation of a sample from its partners, whose mean force is `partner`, and their interpolation weights.
+/// Deviation of a sample from the mean `partner` of the forces of neighboring cycles at equal phase, N, and their
+/// interpolation weights.
 struct Deviation {
     value: f64,
     partner: f64,
@@ -93,7 +94,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if cycles.len() < 2 {
         return None;
     }
-    // Runs of deviations with the interpolation weights of their partners. A missing partner ends a run.
+    // Deviations of consecutive samples. A sample without a force at equal phase in a neighboring cycle ends a run.
     let mut runs: Vec<Vec<Deviation>> = Vec::new();
     let one_sided = cycles.len() == 2;
     let judged = if one_sided { 1..2 } else { 1..cycles.len() - 1 };
@@ -129,10 +130,11 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     let spread = median(&mut all.iter().map(|d| (d - centre).abs()).collect::<Vec<_>>()) / 0.6745;
     let near = |d: f64| (d - centre).abs() <= 3.5 * spread;
 
-    // Second moments of the deviations at lags 0 and 1, and the mean interpolation factors.
+    // Second moments of the deviations at lags of 0 and 1 sample (`d0`, `d1`), their counts, and the interpolation
+    // factors.
     let share = if one_sided { 1.0 } else { 0.25 };
     let (mut d0, mut n0, mut d1, mut n1) = (0.0, 0.0, 0.0, 0.0);
-    // Sums over the partners of (1−w)² + w² and of w(1−w).
+    // Sums over the neighboring cycles of (1−w)² + w² and of w(1−w), with the interpolation weight w.
     let (mut same, mut cross) = (0.0, 0.0);
     for run in &runs {
         for (i, Deviation { value: d, weights, .. }) in run.iter().enumerate() {
@@ -158,7 +160,7 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // With r the autocorrelation of the noise at lag 1 (r² at lag 2):
+    // With the variance c0 of the noise and its autocorrelation r at lag 1 (r² at lag 2):
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
     // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;
@@ -177,7 +179,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     Some(Noise { force_rms: variance.sqrt(), lag1, from: NoiseSource::CycleRepeat })
 }
 
-/// Returns the root mean square deviation of each cycle's force from the other cycles' median at equal phase, N.
+/// Returns the root mean square deviation of each cycle's force from the median of up to eight other cycles at equal
+/// phase, N.
 pub(crate) fn cycle_deviations(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Vec<f64> {
     cycles
         .iter()
@@ -186,7 +189,7 @@ pub(crate) fn cycle_deviations(time: &[f64], force: &[f64], cycles: &[Cycle]) ->
             let others: Vec<&Cycle> =
                 cycles.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, c)| c).take(8).collect();
             let (mut sum, mut count) = (0.0, 0);
-            // A few hundred phases suffice.
+            // A few hundred phases suffice for a mean, so long cycles are decimated.
             for i in (this.start..this.end).step_by(((this.end - this.start) / 400).max(1)) {
                 let mut values: Vec<f64> =
                     others.iter().filter_map(|c| partner(time, force, this, c, time[i])).map(|p| p.value).collect();

@@ -18,14 +18,14 @@ pub struct Motion {
     pub velocity: Vec<f64>,
     /// Acceleration, m/s².
     pub acceleration: Vec<f64>,
-    /// Noise found in the displacement channel, m.
+    /// Standard deviation of the noise found in the displacement channel, m.
     pub displacement_noise: f64,
-    /// Noise found in the velocity channel, m/s.
+    /// Standard deviation of the noise found in the velocity channel, m/s.
     pub velocity_noise: f64,
 }
 
-/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. For a
-/// motion with forty samples per cycle, these differences nearly vanish.
+/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. With forty
+/// samples per cycle, the fourth differences of the motion itself nearly vanish.
 pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
@@ -45,14 +45,14 @@ pub fn smooth(record: &Record) -> Motion {
     let w = if record.frequency > 0.0 {
         TAU * record.frequency
     } else {
-        // If there are no cycles, use the frequency of a sine with this amplitude and peak velocity.
+        // If there are no cycles, use the frequency of a sine with the amplitude and peak velocity of the record.
         (record.peak_velocity / record.amplitude.max(1e-9)).max(1.0)
     };
     let peak = record.peak_velocity.max(1e-9);
     // Smallest noise, so that the covariances stay regular. It is far below that of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
-    // Jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
+    // Spectral density of the jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
     let q = peak * peak * w.powi(3);
     let h = Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     let r = Matrix2::new(rx, 0.0, 0.0, rv);
@@ -96,7 +96,8 @@ pub fn smooth(record: &Record) -> Motion {
     Motion { displacement, velocity, acceleration, displacement_noise: sx, velocity_noise: sv }
 }
 
-/// Returns the transition matrix over `dt` and the covariance of white jerk with density `q`.
+/// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s. Also returns the
+/// covariance that white jerk of spectral density `q` adds in this time.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);
@@ -160,8 +161,8 @@ mod tests {
         let m = smooth(&record);
         let before = rms(&record.displacement, &x);
         assert!((m.displacement_noise / before - 1.0).abs() < 0.2);
-        // The velocity channel reduces the displacement noise more than the displacement channel reduces the velocity
-        // noise.
+        // The velocity channel reduces the displacement noise strongly. The displacement channel reduces the velocity
+        // noise only a little.
         assert!(rms(&m.displacement, &x) < 0.3 * before);
         assert!(rms(&m.velocity, &v) < 0.95 * rms(&record.velocity, &v));
     }

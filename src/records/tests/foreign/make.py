@@ -1,9 +1,9 @@
-"""Makes the files in this folder with writers that know nothing of dashpot.
+"""Makes the files in this folder with third-party writers.
 
     python3 -m venv v && v/bin/pip install asammdf npTDMS h5py numpy && v/bin/python make.py
 
 Every file holds the same test: a damper of 1500 N s/m in rebound and 800 in compression with 40 N of friction on a sine of
-20 mm and 2 Hz, three cycles at 400 Hz. Written with asammdf 8, npTDMS 1 and h5py 3.
+20 mm and 2 Hz, three cycles at 400 Hz. The files in this folder were written with asammdf 8, npTDMS 1 and h5py 3.
 """
 
 from pathlib import Path
@@ -38,7 +38,7 @@ plain = [
     Signal(x * 1e3, t, unit="mm", name="Damper displacement"),
     Signal(force, t, unit="N", name="Damper force"),
 ]
-# Sixteen-bit counts with a linear rule, as a logger stores them.
+# Counts of 16 bits with a linear conversion, as a logger stores them.
 counts = [
     Signal(np.round(x * 1e3 / 0.001).astype("<i2"), t, unit="mm", name="Weg",
            conversion=from_dict({"a": 0.001, "b": 0.0})),
@@ -65,14 +65,14 @@ with TdmsWriter(HERE / "time.tdms") as file:
     ])
 half = len(t) // 2
 with TdmsWriter(HERE / "waves.tdms") as file:
-    # Two segments, and no channel of time: the step stands in the properties.
+    # Two segments without a time channel. The properties of the channels state the time step.
     for part in (slice(0, half), slice(half, None)):
         file.write_segment([
             ChannelObject("run 1", "Displacement", x[part] * 1e3, {**unit("mm"), **wave}),
             ChannelObject("run 1", "Force", force[part], {**unit("N"), **wave}),
         ])
 
-# As MATLAB saves with -v7.3: 512 bytes of its own, then HDF5; vectors are columns, compressed in chunks.
+# The form of MATLAB's option -v7.3: a MATLAB header of 512 bytes, then HDF5. Vectors are columns, compressed in chunks.
 name = HERE / "matlab73.mat"
 with h5py.File(name, "w", userblock_size=512, libver=("earliest", "v108")) as file:
     for key, values in {"time_s": t, "displacement_mm": x * 1e3, "force_N": force}.items():

@@ -28,7 +28,8 @@ impl Start {
 }
 
 /// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
-/// begins with the first row of numbers. The second value is the first line that is not a comment.
+/// begins with the first row of numbers. If no other line is the header, it may be a comment line. The second value is
+/// the first line that is not a comment.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
@@ -71,8 +72,8 @@ pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<Str
     (numbers.or(commented), first_line)
 }
 
-/// Replaces blanks between columns by tabs. A separator is two or more blanks or, with `any`, one or more. Numbers have
-/// fewer blanks between them than names.
+/// Replaces blanks between columns by tabs. Two or more blanks are a separator, because names may contain single
+/// blanks. With `any`, and in a line of numbers, one blank is a separator too.
 pub(super) fn with_tabs(text: &str, any: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {

@@ -1,4 +1,4 @@
-//! Comments and figures in the lines of a text.
+//! Recognizes comments and numbers in the lines of a text.
 
 use crate::columns::table::number;
 use crate::dates::clock;

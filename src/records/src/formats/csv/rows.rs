@@ -53,7 +53,7 @@ pub(super) fn table(
     if let Some(units) = &mut units {
         units.resize(header.len(), String::new());
     }
-    // Sensor names and rates may be between the heading and the first row.
+    // Sensor names and rates may be between the heading and the first row, so such lines are skipped.
     for _ in 0..LABELS {
         if first_row.iter().any(|cell| !cell.trim().is_empty() && is_figure(cell, decimal_comma)) {
             break;
@@ -72,8 +72,9 @@ pub(super) fn table(
     if let Some(crank) = &crank {
         rows.note("crank", Sentence::from(phrases::CRANK).with("rpm", crank.rpm));
     }
-    // Start of each test, from the lines above its rows, and the position up to which these lines are read. Programs
-    // that write a decimal comma, or a semicolon as delimiter, write dates with the day first.
+    // `began` has the start of each test, from the lines above its rows. `behind` is the position of the last row,
+    // after which the lines above a next test begin. Programs that write a decimal comma, or a semicolon as delimiter,
+    // write dates with the day first.
     let is_comma = |cell: &String| delimiter != b',' && cell.contains(',') && number(cell, true).is_some();
     let usual = (delimiter == b';' || first_row.iter().any(is_comma)).then_some(DateOrder::DayFirst);
     let began_by = |lines: &str| {

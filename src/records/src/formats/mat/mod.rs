@@ -55,7 +55,8 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
         return Err(no_header(&at, &all));
     }
     let layout = Layout::new(&at, 1, &header, None, options, sample_time.is_some())?;
-    // Vectors of equal length belong together. A vector of another length belongs to another recording.
+    // Vectors of equal length belong together. A vector of another length belongs to another recording, so it is an
+    // error.
     let length = layout.columns.iter().map(|c| vectors[c.index].1.len()).max().unwrap_or(0);
     for column in &layout.columns {
         let found = vectors[column.index].1.len();
@@ -188,7 +189,7 @@ fn unpack(bytes: Vec<u8>) -> Result<Vec<u8>, String> {
 
 /// Detects damage that the parser ignores, or at which it fails.
 ///
-/// Such damage is a last variable beyond the end of the file, or dimensions that exceed the content of the file.
+/// Such damage is a last variable beyond the end of the file, or a variable with more elements than the file has bytes.
 fn damage(bytes: &[u8]) -> Option<&'static str> {
     const MATRIX: u32 = 14;
     let little = bytes.get(126..128) == Some(b"IM");

@@ -8,7 +8,7 @@ const CHAIN: usize = 1 << 16;
 
 /// Work of visiting a block, in steps of the budget.
 const VISIT: u64 = 100;
-/// Largest number of characters of a text.
+/// Largest number of characters that are read of a text.
 const LETTERS: usize = 200;
 /// Largest number of bytes of an XML comment that are searched for its text.
 const COMMENT: usize = 1 << 16;

@@ -16,7 +16,7 @@ enum Rule {
     Same,
     /// Offset and factor, for y = offset + factor · x.
     Linear([f64; 2]),
-    /// (a x² + b x + c) / (d x² + e x + f).
+    /// Coefficients a to f, for y = (a x² + b x + c) / (d x² + e x + f).
     Rational([f64; 6]),
     /// Pairs of stored and physical value. Between two pairs, the value is interpolated if `straight` is true, else it
     /// is the value of the nearest pair. Outside the pairs, it is the value of the first or last pair.

@@ -23,7 +23,7 @@ const RECORDS: usize = 16 << 20;
 /// Layout of the records of a channel group.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Record {
-    /// Number before each record, if a data group has several channel groups.
+    /// Identification number before each record, if a data group has several channel groups.
     pub id: u64,
     /// Whether each record has its own length.
     pub variable: bool,
