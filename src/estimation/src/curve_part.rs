@@ -50,7 +50,7 @@ pub enum Speeds {
 const KNEE: f64 = 0.1;
 
 impl CurvePart {
-    /// All parts.
+    /// Parts that a change may scale: both sides together, each side, and the low or the high speeds of each side.
     pub const ALL: [CurvePart; 7] = {
         const fn part(side: Side, speeds: Speeds) -> CurvePart {
             CurvePart { side, speeds }

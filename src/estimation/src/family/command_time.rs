@@ -58,7 +58,8 @@ mod tests {
         assert!(close(&shifted(&dt, &commands, 0.5), &[0.0, 0.0, 0.0, 0.75, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, -0.5), &[0.0, 0.0, 0.5, 1.0, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, 2.5), &[0.0, 0.0, 0.0, 0.0, 0.5, 1.0]));
-        // The variance is that of a uniform distribution. The derivative is constant within half a sample.
+        // The variance of [`SPREAD`] is that of a uniform distribution. The derivative is constant within half a
+        // sample.
         assert!((12.0 * SPREAD * SPREAD - 1.0).abs() < 1e-12);
         let moved = |later: f64| shifted(&dt, &commands, later)[3] - commands[3];
         assert!((moved(STEP) / STEP - moved(0.5) / 0.5).abs() < 1e-12);

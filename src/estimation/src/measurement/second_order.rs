@@ -1,4 +1,5 @@
-//! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F, exact for a force that is linear between samples.
+//! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F with output y and force F, exact for a force that is linear between
+//! samples.
 
 /// Filter of the second order.
 pub(super) struct SecondOrder {
@@ -8,7 +9,7 @@ pub(super) struct SecondOrder {
     pub damping: f64,
 }
 
-/// Relative difference below which two steps count as equal. The relative error of the force has the same order of
+/// Relative difference below which two time steps count as equal. The relative error of the force has the same order of
 /// magnitude.
 const ALIKE: f64 = 1e-9;
 
