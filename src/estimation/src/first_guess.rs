@@ -20,8 +20,8 @@ const SMALLEST: f64 = 0.010;
 /// Smallest initial friction of a fit, N, for a passenger-car damper. If a fit began at zero friction, it could not
 /// find friction.
 const LEAST_FRICTION: f64 = 1.0;
-/// Smallest number of samples between an FV point and the previous point. A point with fewer samples is omitted unless it is
-/// the first or the last point of its side.
+/// Smallest number of samples between an FV point and the previous point. A point with fewer samples is omitted, unless
+/// it is the first or the last point of its side.
 const ENOUGH: usize = 12;
 
 /// Friction and gas force from the forces of steady sliding in both directions.
@@ -132,8 +132,8 @@ pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
 
 /// Computes forces of the FV table from only those samples at which the damper slows down.
 ///
-/// These forces contain no effect of voids and free play, because such effects begin at a reversal and end before the
-/// damper slows down for the next reversal.
+/// These forces contain no effect of voids and free play. Such effects begin at a reversal and end before the damper
+/// slows down for the next reversal.
 pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |s, k| {
         s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())

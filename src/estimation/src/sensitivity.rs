@@ -54,7 +54,8 @@ struct Tangent<'a> {
     x: Vec<f64>,
     v: Vec<f64>,
     stages: Vec<(Vec<f64>, Vec<f64>)>,
-    /// γh of each stage of the substep, s.
+    /// γh of each stage of the substep, s: the diagonal coefficient of the implicit method times the length of the
+    /// substep.
     lengths: [f64; 5],
 }
 
@@ -235,7 +236,7 @@ pub struct Run {
     spring: CurveWeights,
     beside: Vec<Beside>,
     rises: Vec<(usize, CurveName, usize)>,
-    /// Elements with unknowns that do not influence the mass.
+    /// Elements parallel to the mass with unknowns that do not influence the motion of the mass.
     alone: Vec<Alone>,
     /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,

@@ -77,7 +77,8 @@ pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
 
-/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between both points.
+/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between the two
+/// points.
 pub fn towards_zero(point: usize, zero: usize) -> usize {
     if point > zero { point - 1 } else { point + 1 }
 }

@@ -1,5 +1,6 @@
-//! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F with output y and force F, exact for a force that is linear between
-//! samples.
+//! Second-order filter with output y and input force F: y'' + 2 ζ ω y' + ω² y = ω² F.
+//!
+//! The solution is exact for a force that is linear between samples.
 
 /// Filter of the second order.
 pub(super) struct SecondOrder {

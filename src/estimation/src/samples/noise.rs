@@ -12,7 +12,7 @@ const KEPT: f64 = 0.964;
 
 /// Statistics of the differences between cycles.
 pub struct Repeat {
-    /// Noise of the mean cycle, N.
+    /// Standard deviation of the noise of the mean cycle, N.
     pub mean_noise: f64,
     /// Fraction of independent samples.
     pub independence: f64,
@@ -21,7 +21,7 @@ pub struct Repeat {
 }
 
 /// Computes the statistics from the deviations of cycles from their mean at equal phase, for any noise spectrum.
-/// Returns `None` for too few cycles or samples, and without deviations.
+/// Returns `None` for too few cycles or samples, or if all deviations are zero.
 pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
     let count = mean.len();
     if bounds.len() < REPEATS || count < 16 {

@@ -1,8 +1,8 @@
 //! Selection of the tests of a very large campaign that a fit uses.
 //!
 //! Every test costs about the same time. Beyond a few hundred tests, further tests rarely contain a new motion, so a
-//! selection represents all of them. The selection includes every kind of motion in turn, and covers the whole order of
-//! the campaign.
+//! selection represents all of them. The selection includes every kind of motion in turn, and is spread over the whole
+//! campaign.
 
 use dashpot_records::{Record, SettingPattern};
 use std::collections::BTreeMap;

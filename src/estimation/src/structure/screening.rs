@@ -159,8 +159,8 @@ pub fn screen(
                             (gain, taken_up, theta) = (gain_there, taken_up_there, scaled);
                         }
                     }
-                    // If it is not proportional, the parameter changes the shape of the response. The gain at the best
-                    // strength then determines whether the start is refitted.
+                    // If the response is not proportional, the parameter changes the shape of the response. The gain at
+                    // the best strength then determines whether the start is refitted.
                     gain = gain.max(left.dot(&response).powi(2) / visible);
                 }
             }
