@@ -139,9 +139,10 @@ pub struct Fit {
     pub params: Params,
     /// Estimates of all fitted numbers.
     pub estimates: Vec<Estimate>,
-    /// Every effect of the model, and the most probable missing effects, with force and probability.
+    /// Every effect of the model, with its force and probability. Empty for a model of the literature.
     pub inventory: Vec<InventoryItem>,
-    /// Measurement errors of the records. The fit and later comparisons correct the records for them. The model never contains them.
+    /// Measurement errors of the records. The fit adds them to the computed forces, and later comparisons correct the records for them. The
+    /// model never contains them.
     pub measured: Vec<Measured>,
     /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
     pub clock_from: Option<f64>,
