@@ -53,13 +53,13 @@ pub enum Literature {
     Lag(lagged_polynomial::LaggedPolynomial),
     /// Restoring-force surface.
     Surface(restoring_force_surface::Surface),
-    /// Dahl.
+    /// Dahl friction with spring and dashpot.
     Dahl(dahl::Dahl),
-    /// Bouc-Wen.
+    /// Bouc-Wen hysteresis with spring and dashpot.
     BoucWen(bouc_wen::BoucWen),
-    /// Spencer.
+    /// Spencer's modified Bouc-Wen model.
     Spencer(spencer::Spencer),
-    /// Kwok.
+    /// Kwok's hyperbolic tangent model.
     Kwok(kwok::Kwok),
     /// Neural network.
     Network(neural_network::Network),
