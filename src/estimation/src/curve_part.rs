@@ -6,9 +6,9 @@ use dashpot_core::list;
 /// Part of the FV curve, given by a side and a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CurvePart {
-    /// The side to which the part is restricted.
+    /// Side, rebound or compression, to which the part is restricted.
     pub side: Side,
-    /// The range of speeds to which the part is restricted.
+    /// Range of speeds to which the part is restricted.
     pub speeds: Speeds,
 }
 

@@ -67,8 +67,8 @@ const FARTHEST: f64 = 1024.0;
 /// Computes the factor on the deviation of each parameter at which the squared change of the force reaches [`FLAT`]
 /// times the linearized change.
 ///
-/// The other parameters change with the parameter, according to their correlation. The side with the smaller change of
-/// the force determines the factor, which is at least 1.
+/// The other parameters change with the parameter, according to their correlation. Of an increase and a decrease of the
+/// parameter, the one with the smaller change of the force determines the factor. The factor is at least 1.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,

@@ -161,7 +161,7 @@ pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
         Unknown::Log(number) => distribution(*number, scale).map(|usual| usual.in_search(true)),
         Unknown::Linear(number) => distribution(*number, scale).map(|usual| usual.in_search(false)),
-        // The parameter is a fraction above the Coulomb level. For seals, it is 0.1 to 0.6.
+        // The parameter is the excess over the Coulomb force, as a fraction of this force. For seals, it is 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
     }

@@ -673,7 +673,7 @@ mod tests {
                 ("bushing_slow_stiffness", 0.4),
                 // With the default value, creep is off, and its derivative is zero.
                 ("presliding_creep", 1e-3),
-                // For the value 1, the step uses a simpler branch than for other values.
+                // For the value 1, the step uses a simpler formula than for other values.
                 ("oil_compression", 0.97),
             ] {
                 base.set(Number::find(name).unwrap(), value).unwrap();

@@ -136,7 +136,7 @@ pub struct Prior {
 pub enum Loss {
     /// Half the square of the residual.
     Squares,
-    /// Half the square of the residual up to this size, linear beyond. Limits the influence of outliers.
+    /// Half the square of the residual up to the given size, linear beyond it. Limits the influence of outliers.
     Huber(f64),
 }
 

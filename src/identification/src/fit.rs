@@ -90,7 +90,7 @@ pub enum FitError {
     },
     /// The element is the lagged polynomial, which is a separate model and allows no other element.
     OtherFamily,
-    /// The tests never move in this direction, rebound or compression.
+    /// The tests never move in the given direction, `rebound` or `compression`.
     OneSided(&'static str),
     /// The fit of a model of the literature failed.
     Literature(#[from] LiteratureError),
@@ -152,7 +152,7 @@ pub struct Fit {
     pub notes: Vec<Sentence>,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests, in the same order.
+    /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
     /// Plain FV curve fitted to the same tests, for comparison.
     pub fv_only: Params,
@@ -648,7 +648,7 @@ pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
     Some((selected, note))
 }
 
-/// Returns a note that long tests without cycles are simulated in sections. Returns `None` without such tests.
+/// Returns a note that long tests without cycles are simulated in stretches. Returns `None` without such tests.
 pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     let Shortened { roads, stretches, seconds } = shortened(tests)?;
     let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);

@@ -13,7 +13,7 @@ pub struct Identification {
     /// Names of the tests that the fit used. [`Identification::used`] decides by these names if there are no fingerprints.
     #[serde(default)]
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests.
+    /// Fingerprints of the contents of the tests that the fit used.
     #[serde(default)]
     pub fingerprints: Vec<String>,
     /// Parameters that the data does not determine.
@@ -105,7 +105,7 @@ pub enum IntervalOverSetting {
 pub struct FvOnlyAt {
     /// Value of the setting.
     pub setting: f64,
-    /// Plain FV curve at this setting.
+    /// Plain FV curve at the setting.
     #[serde(flatten)]
     pub curve: FvOnly,
 }

@@ -469,7 +469,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
     out
 }
 
-/// Formats a model file without results of a fit. The remarks stand as comments at the beginning of the file.
+/// Formats a model file without results of a fit. The remarks are comments at the beginning of the file.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
     let mut out = String::from(
         "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\

@@ -74,7 +74,7 @@ pub enum OfPeaksError {
         file: String,
         /// The click with the smaller speeds.
         click: f64,
-        /// Largest speed of this click, m/s.
+        /// Largest speed of the click with the smaller speeds, m/s.
         top: f64,
         /// Largest speed of all clicks, m/s.
         fastest: f64,

@@ -25,9 +25,9 @@ use std::sync::OnceLock;
 pub enum Ways {
     /// The parameter does not exist.
     Neither,
-    /// Both directions share one value.
+    /// Rising and falling settings share one value.
     Shared,
-    /// Each direction has its own value.
+    /// Rising and falling settings have separate values.
     Each,
 }
 

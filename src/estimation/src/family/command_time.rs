@@ -1,9 +1,9 @@
 //! The instant within a sample at which a command changes.
 //!
 //! A logger stores the command before and after a change, and the change is anywhere between the two samples. The
-//! estimate assumes the middle. If a rig switches with its clock, all steps have the same timing error, so averaging
-//! over steps does not reduce the error. The instant is therefore a considered parameter, not an estimated one. Its
-//! uniform distribution over a sample widens the intervals of all other parameters.
+//! estimate assumes a change midway between them. If a rig switches with its clock, all steps have the same timing
+//! error, so averaging over steps does not reduce the error. The instant is therefore a considered parameter, not an
+//! estimated one. Its uniform distribution over a sample widens the intervals of all other parameters.
 
 /// Standard deviation of the instant within a sample, in samples: 1/√12.
 pub const SPREAD: f64 = 0.288_675_134_594_812_9;

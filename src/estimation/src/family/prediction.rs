@@ -30,7 +30,7 @@ pub struct Linearization<'a> {
     thetas: Vec<Vec<f64>>,
     /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
     jacobians: Vec<DMatrix<f64>>,
-    /// Weighted normal matrices and right sides of each setting.
+    /// Weighted normal matrix and right-hand side of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
 }
 

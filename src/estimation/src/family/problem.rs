@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct SettingTests {
     /// Value of the setting.
     pub value: f64,
-    /// Tests at this setting.
+    /// Tests at the setting.
     pub tests: Vec<Test>,
 }
 

@@ -196,7 +196,7 @@ fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStruct
         .collect()
 }
 
-/// Refits the family without each of its effects.
+/// Refits the family without one of its effects, for each effect.
 fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStructure> {
     (0..from.components.len())
         .into_par_iter()

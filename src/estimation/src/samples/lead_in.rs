@@ -42,7 +42,7 @@ pub fn places(lead: usize, count: usize) -> Vec<usize> {
 }
 
 /// Extends the lead-in of each test until the internal state of the damper reaches its steady state, by at most
-/// [`MORE`] cycles.
+/// `MORE` cycles.
 pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
     let Ok(model) = Model::new(params) else { return tests };
     tests

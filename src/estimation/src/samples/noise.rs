@@ -3,7 +3,8 @@
 
 use dashpot_records::restrict;
 
-/// Smallest number of cycles for an estimate of the noise of their mean from their differences.
+/// Smallest number of cycles at which their differences give the noise of their mean. With fewer cycles, the noise
+/// comes from the record.
 const REPEATS: usize = 3;
 /// Fraction of the deviations that is clamped as outliers. Their cause is steep parts of the force, not noise. [`KEPT`]
 /// is the fraction of the variance of normal noise that remains after clamping.

@@ -37,7 +37,7 @@ type Cell = (i64, i64);
 pub enum Extent {
     /// The whole road, as one test.
     Whole,
-    /// At most this number of stretches.
+    /// At most the given number of stretches.
     Stretches(usize),
 }
 
@@ -60,7 +60,7 @@ impl Extent {
 pub struct Shortened {
     /// Number of roads that are not simulated whole.
     pub roads: usize,
-    /// Number of stretches of each of these roads.
+    /// Number of stretches of each road that is not simulated whole.
     pub stretches: usize,
     /// Length of a stretch without its lead-in, s.
     pub seconds: f64,

@@ -68,7 +68,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                     linear(number!("presliding_force"), (3.0, 200.0)),
                     log(number!("presliding_length"), (0.0, 5e-3)),
                     held(number!("presliding_power"), (0.0, 8.0), 0.7),
-                    // If a contact creeps faster, its force depends on speed, so it is not friction.
+                    // If a contact creeps at a higher speed, its force depends on speed, so it is not friction.
                     held(number!("presliding_creep"), (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]

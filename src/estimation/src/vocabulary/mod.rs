@@ -33,8 +33,8 @@ pub struct Fresh {
     /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
     /// lower end of 0, all small values are plausible.
     pub plausible: (f64, f64),
-    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start. The prior of a
-    /// parameter of the model does not depend on it, see [`crate::priors`].
+    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start value. The prior of
+    /// a parameter of the model does not depend on it, see [`crate::priors`].
     pub deviation: Option<f64>,
 }
 

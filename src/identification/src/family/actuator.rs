@@ -34,9 +34,9 @@ const NARROWED: f64 = 0.7;
 pub struct ActuatorDecision {
     /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
     pub name: &'static str,
-    /// Whether the model has this part.
+    /// Whether the model has the part.
     pub is_present: bool,
-    /// Probability that the valve has this part.
+    /// Probability that the valve has the part.
     pub probability: f64,
 }
 
@@ -195,7 +195,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
-/// Returns whether the setting rises in any record, and whether it falls in any record.
+/// Returns whether the setting rises in some record, and whether it falls in some record.
 fn ways_of(records: &[&Record]) -> [bool; 2] {
     let values = |record: &&Record| record.setting_signal.as_ref().map(|signal| signal.values.clone());
     let all: Vec<Vec<f64>> = records.iter().filter_map(values).collect();

@@ -57,7 +57,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
-/// Position of a setting on a grid, with the indices of its left and right neighbors.
+/// Position of a setting on a grid, with the indices of the neighboring settings of the grid below and above it.
 struct Place {
     setting: f64,
     left: usize,

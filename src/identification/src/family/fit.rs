@@ -109,7 +109,7 @@ pub struct FamilyFit {
     pub has_doubtful_labels: bool,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests, in the same order.
+    /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
     /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,

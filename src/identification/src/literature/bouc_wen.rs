@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the Bouc-Wen model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BoucWen {
-    /// Level F_z of the hysteretic force, N.
+    /// Amplitude F_z of the hysteretic force, N.
     pub level_n: f64,
     /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the Dahl model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dahl {
-    /// Friction level F_c, N.
+    /// Friction force F_c at sliding, N.
     pub friction_n: f64,
     /// Travel δ over which friction builds up, m.
     pub stick_distance_m: f64,

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of Kwok's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Kwok {
-    /// Level α of the hyperbolic tangent, N.
+    /// Amplitude α of the hyperbolic tangent, N.
     pub level_n: f64,
     /// Steepness β of the hyperbolic tangent, s/m.
     pub steepness_s_m: f64,

@@ -81,7 +81,7 @@ pub const MODELS: [(&str, &str); 9] = [
 /// Reason why the identification of a model of the literature failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LiteratureError {
-    /// No model has this name.
+    /// No model has the given name.
     #[error("there is no model called {name:?} to compare with; there are {}", MODELS.map(|m| m.0).join(", "))]
     Unknown {
         /// The given name.
@@ -102,7 +102,7 @@ pub enum LiteratureError {
 }
 
 impl Literature {
-    /// Identifies the model of this name from tests.
+    /// Identifies the model with the name `name` from tests.
     ///
     /// # Errors
     /// The name is unknown, there are no tests, or no start gives finite forces.

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of Spencer's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spencer {
-    /// Level F_z of the hysteretic force (α z at sliding), N.
+    /// Amplitude F_z of the hysteretic force, N: the force α z of the paper at sliding.
     pub level_n: f64,
     /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,

@@ -49,8 +49,8 @@ impl ResponseTimes {
     }
 }
 
-/// Shortest duration of the levels before and after a step, s, at which the step is used. Shorter levels do not show the end of the
-/// response.
+/// Shortest duration of the constant settings before and after a step, s, at which the step is used. A shorter duration does not show the
+/// end of the response.
 pub const SHORTEST_LEVEL: f64 = 0.03;
 /// Largest half-width of a 95 % interval of a measured response, as a fraction of the change. With more noise, a response at 63 % of the
 /// change cannot be distinguished from its end, so no times are computed.
@@ -182,11 +182,12 @@ pub struct StepResponse {
     pub to: f64,
     /// Number of steps.
     pub steps: usize,
-    /// Names of the tests that contain these steps.
+    /// Names of the tests that contain the steps.
     pub tests: Vec<String>,
     /// Sampling interval, s. The instant of a step is known to half of it if the command has no missing values.
     pub sample_s: f64,
-    /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
+    /// Completed fraction of the change of the model's force when the next step begins. It is below 1 if the setting is constant for too
+    /// short a time, compared with the lag.
     pub end_fraction: f64,
     /// Response times of each test and stroke direction with at least three steps. A limit applies to the slowest of these groups and of
     /// all steps together.
