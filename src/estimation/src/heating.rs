@@ -46,7 +46,8 @@ impl Heating {
         Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
 
-    /// Computes the temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
+    /// Computes the temperature rise times heat capacity, J, at the test with the index `place`, for a cooling rate
+    /// `cooling`, 1/s.
     pub fn rise(&self, place: usize, cooling: f64) -> f64 {
         let (t, record) = self.looks[place];
         self.at(t, record, cooling)

@@ -85,7 +85,7 @@ impl Hypothesis {
         self.numbers.iter().position(|n| n.free == *free)
     }
 
-    /// Returns the start as a vector.
+    /// Returns the start values of the free parameters.
     pub fn start(&self) -> Vec<f64> {
         self.numbers.iter().map(|n| n.start).collect()
     }

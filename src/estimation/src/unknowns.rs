@@ -48,9 +48,9 @@ const HIGHEST_PEAK: f64 = 1.0;
 /// The curves whose points can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CurveName {
-    /// `fv_velocity`, `fv_force`.
+    /// FV curve, with the lists `fv_velocity` and `fv_force`.
     Fv,
-    /// `spring_displacement`, `spring_force`.
+    /// Curve of the lookup spring, with the lists `spring_displacement` and `spring_force`.
     Spring,
 }
 

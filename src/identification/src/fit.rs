@@ -80,12 +80,12 @@ pub enum FitError {
     NoTests,
     /// An element name is unknown.
     UnknownElement {
-        /// The given name.
+        /// Name of the element.
         name: String,
     },
     /// The element exists, but no fit identifies it.
     NotFitted {
-        /// The given name.
+        /// Name of the element.
         name: String,
     },
     /// The element is the lagged polynomial, which is a separate model and allows no other element.

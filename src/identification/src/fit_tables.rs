@@ -46,7 +46,7 @@ pub struct Identification {
     /// Kinds of tests from which each parameter was identified.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: BTreeMap<String, String>,
-    /// Plain FV curve fitted to the same tests.
+    /// Plain FV curve fitted to the tests that the fit used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fv_only: Option<FvOnly>,
     /// Plain FV curves fitted to the tests of each setting.

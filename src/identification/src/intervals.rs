@@ -41,7 +41,7 @@ pub struct Estimate {
     pub low: Option<f64>,
     /// Upper end of the 95 % interval, or `None` if the data does not determine the number.
     pub high: Option<f64>,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: &'static str,
     /// Kinds of tests from which the number was identified, as a sentence.
     pub from: Sentence,

@@ -66,7 +66,7 @@ pub enum ModelFileError {
         /// Description of the error.
         text: String,
     },
-    /// A table is invalid.
+    /// A table of the results of the fit is invalid.
     #[error("{file}: {why}")]
     Tables {
         /// Path of the file.
@@ -98,7 +98,7 @@ pub enum ModelFileError {
 pub struct NoModel {
     /// Invalid parameter.
     pub parameter: &'static str,
-    /// Reason.
+    /// Reason why the parameter is invalid.
     pub text: &'static str,
 }
 

@@ -86,7 +86,7 @@ pub enum OfPeaksError {
     NoModel {
         /// Name of the table.
         file: String,
-        /// Reason.
+        /// Invalid parameter, and the reason.
         source: NoModel,
     },
 }

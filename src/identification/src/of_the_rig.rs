@@ -48,7 +48,7 @@ pub struct Measured {
     pub low: f64,
     /// Upper end of the 95 % interval.
     pub high: f64,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: &'static str,
     /// Command-line option that states this error to the reader of records, or `None` if there is no such option.
     #[serde(skip_serializing_if = "Option::is_none")]

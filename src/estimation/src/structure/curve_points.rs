@@ -1,6 +1,6 @@
 //! Refinement of an FV curve whose dozen points for each stroke do not resolve the valves.
 //!
-//! The error of a coarse curve must not count as a missing effect.
+//! Without the refinement, a search would explain the error of a coarse curve by an effect that the damper lacks.
 
 use super::screening::Projection;
 use crate::hypothesis::{Free, Hypothesis, number};

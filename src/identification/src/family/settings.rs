@@ -61,7 +61,7 @@ pub enum FamilyError {
     Kernel {
         /// The invalid parameter.
         parameter: &'static str,
-        /// Reason.
+        /// Reason why the parameter is invalid.
         why: &'static str,
     },
     /// The fit of all settings together gives no finite forces.

@@ -84,7 +84,7 @@ pub enum LiteratureError {
     /// No model has the given name.
     #[error("there is no model called {name:?} to compare with; there are {}", MODELS.map(|m| m.0).join(", "))]
     Unknown {
-        /// The given name.
+        /// Unknown name.
         name: String,
     },
     /// No test has scored samples.
