@@ -446,7 +446,8 @@ impl Run {
                     row[*column] = by_point[k];
                 }
             }
-            // A force increment between two points raises the force at the outer one and at all points farther from zero.
+            // A force increment between two points raises the force at the outer one and at all points farther from
+            // zero.
             for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
                 let points = &mut by_point[*first..first + count];
                 for k in (zero + 1..count - 1).rev() {

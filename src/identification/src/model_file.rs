@@ -66,7 +66,7 @@ pub enum ModelFileError {
         /// Description of the error.
         text: String,
     },
-    /// A table of the results of the fit is invalid.
+    /// A table after the lines that the kernel reads is invalid.
     #[error("{file}: {why}")]
     Tables {
         /// Path of the file.
