@@ -17,7 +17,7 @@ const NOISE: f64 = 2.0;
 struct Mean {
     sum: f64,
     weight: f64,
-    /// Sum of the variances of the tests' sums.
+    /// Sum over the tests of the variance of each test's weighted sum of residuals.
     variance: f64,
 }
 

@@ -6,9 +6,9 @@ use dashpot_core::list;
 /// Part of the FV curve, given by a side and a range of speeds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CurvePart {
-    /// The side to which the part is restricted.
+    /// Side, rebound or compression, to which the part is restricted.
     pub side: Side,
-    /// The range of speeds to which the part is restricted.
+    /// Range of speeds to which the part is restricted.
     pub speeds: Speeds,
 }
 
@@ -50,7 +50,7 @@ pub enum Speeds {
 const KNEE: f64 = 0.1;
 
 impl CurvePart {
-    /// All parts.
+    /// Parts that a change may scale: both sides together, each side, and the low or the high speeds of each side.
     pub const ALL: [CurvePart; 7] = {
         const fn part(side: Side, speeds: Speeds) -> CurvePart {
             CurvePart { side, speeds }

@@ -13,10 +13,10 @@ pub struct CurveWeights {
     slope_by: Vec<[[f64; REACH]; 2]>,
 }
 
-/// Largest number of points that affect a slope: its own point and two points on each side.
+/// Largest number of points that affect the slope of the curve at a point: the point and two points on each side.
 const REACH: usize = 5;
-/// Largest number of points that affect a value. The slope at zero depends on two neighbors, both on the side of the
-/// evaluated piece.
+/// Largest number of points that affect the value of the curve at one abscissa. The slope at zero depends on two
+/// neighbors, both on the side of the evaluated piece.
 const POINTS: usize = 4;
 /// Index of the point itself among the [`REACH`] points that affect its slope.
 const OWN: usize = 2;
@@ -90,8 +90,8 @@ impl CurveWeights {
         self.u.len()
     }
 
-    /// Computes ∂f(at)/∂(force of point j) for four adjacent points: returns the index of the first point and the four
-    /// derivatives.
+    /// Computes the derivatives of the curve's value at `at` with respect to the forces of four adjacent points.
+    /// Returns the index of the first of these points, and the four derivatives.
     pub fn evaluate(&self, at: f64) -> (usize, [f64; POINTS]) {
         let n = self.u.len();
         let right = self.u.partition_point(|u| *u <= at);
@@ -116,7 +116,7 @@ impl CurveWeights {
         (first, weights)
     }
 
-    /// Adds the contribution of the slope before (0) or after (1) a point.
+    /// Adds the contribution of the slope before (0) or after (1) a point to the derivatives of the curve's value.
     fn add_slope(&self, point: usize, side: usize, factor: f64, first: usize, weights: &mut [f64; POINTS]) {
         for (k, by) in self.slope_by[point][side].iter().enumerate() {
             if *by != 0.0 {

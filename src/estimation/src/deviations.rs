@@ -15,15 +15,18 @@ use std::collections::BTreeMap;
 /// of determination of each parameter.
 ///
 /// The noise of every test comes from its own residual and accounts for the correlation of its samples. Errors of the
-/// model's form thus widen the intervals. The degree of determination of a parameter excludes the other parameters and
-/// the prior: 1 means fully determined, 0 means undetermined. If the force jumps with a change of a parameter, the
-/// linearization is valid only up to the next sample. The deviation then follows from the nonlinear force. Returns
-/// `None` if the Hessian is singular.
+/// model's form thus widen the intervals.
+/// The degree of determination states how far the records alone determine a parameter: 1 means fully, 0 means not at
+/// all. Correlation with other parameters reduces it, and the prior does not contribute to it.
+/// If the force jumps with a change of a parameter, the linearization is valid only up to the next sample. The standard
+/// deviation of such a parameter is therefore widened according to the nonlinear force. Returns `None` if the Hessian
+/// is singular.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
 
-/// Computes the [`sandwich`] covariance of parameters. `residual_at` computes their residuals.
+/// Computes the [`sandwich`] covariance for parameters whose residuals `residual_at` computes. Returns `None` if the
+/// Hessian is singular.
 pub(crate) fn sandwich_of(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -51,20 +54,21 @@ pub(crate) fn sandwich_of(
     Some((covariance, determined))
 }
 
-/// Number of standard deviations at which the linearization is compared with the nonlinear force. These are the ends of
-/// an interval.
+/// Number of standard deviations at which the linearization is compared with the nonlinear force. At this number are
+/// the ends of a 95 % interval.
 const END: f64 = 2.0;
-/// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is nonlinear
-/// within the interval reaches half of the linearized change. A force that jumps between two samples hardly changes.
+/// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is only
+/// nonlinear reaches at least half of the linearized change within the interval, so a quarter of its square. A force
+/// that jumps between two samples hardly changes.
 const FLAT: f64 = 0.25;
-/// Largest factor on a deviation. The search ends there.
+/// Largest factor by which a standard deviation is widened. The search for the factor ends there.
 const FARTHEST: f64 = 1024.0;
 
 /// Computes the factor on the deviation of each parameter at which the squared change of the force reaches [`FLAT`]
 /// times the linearized change.
 ///
-/// The other parameters change with the parameter, according to their correlation. The side with the smaller change of
-/// the force determines the factor, which is at least 1.
+/// The other parameters change with the parameter, according to their correlation. Of an increase and a decrease of the
+/// parameter, the one with the smaller change of the force determines the factor. The factor is at least 1.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -74,7 +78,7 @@ fn stretches(
 ) -> Vec<f64> {
     let Some(here) = residual_at(&refit.theta) else { return vec![1.0; refit.theta.len()] };
     let of_number = |k: usize| {
-        // The force is proportional to the points of a curve.
+        // The force is linear in the forces at the points of a curve, so the linearization needs no check.
         let is_of_curve = matches!(
             hypothesis.numbers[k].free,
             Free::Curve(_) | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..))
@@ -84,7 +88,7 @@ fn stretches(
             return 1.0;
         }
         let direction = covariance.column(k) * (END / deviation);
-        // A prior has the effect of a measurement of the parameter.
+        // A prior acts as a measurement of the parameter, so its term is added to the squared change.
         let by_prior: f64 = direction.iter().zip(precisions).map(|(by, precision)| precision * by * by).sum();
         let by_tangent = (&refit.jacobian * &direction).norm_squared() + by_prior;
         let change = |factor: f64| -> Option<f64> {
@@ -108,8 +112,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Finds the factor, at least 1, at which a squared change reaches `least`, by doubling and logarithmic interpolation.
-/// If the parameter reaches a bound, returns the first factor beyond the bound.
+/// Finds the factor, between 1 and [`FARTHEST`], at which a squared change reaches `least`, by doubling and logarithmic
+/// interpolation. If the parameter reaches a bound, returns the first factor beyond the bound.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -223,7 +227,7 @@ fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
 ///
 /// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the
 /// considered parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods
-/// for Discrete Sequential Estimation, 1977, VIII).
+/// for Discrete Sequential Estimation, 1977, VIII). Returns `None` if the Hessian is not positive definite.
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],
@@ -273,7 +277,8 @@ mod tests {
 
     #[test]
     fn errors_that_groups_share_widen_a_mean_and_independent_ones_do_not() {
-        // The mean of 40 samples in 8 groups: equal errors in a group, then alternating ones.
+        // The estimate is the mean of 40 samples in 8 groups. The errors first are equal within each group, then
+        // alternate from sample to sample.
         let rows = DMatrix::from_element(40, 1, 1.0);
         let groups = vec![(0..40).map(|k| k / 5).collect::<Vec<usize>>()];
         let deviation = |residual: Vec<f64>| {
@@ -297,7 +302,8 @@ mod tests {
         for slope in [1e-3, 0.02, 0.1] {
             assert!((stretch(FLAT, &|factor| Some(slope * factor)) * slope / FLAT - 1.0).abs() < 1e-9, "{slope}");
         }
-        // One parameter has no effect, and another is at its bound.
+        // A parameter without an effect gets the largest factor. A parameter that reaches its bound between factors 2
+        // and 4 gets 4.
         assert_eq!(stretch(FLAT, &|_| Some(0.0)), FARTHEST);
         assert_eq!(stretch(FLAT, &|factor| (factor < 3.0).then_some(0.0)), 4.0);
     }

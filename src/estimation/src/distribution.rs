@@ -63,7 +63,7 @@ impl Distribution {
         }
     }
 
-    /// Computes the ends of the interval that extends this number of standard deviations to each side of the center.
+    /// Computes the ends of the interval that extends `deviations` standard deviations to each side of the center.
     pub fn interval(self, deviations: f64) -> (f64, f64) {
         match self {
             Distribution::Size(median, factor) | Distribution::Strength(median, factor) => {

@@ -20,7 +20,8 @@ const SMALLEST: f64 = 0.010;
 /// Smallest initial friction of a fit, N, for a passenger-car damper. If a fit began at zero friction, it could not
 /// find friction.
 const LEAST_FRICTION: f64 = 1.0;
-/// Smallest number of samples between an FV point and the previous point.
+/// Smallest number of samples between an FV point and the previous point. A point with fewer samples is omitted, unless
+/// it is the first or the last point of its side.
 const ENOUGH: usize = 12;
 
 /// Friction and gas force from the forces of steady sliding in both directions.
@@ -38,7 +39,7 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
 }
 
 /// Computes friction and gas force from the median forces of both strokes. Uses velocities between two fractions of the
-/// peak velocity.
+/// peak velocity. Returns `None` if a stroke has no such sample.
 fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
     let side = |sign: f64| {
         let forces = segments
@@ -56,7 +57,8 @@ fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, hi
     Some(Dry { friction: 0.5 * (up - down), gas: -0.5 * (up + down) })
 }
 
-/// Computes friction and gas force from tests that are all slow.
+/// Computes friction and gas force from tests that are all slow, at velocities above half of their peak velocity.
+/// Returns `None` if a stroke has no such sample.
 pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
@@ -83,7 +85,8 @@ pub fn size(segments: &[Segment]) -> Scale {
     Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
 }
 
-/// Computes friction and gas force from the slowest tests. If no test is slow, uses samples near their reversals.
+/// Computes friction and gas force from the slowest tests. If no test is slow, uses samples near the reversals of the
+/// slowest tests. Without such samples, returns the smallest initial friction and no gas force.
 pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
     let limit = SLOW.max(1.5 * slowest);
@@ -146,7 +149,8 @@ pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
 
 /// Computes forces of the FV table from only those samples at which the damper slows down.
 ///
-/// Voids and free play begin at a reversal and end before the damper slows down for the next reversal.
+/// These forces contain no effect of voids and free play. Such effects begin at a reversal and end before the damper
+/// slows down for the next reversal.
 pub fn slowing_forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |s, k| {
         s.input.get(k + 1).is_some_and(|next| next.velocity.abs() < s.input[k].velocity.abs())
@@ -197,7 +201,7 @@ fn forces_where(
     f
 }
 
-/// Makes a parameter set with the first guess for all elements of the thesis's model; only the FV curve is enabled.
+/// Makes a parameter set with the first guess for all elements; only the FV curve is enabled.
 pub fn guess(segments: &[Segment]) -> Params {
     let dry = dry(segments);
     let v = velocities(segments);

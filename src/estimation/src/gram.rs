@@ -75,7 +75,8 @@ fn products(left: [&[Pair]; TILE], right: [&[Pair]; TILE]) -> [[f64; TILE]; TILE
 mod tests {
     use super::*;
 
-    /// Compares with term-by-term sums, for numbers of rows and columns that are not multiples of pair, tile or block.
+    /// Compares [`gram`] with term-by-term sums, for numbers of rows and columns that are not multiples of pair, tile
+    /// or block.
     #[test]
     fn every_product_is_that_of_its_columns() {
         for (rows, n) in [(0, 2), (1, 1), (2, 3), (7, 4), (513, 5), (1200, 11), (4097, 8)] {

@@ -1,7 +1,9 @@
 //! Temperature of the damper in each test, from the measured power.
 //!
-//! Force times velocity is measured, so the heat requires no model of the damper. C Ṫ = F v − h (T − T_a) applies over
-//! the campaign's clock, from test to test, including pauses.
+//! Force times velocity is measured, so the heat requires no model of the damper. The heat balance is C Ṫ = F v − h (T
+//! − T_a). C is the heat capacity, J/K, and h is the heat transfer, W/K. T is the temperature of the damper, and T_a
+//! that of its surroundings, K. F is the force, N, and v the velocity, m/s. The balance applies over the campaign's
+//! clock, from test to test, including pauses.
 
 use super::campaign_clock::clock_runs_on;
 use super::samples::Test;
@@ -12,7 +14,8 @@ use dashpot_records::Record;
 pub struct Heating {
     /// Beginning and end, s, and mean power, W, of every record.
     inputs: Vec<(f64, f64, f64)>,
-    /// Time at which the temperature of each test is evaluated, s, and the index of the test's record.
+    /// Time at which the temperature of each test is evaluated, s of the campaign's clock, and the index of the test's
+    /// record.
     looks: Vec<(f64, usize)>,
     /// Whether the records have one common clock, so that heat from earlier records is included.
     pub continues: bool,
@@ -43,7 +46,8 @@ impl Heating {
         Heating { looks: tests.iter().map(|t| (t.segment.clock, t.record)).collect(), ..self.clone() }
     }
 
-    /// Computes the temperature rise times heat capacity, J, at test `place` for a cooling rate in 1/s.
+    /// Computes the temperature rise times heat capacity, J, at the test with the index `place`, for a cooling rate
+    /// `cooling`, 1/s.
     pub fn rise(&self, place: usize, cooling: f64) -> f64 {
         let (t, record) = self.looks[place];
         self.at(t, record, cooling)
@@ -54,7 +58,8 @@ impl Heating {
         self.at(self.inputs[record].0, record, cooling)
     }
 
-    /// Computes the temperature rise times heat capacity, J, at time `t` of the campaign's clock, during a record.
+    /// Computes the temperature rise times heat capacity, J, at time `t` of the campaign's clock, s, within record
+    /// `record`.
     fn at(&self, t: f64, record: usize, cooling: f64) -> f64 {
         let of = |(begin, end, power): &(f64, f64, f64)| {
             let end = end.min(t);

@@ -18,7 +18,8 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// Number of steps per sample for a filtered force channel, because friction reverses within one sample.
+/// Number of simulation steps per sample if the force channel is filtered. One step per sample is too coarse, because
+/// friction can reverse within a sample.
 const PARTS: usize = 3;
 
 /// Kind of a free parameter of a hypothesis.
@@ -26,7 +27,7 @@ const PARTS: usize = 3;
 pub enum Free {
     /// A parameter of the model.
     Model(Unknown),
-    /// Difference of a parameter of the model from its value in the base, in the scale of the unknown.
+    /// Difference of a parameter of the model from its value in the base, in the search coordinate of the unknown.
     Shift(Unknown),
     /// Relative change of a part of the FV curve of the base.
     Curve(CurvePart),
@@ -41,13 +42,13 @@ pub enum Free {
 /// A free parameter with its prior.
 #[derive(Debug, Clone)]
 pub struct Number {
-    /// The parameter.
+    /// Quantity of the model or of the rig that is free.
     pub free: Free,
     /// Start value.
     pub start: f64,
     /// Typical size of a change of the parameter in a search.
     pub step: f64,
-    /// Bounds.
+    /// Lowest and highest value.
     pub bounds: (f64, f64),
     /// Mean and standard deviation of the prior, if there is one.
     pub prior: Option<(f64, f64)>,
@@ -56,7 +57,7 @@ pub struct Number {
 /// A model with free parameters, and the measurement errors of the rig.
 #[derive(Debug, Clone)]
 pub struct Hypothesis {
-    /// Fixed parameters of the model.
+    /// Parameter set of the model, in which the values of the free parameters replace those of the set.
     pub base: Params,
     /// Free parameters.
     pub numbers: Vec<Number>,
@@ -70,8 +71,8 @@ pub struct Hypothesis {
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
-    /// Computes the ends of the 95 % interval of a parameter with this standard deviation, within the bounds of the
-    /// parameter. For example, a loss factor is never negative.
+    /// Computes the ends of the 95 % interval of a parameter with the standard deviation `deviation`, within the bounds
+    /// of the parameter. For example, a loss factor is never negative.
     pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
         /// Half-width in standard deviations.
         const Z: f64 = 1.96;
@@ -84,7 +85,7 @@ impl Hypothesis {
         self.numbers.iter().position(|n| n.free == *free)
     }
 
-    /// Returns the start as a vector.
+    /// Returns the start values of the free parameters.
     pub fn start(&self) -> Vec<f64> {
         self.numbers.iter().map(|n| n.start).collect()
     }
@@ -131,7 +132,7 @@ impl Hypothesis {
         (Unknowns { base: self.base, list }, values, places)
     }
 
-    /// Returns the parameter set of a vector, without the measurement errors.
+    /// Returns the parameter set for the values `theta` of the free parameters, without the measurement errors.
     pub fn params(&self, theta: &[f64]) -> Params {
         let (unknowns, values, _) = self.unknowns(theta);
         let mut params = unknowns.params(&values);
@@ -167,11 +168,10 @@ impl Hypothesis {
         }
     }
 
-    /// Returns the test's segment with the inputs that caused the measured forces. They precede the force samples by the delay
-    /// of the force channel.
+    /// Returns the test's segment with the inputs that caused the measured forces.
     ///
-    /// Its temperatures include self-heating if `place` is the index of the test. The inputs are earlier by the delay
-    /// of the force channel. The steps are finer if the channel is filtered.
+    /// The inputs precede the force samples by the delay of the force channel. The temperatures include self-heating if
+    /// `place` is the index of the test. The steps are finer if the channel is filtered.
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
         let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
@@ -197,14 +197,15 @@ impl Hypothesis {
         }
     }
 
-    /// Makes the model for the comparison with the records.
+    /// Makes the model for the comparison with the records. Returns `None` if the parameters are not a valid model.
     fn model(&self, theta: &[f64]) -> Option<Model> {
         let mut params = self.params(theta);
         self.take_heat_as_measured(&mut params);
         Model::new(&params).ok()
     }
 
-    /// Makes the model with an integration of the given accuracy.
+    /// Makes the model with an integration of the given accuracy. Returns `None` if the parameters are not a valid
+    /// model.
     pub fn model_by(&self, accuracy: Accuracy, theta: &[f64]) -> Option<Model> {
         let model = self.model(theta)?;
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
@@ -260,30 +261,34 @@ impl Hypothesis {
         all.split_off(test.segment.from)
     }
 
-    /// Computes the forces of a prepared model in an arbitrary test, with the measurement errors.
+    /// Computes the forces of a prepared model in an arbitrary test, with the measurement errors but without
+    /// self-heating.
     pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
         self.forces_of(model, test, None, theta)
     }
 
     /// Computes forces at the scored samples of all tests with the model's own integration. Returns `None` if the
-    /// parameters are not a valid model.
+    /// parameters are not a valid model, or if a force is not finite.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
 
-    /// Computes the forces of a prepared model at the scored samples of all tests.
+    /// Computes the forces of a prepared model at the scored samples of all tests. Returns `None` if a force is not
+    /// finite.
     pub fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
             tests.par_iter().enumerate().map(|(k, test)| self.forces_of(model, test, Some(k), theta)).collect();
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
-    /// Computes the weighted residuals of all tests, with few substeps, which suffice for a search.
+    /// Computes the weighted residuals of all tests, with few substeps, which suffice for a search. Returns `None` if
+    /// the parameters are not a valid model, or if a force is not finite.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         self.residual_by(Accuracy::Single, tests, theta)
     }
 
-    /// Computes the weighted residuals with an integration of the given accuracy.
+    /// Computes the weighted residuals with an integration of the given accuracy. Returns `None` if the parameters are
+    /// not a valid model, or if a force is not finite.
     pub fn residual_by(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         let all = self.forces_by(&self.model_by(accuracy, theta)?, tests, theta)?;
         let list: Vec<f64> = tests
@@ -296,8 +301,10 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample. A
-    /// prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
+    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample.
+    /// Returns `None` if the parameters are not a valid model, or if a force is not finite.
+    ///
+    /// A prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
     /// measurement error or the cooling rate, requires a finite difference. A low-accuracy integration suffices if
     /// errors of a few tenths of a percent are acceptable.
     pub fn jacobian(&self, accuracy: Accuracy, tests: &[Test], theta: &[f64]) -> Option<DMatrix<f64>> {
@@ -348,7 +355,7 @@ impl Hypothesis {
     }
 
     /// Computes the derivative of the weighted forces with respect to one parameter. The derivative is a finite
-    /// difference of `residual`, relative to its value `at` the current parameters.
+    /// difference of `residual`, relative to its value `at` the current parameters. Returns `None` if `residual` does.
     pub fn column(
         &self,
         theta: &[f64],

@@ -35,8 +35,8 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
 }
 
 /// Returns the distances of fixed parameters from the damper's own priors, in standard deviations. An example is the
-/// oil column of a twin tube, which differs between the directions. A zero parameter disables a form and has no
-/// distance.
+/// oil column of a twin tube, which differs between the directions. A parameter of value zero disables its effect, so
+/// it has no distance.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
         let own = |n: &FreeNumber| matches!(n.free, Free::Model(Unknown::Log(n) | Unknown::Linear(n)) if n == number);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Prior of one parameter of one damper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DamperPrior {
-    /// Parameter.
+    /// Parameter to which the prior applies.
     pub number: Number,
     /// Prior distribution of the parameter, in the unit of the parameter.
     pub expected: Distribution,

@@ -14,7 +14,7 @@ use dashpot_core::parameter::Number;
 /// Prior of one parameter over all dampers, with its source.
 #[derive(Debug, Clone, Copy)]
 pub struct Prior {
-    /// Parameter.
+    /// Parameter to which the prior applies.
     pub number: Number,
     /// Prior distribution of the parameter, in the unit of the parameter.
     pub distribution: Distribution,
@@ -130,7 +130,8 @@ pub const PRIORS: &[Prior] = &[
     row(number!("lag_fast"), Size(1e-3, 3.0), THESIS),
 ];
 
-/// Returns the prior distribution of a parameter of a damper of this size.
+/// Returns the prior distribution of a parameter of a damper of size `scale`. Returns `None` if the parameter has no
+/// prior.
 pub fn distribution(number: Number, scale: Scale) -> Option<Distribution> {
     PRIORS.iter().find(|p| p.number == number).map(|p| scale.scale_distribution(number, p.distribution))
 }
@@ -142,7 +143,7 @@ pub fn is_force_of_effect(number: Number) -> bool {
     is_strength && number.parameter().unit == "N"
 }
 
-/// Degrees of freedom of Student's t-distribution.
+/// Degrees of freedom of the Student's t-distribution that gives the cost of a rare parameter value.
 ///
 /// With four degrees of freedom, five standard deviations reduce the log odds by five. With a normal distribution, the
 /// reduction is twelve.
@@ -154,12 +155,13 @@ pub fn log_cost(score: f64) -> f64 {
     0.5 * (FREEDOM + 1.0) * libm::log1p(score * score / FREEDOM)
 }
 
-/// Returns mean and standard deviation of a free parameter of the model in its search coordinate.
+/// Returns mean and standard deviation of the prior of a free parameter in its search coordinate. Returns `None` if the
+/// parameter has no prior.
 pub fn in_search(unknown: &Unknown, scale: Scale) -> Option<(f64, f64)> {
     match unknown {
         Unknown::Log(number) => distribution(*number, scale).map(|usual| usual.in_search(true)),
         Unknown::Linear(number) => distribution(*number, scale).map(|usual| usual.in_search(false)),
-        // The parameter is a fraction above the Coulomb level. For seals, it is 0.1 to 0.6.
+        // The parameter is the excess over the Coulomb force, as a fraction of this force. For seals, it is 0.1 to 0.6.
         Unknown::Above(..) => Some((0.2, 0.5)),
         Unknown::Rise { .. } | Unknown::Entry(..) => None,
     }

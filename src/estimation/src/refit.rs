@@ -56,7 +56,8 @@ pub struct Refit {
     pub residual: Residual,
     /// Weighted derivatives of the computed forces; approximate after an update.
     pub jacobian: DMatrix<f64>,
-    /// Twice the sum of the losses (χ² if there are no outliers), corrected for the correlation of samples.
+    /// Twice the sum of the losses (χ² if there are no outliers). The allowed errors account for the correlation of
+    /// samples.
     pub chi2: f64,
     /// χ² plus the cost of the distances from the priors.
     pub cost: f64,
@@ -79,7 +80,7 @@ pub fn chi2(residual: &Residual) -> f64 {
     residual.iter().map(|r| 2.0 * LOSS.evaluate(*r).0).sum()
 }
 
-/// Computes the cost of the distances from the priors.
+/// Computes the cost of the distances from the priors: the sum of their squares, in standard deviations.
 pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     hypothesis
         .numbers
@@ -117,7 +118,7 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Damping of the first step: the start is near the result of the previous refit.
+/// Damping of the first step. It is small, because the start is near the result of the previous refit.
 const DAMPING: f64 = 1e-3;
 
 /// Makes the options of the least-squares solver for some free parameters.
@@ -147,7 +148,7 @@ pub fn refit(
     })
 }
 
-/// Refits with residuals from a given function.
+/// Refits with residuals from a given function. Returns `None` if the function gives no finite residuals.
 pub fn refit_by(
     hypothesis: &Hypothesis,
     tests: &[Test],

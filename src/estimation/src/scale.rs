@@ -27,7 +27,7 @@ const PASSAGE: f64 = 3.0;
 pub struct Scale(f64);
 
 /// Returns the largest force of a model, N: the sum of curve, friction and gas, because records of few tests do not
-/// separate these.
+/// separate these three forces.
 pub fn largest_force(params: &Params) -> f64 {
     let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let parallel = [
@@ -44,7 +44,7 @@ impl Scale {
     /// Scale of passenger cars.
     pub const CAR: Scale = Scale(1.0);
 
-    /// Returns the scale of a damper with this largest force, N.
+    /// Returns the scale of a damper whose largest force is `largest`, N.
     pub fn of_force(largest: f64) -> Scale {
         let (low, high) = OF_CARS;
         // The size is unknown for a model without a force.
@@ -78,7 +78,7 @@ impl Scale {
         }
         if number == number!("fsd_flow") || number == number!("bypass_flow") {
             // The parameter is the flow through an orifice at 1 kN. At a hundredth of the force, an equal orifice has a
-            // tenth of the flow.
+            // tenth of the flow. For equal flow, the orifice needs ten times the flow at 1 kN.
             libm::pow(self.0, -0.5)
         } else {
             self.of_unit(number.parameter().unit)

@@ -54,7 +54,8 @@ struct Tangent<'a> {
     x: Vec<f64>,
     v: Vec<f64>,
     stages: Vec<(Vec<f64>, Vec<f64>)>,
-    /// γh of each stage of the substep, s.
+    /// γh of each stage of the substep, s: the diagonal coefficient of the implicit method times the length of the
+    /// substep.
     lengths: [f64; 5],
 }
 
@@ -235,7 +236,7 @@ pub struct Run {
     spring: CurveWeights,
     beside: Vec<Beside>,
     rises: Vec<(usize, CurveName, usize)>,
-    /// Elements with unknowns that do not influence the mass.
+    /// Elements parallel to the mass with unknowns that do not influence the motion of the mass.
     alone: Vec<Alone>,
     /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
@@ -445,7 +446,8 @@ impl Run {
                     row[*column] = by_point[k];
                 }
             }
-            // A rise increases the force at its own point and at all points further out.
+            // A force increment between two points raises the force at the outer one and at all points farther from
+            // zero.
             for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
                 let points = &mut by_point[*first..first + count];
                 for k in (zero + 1..count - 1).rev() {
@@ -672,7 +674,7 @@ mod tests {
                 ("bushing_slow_stiffness", 0.4),
                 // With the default value, creep is off, and its derivative is zero.
                 ("presliding_creep", 1e-3),
-                // For the value 1, the step uses a simpler branch than for other values.
+                // For the value 1, the step uses a simpler formula than for other values.
                 ("oil_compression", 0.97),
             ] {
                 base.set(Number::find(name).unwrap(), value).unwrap();

@@ -18,9 +18,10 @@ pub struct Situation {
     pub base: Params,
     /// Strength of the damper relative to that of a passenger car's damper; 1 within the range of cars.
     pub scale: Scale,
-    /// Coulomb level of the model's friction elements, N.
+    /// Sum of the Coulomb forces of Coulomb and Stribeck friction in the model, N.
     pub friction: f64,
-    /// Friction, N, that an FV curve may contain as a step at zero velocity. Zero if the model has a friction element.
+    /// Friction, N, that an FV curve may contain as a step at zero velocity. Zero if [`Situation::friction`] is
+    /// positive.
     pub friction_in_curve: f64,
     /// Hydraulic force at the highest speed in rebound, N, positive.
     pub top_rebound: f64,
@@ -42,9 +43,10 @@ pub struct Situation {
     pub temperature: f64,
     /// Span of the tests' clocks, s.
     pub clock_span: f64,
-    /// Times between tests at which a load cell may have been zeroed, s; empty if there is no campaign clock.
+    /// Middles of the pauses of more than 1 s between tests, s: times at which a load cell may have been zeroed. The
+    /// first and the last pause are excluded.
     pub pauses: Vec<u32>,
-    /// Delay of the force channel estimated from the raw data, s; 0 if none was significant.
+    /// Delay of the force channel estimated from the raw data of the first record, s; 0 if none was significant.
     pub apparent_delay: f64,
     /// Span of the absolute side forces, N.
     pub side_force_span: f64,

@@ -136,7 +136,7 @@ pub struct Prior {
 pub enum Loss {
     /// Half the square of the residual.
     Squares,
-    /// Half the square of the residual up to this size, linear beyond. Limits the influence of outliers.
+    /// Half the square of the residual up to the given size, linear beyond it. Limits the influence of outliers.
     Huber(f64),
 }
 
@@ -179,7 +179,8 @@ pub struct Options {
     pub damping: f64,
     /// Number of successive accepted steps with a gain below the tolerance after which a search ends.
     ///
-    /// If data do not determine a direction, the linear step predicts gains that do not occur.
+    /// This criterion is necessary because the linear step predicts gains that do not occur if data do not determine a
+    /// direction.
     pub quiet: usize,
 }
 
@@ -209,7 +210,7 @@ pub struct Rows {
 /// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The parameters.
+    /// Parameters at the lowest cost that the search found.
     pub x: Vec<f64>,
     /// Sum of the losses and of half the squares of the priors. Infinite if the start is not a valid model, or if the
     /// work was canceled before the first step.
@@ -368,8 +369,8 @@ const FADE: f64 = 0.5;
 const LEAST_DAMPING: f64 = 1e-16;
 /// Fraction of a step at which the curvature of the residuals is evaluated.
 const PROBE: f64 = 0.1;
-/// Largest ratio of the correction for curvature to the step. Beyond it, the residuals are not parabolic along the
-/// step.
+/// Largest ratio of the correction for curvature to the step. A larger correction is ignored, because the residuals are
+/// then not parabolic along the step.
 const MOST_BEND: f64 = 0.5;
 /// Relative rounding error of the cost, which is a sum.
 const ROUNDING: f64 = 1e-15;
@@ -563,7 +564,7 @@ impl<'a> System<'a> {
         (solved.map_or_else(|| DVector::zeros(self.lengths.len()), |step| self.spread(&step)), triangle)
     }
 
-    /// Computes the correction that cancels a gradient.
+    /// Computes the correction of a step that cancels a gradient. Returns `None` if the linear system is singular.
     fn against(&self, gradient: &DVector<f64>, triangle: &DMatrix<f64>) -> Option<DVector<f64>> {
         let scaled = DVector::from_fn(self.free.len(), |c, _| -gradient[self.free[c]] / self.lengths[self.free[c]]);
         let half = triangle.tr_solve_upper_triangular(&scaled)?;
@@ -611,7 +612,7 @@ fn ends_from(problem: &dyn Problem, starts: &[Vec<f64>], bounds: &Bounds, option
 mod tests {
     use super::*;
 
-    /// A function given as a closure.
+    /// Least-squares problem whose residuals are given as a closure.
     struct Of<F>(F);
 
     impl<F: Fn(&[f64]) -> Vec<f64> + Sync> Residuals for Of<F> {

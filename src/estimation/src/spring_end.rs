@@ -7,7 +7,7 @@ use dashpot_core::Params;
 use dashpot_core::{element, list};
 use dashpot_records::restrict;
 
-/// Fraction of the spring's range that counts as its middle.
+/// Fraction of the spring's displacement range that counts as its middle.
 const MIDDLE: f64 = 0.5;
 
 /// Computes the slope of the middle of a spring curve, N/m.

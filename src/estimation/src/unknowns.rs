@@ -22,14 +22,14 @@ pub enum Unknown {
     /// A parameter itself.
     Linear(Number),
     /// Excess of a parameter over another, as a fraction of the other, for example of a break-away peak over the
-    /// Coulomb level.
+    /// Coulomb force.
     Above(Number, Number),
     /// Absolute change of force of a curve from one point to the next, away from the anchor of the curve near the
     /// origin.
     Rise {
         /// The curve.
         curve: CurveName,
-        /// Index of the point at the end of this rise, in the list of the curve.
+        /// Index of the point at the outer end of the rise, in the list of the curve.
         point: usize,
     },
     /// One entry of a list parameter.
@@ -40,7 +40,7 @@ pub enum Unknown {
 const STRIBECK_WIDEST: f64 = 0.05;
 const WIDTHS: [Number; 2] = [number!("stribeck_velocity"), number!("stribeck_breakaway_velocity")];
 
-/// Highest break-away peak of a fit, as a fraction above the Coulomb level.
+/// Highest break-away peak of a fit: the excess over the Coulomb force, as a fraction of this force.
 ///
 /// Seals show 0.1 to 0.6. Without a bound, the peak would become part of the FV curve.
 const HIGHEST_PEAK: f64 = 1.0;
@@ -48,9 +48,9 @@ const HIGHEST_PEAK: f64 = 1.0;
 /// The curves whose points can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CurveName {
-    /// `fv_velocity`, `fv_force`.
+    /// FV curve, with the lists `fv_velocity` and `fv_force`.
     Fv,
-    /// `spring_displacement`, `spring_force`.
+    /// Curve of the lookup spring, with the lists `spring_displacement` and `spring_force`.
     Spring,
 }
 
@@ -77,13 +77,14 @@ pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
 
-/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between both points.
+/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between the two
+/// points.
 pub fn towards_zero(point: usize, zero: usize) -> usize {
     if point > zero { point - 1 } else { point + 1 }
 }
 
 impl Unknowns {
-    /// Returns a rise for every point of a curve except its anchor.
+    /// Returns an [`Unknown::Rise`] for every point of a curve except its anchor.
     pub fn rises(base: &Params, curve: CurveName) -> Vec<Unknown> {
         let u = base.list(curve.abscissae());
         let zero = anchor(u);
@@ -124,7 +125,7 @@ impl Unknowns {
                 Unknown::Above(..) => (0.0, HIGHEST_PEAK),
                 Unknown::Linear(number) => scale.reach(*number),
                 Unknown::Entry(list, _) => list.bounds(),
-                // A curve with the largest number of rises stays within the bounds of its forces.
+                // Even a curve with the largest number of points stays within the bounds of its forces.
                 Unknown::Rise { .. } => (0.0, 3e4 * scale.force()),
             })
             .unzip()

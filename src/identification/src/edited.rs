@@ -9,7 +9,8 @@ use dashpot_core::parameter::{self, Number, Row};
 /// Interval of a number for which the fit gives no information.
 const NONE: [f64; 2] = [f64::NAN; 2];
 
-/// Removes the intervals and sources of changed numbers, and returns their names in the format of `not_identified`.
+/// Removes the intervals and sources of changed numbers, and returns their names in the format of the entry `not_identified` of a model
+/// file.
 ///
 /// A curve keeps the intervals of its unchanged points. A change of a number without an interval cannot be detected.
 pub(crate) fn take_out(params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {

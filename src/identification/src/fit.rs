@@ -80,17 +80,17 @@ pub enum FitError {
     NoTests,
     /// An element name is unknown.
     UnknownElement {
-        /// The given name.
+        /// Name of the element.
         name: String,
     },
     /// The element exists, but no fit identifies it.
     NotFitted {
-        /// The given name.
+        /// Name of the element.
         name: String,
     },
     /// The element is the lagged polynomial, which is a separate model and allows no other element.
     OtherFamily,
-    /// The tests never move in this direction, rebound or compression.
+    /// The tests never move in the given direction, `rebound` or `compression`.
     OneSided(&'static str),
     /// The fit of a model of the literature failed.
     Literature(#[from] LiteratureError),
@@ -139,9 +139,10 @@ pub struct Fit {
     pub params: Params,
     /// Estimates of all fitted numbers.
     pub estimates: Vec<Estimate>,
-    /// Every effect of the model, and the most probable missing effects, with force and probability.
+    /// Every effect of the model, with its force and probability. Empty for a model of the literature.
     pub inventory: Vec<InventoryItem>,
-    /// Measurement errors of the records. The fit and later comparisons correct the records for them. The model never contains them.
+    /// Measurement errors of the records. The fit adds them to the computed forces, and later comparisons correct the records for them. The
+    /// model never contains them.
     pub measured: Vec<Measured>,
     /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
     pub clock_from: Option<f64>,
@@ -151,7 +152,7 @@ pub struct Fit {
     pub notes: Vec<Sentence>,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests, in the same order.
+    /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
     /// Plain FV curve fitted to the same tests, for comparison.
     pub fv_only: Params,
@@ -647,7 +648,7 @@ pub fn select_tests(records: &[&Record]) -> Option<(Vec<usize>, Sentence)> {
     Some((selected, note))
 }
 
-/// Returns a note that long tests without cycles are simulated in sections. Returns `None` without such tests.
+/// Returns a note that long tests without cycles are simulated in stretches. Returns `None` without such tests.
 pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     let Shortened { roads, stretches, seconds } = shortened(tests)?;
     let said = Sentence::from(phrases::ROADS).with("roads", roads).with("stretches", stretches);

@@ -13,7 +13,7 @@ pub struct Identification {
     /// Names of the tests that the fit used. [`Identification::used`] decides by these names if there are no fingerprints.
     #[serde(default)]
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests.
+    /// Fingerprints of the contents of the tests that the fit used.
     #[serde(default)]
     pub fingerprints: Vec<String>,
     /// Parameters that the data does not determine.
@@ -46,7 +46,7 @@ pub struct Identification {
     /// Kinds of tests from which each parameter was identified.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: BTreeMap<String, String>,
-    /// Plain FV curve fitted to the same tests.
+    /// Plain FV curve fitted to the tests that the fit used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fv_only: Option<FvOnly>,
     /// Plain FV curves fitted to the tests of each setting.
@@ -105,7 +105,7 @@ pub enum IntervalOverSetting {
 pub struct FvOnlyAt {
     /// Value of the setting.
     pub setting: f64,
-    /// Plain FV curve at this setting.
+    /// Plain FV curve at the setting.
     #[serde(flatten)]
     pub curve: FvOnly,
 }

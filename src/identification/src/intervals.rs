@@ -41,7 +41,7 @@ pub struct Estimate {
     pub low: Option<f64>,
     /// Upper end of the 95 % interval, or `None` if the data does not determine the number.
     pub high: Option<f64>,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: &'static str,
     /// Kinds of tests from which the number was identified, as a sentence.
     pub from: Sentence,
@@ -102,7 +102,7 @@ pub struct Known {
 }
 
 impl Known {
-    /// Selects the numbers at these indices, in their order.
+    /// Selects the numbers at `indices`, in the order of the indices.
     pub fn select(&self, indices: &[usize]) -> Known {
         Known {
             covariance: DMatrix::from_fn(indices.len(), indices.len(), |i, j| {
@@ -138,7 +138,7 @@ impl Known {
                     let (a, b) = match unknown {
                         Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
                         Unknown::Above(_, below) => {
-                            // The value is level · (1 + fraction), and both level and fraction are uncertain.
+                            // The value is the other parameter, `level`, times 1 + fraction. Both `level` and the fraction are uncertain.
                             let level = params.number(*below);
                             let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
                             let factor = 1.0 + theta[i];
@@ -150,8 +150,8 @@ impl Known {
                         _ => (value - Z * sd, value + Z * sd),
                     };
                     let half = 0.5 * (b - a);
-                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. So the force effect counts
-                    // too.
+                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. Therefore, the force
+                    // effect also decides.
                     let force = half * per_unit(*number, stroke, speed);
                     let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                     let (bound_low, bound_high) = scale.reach(*number);
@@ -174,7 +174,7 @@ impl Known {
                 Unknown::Rise { curve, point } => {
                     let u = params.list(curve.abscissae());
                     let zero = anchor(u);
-                    // The force at a point is the sum of the rises from the fixed point of the curve to this point.
+                    // The force at a point is the sum of the force increments from the fixed point of the curve to this point.
                     let path: Vec<usize> = unknowns
                         .iter()
                         .enumerate()

@@ -66,7 +66,7 @@ pub enum ModelFileError {
         /// Description of the error.
         text: String,
     },
-    /// A table is invalid.
+    /// A table after the lines that the kernel reads is invalid.
     #[error("{file}: {why}")]
     Tables {
         /// Path of the file.
@@ -98,7 +98,7 @@ pub enum ModelFileError {
 pub struct NoModel {
     /// Invalid parameter.
     pub parameter: &'static str,
-    /// Reason.
+    /// Reason why the parameter is invalid.
     pub text: &'static str,
 }
 
@@ -469,7 +469,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
     out
 }
 
-/// Formats a model file without results of a fit. The remarks stand as comments at the beginning of the file.
+/// Formats a model file without results of a fit. The remarks are comments at the beginning of the file.
 pub fn plain(params: &Params, remarks: &[String]) -> String {
     let mut out = String::from(
         "# A damper for dashpot. SI units; extension (rebound) and tension positive.\n\

@@ -74,7 +74,7 @@ pub enum OfPeaksError {
         file: String,
         /// The click with the smaller speeds.
         click: f64,
-        /// Largest speed of this click, m/s.
+        /// Largest speed of the click with the smaller speeds, m/s.
         top: f64,
         /// Largest speed of all clicks, m/s.
         fastest: f64,
@@ -86,7 +86,7 @@ pub enum OfPeaksError {
     NoModel {
         /// Name of the table.
         file: String,
-        /// Reason.
+        /// Invalid parameter, and the reason.
         source: NoModel,
     },
 }
@@ -135,12 +135,12 @@ impl Begun {
     }
 }
 
-/// Relative distance of two speeds that is rounding.
+/// Largest relative distance of two speeds that counts as rounding.
 const NO_DISTANCE: f64 = 1e-6;
 
 /// Smallest accepted ratio of the largest speed of a click to the largest speed of all clicks. A smaller ratio is an error, because the
 /// model would end far below the largest speed of the table. Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where a click ends at
-/// 0.6.
+/// a ratio of 0.6.
 const REACHED: f64 = 0.8;
 /// Ratio of the lower to the higher of two speeds above which they count as the same speed. A dyno repeats its commanded speeds to about a
 /// percent. Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where the speeds scatter by 0.7 %.

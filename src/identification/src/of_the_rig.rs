@@ -21,9 +21,9 @@ const LOOKED_FOR: [Artefact; 4] = [Artefact::Delay, Artefact::Mass, Artefact::Ga
 
 /// Ratio of the highest to the lowest frequency of the tests above which they distinguish a delay from a compliance.
 ///
-/// The phases of both grow with frequency, but along different curves. If all tests have the same frequency, a delay and a compliance can
-/// give the same phase. The value 1.5 is a choice. The ratio also decides whether the tests distinguish a mass on the load cell from a
-/// spring.
+/// The phases of a delay and of a compliance grow with frequency, but along different curves. If all tests have the same frequency, a delay
+/// and a compliance can give the same phase. The value 1.5 is a choice. The ratio also decides whether the tests distinguish a mass on the
+/// load cell from a spring.
 const APART: f64 = 1.5;
 
 /// Returns whether the frequencies of the tests distinguish a delay of the force channel from a soft series path.
@@ -48,7 +48,7 @@ pub struct Measured {
     pub low: f64,
     /// Upper end of the 95 % interval.
     pub high: f64,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: &'static str,
     /// Command-line option that states this error to the reader of records, or `None` if there is no such option.
     #[serde(skip_serializing_if = "Option::is_none")]

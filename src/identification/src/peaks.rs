@@ -71,7 +71,8 @@ mod tests {
             record.time.push(phase / w);
             record.displacement.push(0.05 * libm::sin(phase));
             record.velocity.push(0.5 * libm::cos(phase) + 0.01 * noise);
-            // The force has a hysteresis loop about the curve. Its mean is zero, because the samples lie on both sides of the peak.
+            // The force has a hysteresis loop about the curve. The mean of the loop is zero, because the samples lie on both sides of the
+            // peak.
             let force = if libm::cos(phase) > 0.0 { 2000.0 } else { 800.0 } * 0.5 * libm::cos(phase);
             record.force.push(force + 60.0 * libm::sin(phase) + 20.0 * noise);
         }

@@ -2,7 +2,7 @@
 //! test.
 //!
 //! The damper at constant settings is known. The free parameters are those of the actuator, and relative errors of the
-//! family's force. There is one error for each direction of motion at each setting of the grid, and one midway between
+//! family's force. For each direction of motion, there is one error at each setting of the grid, and one midway between
 //! two neighboring settings. Without these errors, an error of the family's force would be attributed to the response
 //! of the actuator. The [instant](super::command_time) within a sample at which the command changes is unknown. This
 //! uncertainty widens the intervals.
@@ -25,9 +25,9 @@ use std::sync::OnceLock;
 pub enum Ways {
     /// The parameter does not exist.
     Neither,
-    /// Both directions share one value.
+    /// Rising and falling settings share one value.
     Shared,
-    /// Each direction has its own value.
+    /// Rising and falling settings have separate values.
     Each,
 }
 
@@ -53,13 +53,13 @@ impl ActuatorForm {
 /// A free parameter of an actuator: the entries of the axis that it sets, its transformation, start, bounds and prior.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
-    /// Names of the entries.
+    /// Names of the entries of the axis that the parameter sets.
     pub entries: &'static [&'static str],
     /// Whether the free parameter is the logarithm of the entry.
     pub is_log: bool,
     /// Start of the free parameter.
     pub start: f64,
-    /// Step of a finite difference.
+    /// Step of the free parameter in a finite difference.
     pub step: f64,
     /// Bounds of the free parameter.
     pub bounds: (f64, f64),
@@ -86,8 +86,8 @@ const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
 /// Standard deviation of the error of the force at a setting, as a fraction of the force.
 const LEVEL_SPREAD: f64 = 0.05;
-/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. If
-/// the error is larger, the family is unusable.
+/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. A
+/// larger estimate is reduced to this value, because a family with a larger error is unusable.
 const MOST_BETWEEN: f64 = 0.3;
 /// Bound of the force error midway between neighbors of the grid, in its standard deviations.
 const WITHIN: f64 = 2.0;
@@ -98,7 +98,7 @@ const HELD_SPREAD: f64 = 1e-6;
 const MOST_HYSTERESIS: f64 = 0.24;
 
 impl ActuatorNumber {
-    /// Returns the parameters of a form for a grid with this range.
+    /// Returns the free parameters of a form for a grid whose settings span `range`.
     pub fn of_form(form: ActuatorForm, range: f64) -> Vec<ActuatorNumber> {
         let mut numbers = Vec::new();
         let time = |entries| {
@@ -179,13 +179,14 @@ pub struct ActuatorContext<'a> {
     pub definition: &'a Definition,
     /// The measurement errors of the rig, at `rig_theta`.
     pub rig: &'a Hypothesis,
-    /// The parameters of `rig`.
+    /// Values of the free parameters of `rig`.
     pub rig_theta: &'a [f64],
     /// Tests whose setting changes.
     pub tests: &'a [Test],
     /// Time between two samples of the record of each test, s.
     pub sample_times: &'a [f64],
-    /// Standard deviation of the error of the force midway between neighbors of the grid, as a fraction of the force.
+    /// Standard deviation of the error of the force midway between each two neighbors of the grid, as a fraction of the
+    /// force.
     pub gap_spreads: &'a [f64],
 }
 
@@ -206,7 +207,7 @@ pub struct ActuatorRefit {
     /// Values of the free parameters, followed by the relative errors of the force at each setting and between
     /// neighbors.
     pub theta: Vec<f64>,
-    /// Standard deviations of the relative force errors.
+    /// Prior standard deviations of the relative force errors.
     spreads: Vec<f64>,
     /// Derivatives and weighted residuals of each test, computed minus measured.
     pub blocks: Vec<(DMatrix<f64>, Vec<f64>)>,
@@ -224,7 +225,7 @@ pub struct ActuatorPoint {
     moved: OnceLock<Option<Vec<(Box<Family>, f64)>>>,
 }
 
-/// Returns the family with these parameters of the actuator; `None` if the kernel rejects them.
+/// Returns the family with the values `x` of the actuator's free parameters; `None` if the kernel rejects them.
 fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Box<Family>> {
     let axis = axis_with(&definition.axis, numbers, x)?;
     let mut family = Box::new(Family::OFF);
@@ -232,7 +233,7 @@ fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -
     Some(family)
 }
 
-/// Returns the axis with these parameters of the actuator; `None` if the axis rejects them.
+/// Returns the axis with the values `x` of the actuator's free parameters; `None` if the axis rejects them.
 pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Axis> {
     let mut axis = *axis;
     for (number, value) in numbers.iter().zip(x) {
@@ -243,7 +244,8 @@ pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<A
     Some(axis)
 }
 
-/// Computes the weights of the grid's force errors at a setting in one direction, by linear interpolation.
+/// Computes the indices and weights of the two force errors of the grid that apply at a setting in one direction of
+/// motion, by linear interpolation.
 fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2] {
     let right = restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
     let (low, high) = (grid[right - 1], grid[right]);
@@ -277,7 +279,7 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Computes the forces at the scored samples of a block's test, and the requested derivatives.
+    /// Computes the forces at the scored samples of the test of a block, and the requested derivatives.
     ///
     /// The command is delayed by `later` samples.
     fn forces(&self, block: usize, family: &Family, x: &[f64], wanted: Wanted, later: f64) -> (Vec<f64>, DMatrix<f64>) {
@@ -313,7 +315,8 @@ impl<'a> ActuatorProblem<'a> {
         if wanted == Wanted::Forces {
             return (forces, columns);
         }
-        // If the force channel is filtered, the computation has several steps for each sample.
+        // If the force channel is filtered, the segment has several steps for each sample. Only the last step of each
+        // sample is a row of the result.
         let every = ((length - 1) / (test.segment.input.len() - 1).max(1)).max(1);
         let at = |row: usize, level: usize| columns[((row + test.segment.from) * every, level)];
         let scored = DMatrix::from_fn(forces.len(), count, at);
@@ -340,9 +343,11 @@ impl<'a> ActuatorProblem<'a> {
         self.refit_with(Some(&from), effort, [LEVEL_SPREAD, HELD_SPREAD])
     }
 
-    /// Refits the parameters with the forces of the family fixed, then with all parameters free. From a distant start,
-    /// free force errors absorb a part of the response. In a test with one command step, the estimate was then 61 ms
-    /// instead of 30 ms.
+    /// Refits the parameters with the forces of the family fixed, then with all parameters free. Returns `None` if the
+    /// model gives no finite force.
+    ///
+    /// From a distant start, free force errors absorb a part of the response. In a test with one command step, the
+    /// estimated time constant was then 61 ms instead of 30 ms.
     pub fn refit_from_far(&self, start: &[f64], effort: (usize, f64)) -> Option<ActuatorRefit> {
         let near = self.refit_with(Some(start), effort, [HELD_SPREAD; 2])?;
         self.refit(Some(&near.theta), effort)
@@ -412,7 +417,8 @@ impl<'a> ActuatorProblem<'a> {
 }
 
 impl ActuatorProblem<'_> {
-    /// Returns a refit with the residuals of the model alone, without the force errors at and between the settings.
+    /// Returns a refit with the residuals of the model alone, without the force errors at and between the settings. Its
+    /// derivatives are empty. Returns `None` if the kernel rejects the parameters or a force is not finite.
     pub fn without_force_errors(&self, refit: &ActuatorRefit) -> Option<ActuatorRefit> {
         let mut theta = refit.theta.clone();
         theta.iter_mut().skip(self.numbers.len()).for_each(|error| *error = 0.0);
@@ -426,7 +432,7 @@ impl ActuatorProblem<'_> {
     }
 
     /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
-    /// within a sample, in samples.
+    /// within a sample, in samples. Returns `None` if the kernel rejects the parameters or a force is not finite.
     pub fn timing_derivatives(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
         let family = family_with(self.context.definition, &self.numbers, x)?;
         let of_test = |block: usize| {
@@ -448,7 +454,8 @@ impl ActuatorRefit {
         own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
-    /// Makes a start for another form from the values of the common entries and the force errors.
+    /// Makes a start for another form: values of the parameters that both forms contain, typical values of the others,
+    /// and the force errors of this refit.
     pub fn start_of(&self, form: ActuatorForm, range: f64) -> Vec<f64> {
         let own = |number: &ActuatorNumber| {
             let known =

@@ -19,7 +19,7 @@ const DEAD_TIME: f64 = 0.0;
 const HYSTERESIS: f64 = -1.0;
 /// Prior log odds of a rate limit, which is hard to distinguish from a lag.
 const RATE: f64 = -2.0;
-/// Smallest rise of the log posterior at which the search makes a change.
+/// Smallest rise of the log posterior at which the search replaces the current form.
 const RISE: f64 = 0.5;
 /// Time after a change of the command during which the force depends on the valve dynamics, s. The log posterior uses
 /// only these samples.
@@ -86,13 +86,13 @@ const VALVES: [ActuatorForm; 4] = {
     [lag, ActuatorForm { dead_time: true, ..lag }, each, ActuatorForm { dead_time: true, ..each }]
 };
 
-/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, the weight of the
-/// form in the intervals is below one in a thousand, because the weight divides log posteriors by 2.
+/// Largest difference of log posteriors at which another form counts as an alternative. Beyond it, the weight
+/// exp(−difference/2) of the form in the intervals is below one in a thousand.
 const RULED_OUT: f64 = 14.0;
 
-/// Largest difference of log posteriors at which two forms count as equally probable. One is then 1.6 times as probable
-/// as the other. With 4 instead of 1, the worst lag of the physical valve is −21 % instead of −19 %, because a doubtful
-/// hysteresis is taken (`prove_semi_active 1 3040001`).
+/// Largest difference of log posteriors at which two forms count as equally probable. One form then has 1.6 times the
+/// weight exp(difference/2) of the other. With 4 instead of 1, the search includes a doubtful hysteresis. The worst
+/// error of an identified lag of the physical valve is then −21 % instead of −19 % (`prove_semi_active 1 3040001`).
 const TIED: f64 = 1.0;
 
 /// Number of fits after which the search is usually half done. It only scales the displayed progress, because the
@@ -116,8 +116,8 @@ fn log_prior(form: ActuatorForm) -> f64 {
     PARTS.iter().zip(odds).map(|(part, odds)| if has(form, part) { odds } else { 0.0 }).sum()
 }
 
-/// Returns the scored samples of a test at which the valve may respond. Returns all samples if the valve responds at
-/// none.
+/// Returns the scored samples of a test at which the valve may respond to a command change. Returns all samples if the
+/// command does not change.
 ///
 /// A steady force contains no information about the valve. Its noise would mask the samples after a step.
 fn responding(test: &Test) -> Vec<usize> {
@@ -155,7 +155,7 @@ fn log_posterior(refit: &ActuatorRefit, context: &ActuatorContext, places: &[Vec
 /// A form that the search refitted.
 struct Trial {
     refit: ActuatorRefit,
-    /// Log posterior without the force errors between settings.
+    /// Log posterior without the prior of the force errors between settings.
     log_posterior: f64,
 }
 
@@ -166,9 +166,9 @@ struct Trials(BTreeMap<ActuatorForm, Option<Trial>>);
 impl Trials {
     /// Returns the log posterior of a form.
     ///
-    /// The force has errors between the settings, whatever the form of the actuator. A valve without a lag never passes
-    /// there, so its refit does not show them. Therefore, only the excess of their negative log prior counts, relative to
-    /// the form with a lag that needs the smallest errors.
+    /// The force has errors between the settings, whatever the form of the actuator. A valve without a lag jumps from
+    /// setting to setting, so its refit does not show these errors. Therefore, only the excess of their negative log
+    /// prior counts, relative to the form with a lag that needs the smallest errors.
     fn log_posterior(&self, trial: &Trial) -> f64 {
         let passing = self.0.values().flatten().filter(|trial| trial.refit.form.lag != Ways::Neither);
         let least = passing.map(|trial| trial.refit.negative_log_prior_between).fold(f64::INFINITY, f64::min);
@@ -244,7 +244,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         trials.0.insert(form, found);
     }
     // Hysteresis and two lags together may be more probable than a shared lag although neither is alone. Without
-    // hysteresis, errors of the force at the settings explain the force behind a step.
+    // hysteresis, errors of the force at the settings explain the force after a step.
     let with_hysteresis = |form: ActuatorForm| {
         let without = trials.find(form)?;
         let form = ActuatorForm { hysteresis: true, ..form };
@@ -272,8 +272,8 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         }
         best = next;
     }
-    // The model has no errors of the force between the settings. Of equally probable forms, the one whose model
-    // alone fits best predicts best.
+    // The identified model contains no force errors. Of equally probable forms, the one that fits best without these
+    // errors also predicts best.
     let most = trials.scored(best)?.0;
     let tied = trials.0.values().flatten().filter(|trial| trials.log_posterior(trial) > most - TIED);
     let alone = |Trial { refit, .. }: &Trial| {

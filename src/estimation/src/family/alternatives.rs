@@ -30,8 +30,8 @@ impl From<&FamilyStructure> for Rival {
     }
 }
 
-/// What distinguishes two families: their effects, the quantities that vary with the setting, and the form of the FV
-/// curve at rest.
+/// Returns what distinguishes two families: their effects, the quantities that vary with the setting, and the form of
+/// the FV curve at rest.
 fn key(hypothesis: &FamilyHypothesis, components: &[Component]) -> (Vec<Form>, Vec<Site>, Interpolation) {
     let mut forms: Vec<Form> = components.iter().map(|c| (c.effect, c.form)).collect();
     forms.sort_unstable();
@@ -64,8 +64,8 @@ pub struct FamilyAlternative {
     pub weight: f64,
 }
 
-/// Refits the rivals of a family that the records do not rule out, at most [`MOST`] of them. Each has a probability of at
-/// least 5 % relative to the family. `temperature` divides the log odds.
+/// Refits the rivals of a family that the records do not rule out, at most [`MOST`] of them. Each has a probability of
+/// at least 5 % if only the rival and the family are compared. `temperature` divides the log odds.
 pub fn alternatives(
     best: &FamilyStructure,
     rivals: &[Rival],

@@ -1,9 +1,9 @@
 //! The instant within a sample at which a command changes.
 //!
 //! A logger stores the command before and after a change, and the change is anywhere between the two samples. The
-//! estimate assumes the middle. If a rig switches with its clock, all steps have the same timing error, so averaging
-//! over steps does not reduce the error. The instant is therefore a considered parameter, not an estimated one. Its
-//! uniform distribution over a sample widens the intervals of all other parameters.
+//! estimate assumes a change midway between them. If a rig switches with its clock, all steps have the same timing
+//! error, so averaging over steps does not reduce the error. The instant is therefore a considered parameter, not an
+//! estimated one. Its uniform distribution over a sample widens the intervals of all other parameters.
 
 /// Standard deviation of the instant within a sample, in samples: 1/√12.
 pub const SPREAD: f64 = 0.288_675_134_594_812_9;
@@ -58,7 +58,8 @@ mod tests {
         assert!(close(&shifted(&dt, &commands, 0.5), &[0.0, 0.0, 0.0, 0.75, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, -0.5), &[0.0, 0.0, 0.5, 1.0, 1.0, 1.0]));
         assert!(close(&shifted(&dt, &commands, 2.5), &[0.0, 0.0, 0.0, 0.0, 0.5, 1.0]));
-        // The variance is that of a uniform distribution. The derivative is constant within half a sample.
+        // The variance of [`SPREAD`] is that of a uniform distribution. The derivative is constant within half a
+        // sample.
         assert!((12.0 * SPREAD * SPREAD - 1.0).abs() < 1e-12);
         let moved = |later: f64| shifted(&dt, &commands, later)[3] - commands[3];
         assert!((moved(STEP) / STEP - moved(0.5) / 0.5).abs() < 1e-12);

@@ -83,7 +83,8 @@ pub fn log_prior(template: &Hypothesis, varies: &[bool]) -> f64 {
     varying_sites(template, varies).iter().map(odds).sum()
 }
 
-/// Counts the free parameters of a family. Weakly determined parameters count half.
+/// Counts the free parameters of a family. Weakly determined parameters count half. If the FV curve varies, it counts
+/// as two parameters for each setting after the first.
 pub fn numbers(template: &Hypothesis, varies: &[bool], settings: usize) -> f64 {
     let further = settings.saturating_sub(1) as f64;
     let of_curve = if varying_sites(template, varies).contains(&Site::Curve) { FURTHER_CURVE * further } else { 0.0 };

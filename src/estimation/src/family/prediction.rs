@@ -1,8 +1,8 @@
 //! First-order estimate of a family in which other parameters depend on the setting.
 //!
 //! The derivatives with respect to the template's parameters at each setting define the linear least-squares problem of
-//! every pattern of shared and varying parameters. Therefore, all patterns one change away can be evaluated without a
-//! refit.
+//! every pattern of shared and varying parameters. Therefore, all patterns that differ in one quantity can be evaluated
+//! without a refit.
 
 use super::pattern::{Site, varies};
 use super::problem::{FamilyHypothesis, SettingTests};
@@ -18,8 +18,8 @@ const TRUSTED: f64 = 5.0;
 /// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
 /// bounds in earlier solutions.
 const ITERATIONS: usize = 6;
-/// Weight of the current value, relative to the normal matrix and to the step of a parameter. It matters only if
-/// neither records nor prior determine the parameter.
+/// Weight of the current value of a parameter, relative to its diagonal element of the normal matrix plus 1/step². It
+/// matters only if neither records nor prior determine the parameter.
 const RIDGE: f64 = 1e-9;
 
 /// The linear problem of a refitted family.
@@ -30,7 +30,7 @@ pub struct Linearization<'a> {
     thetas: Vec<Vec<f64>>,
     /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
     jacobians: Vec<DMatrix<f64>>,
-    /// Weighted normal matrices and right sides of each setting.
+    /// Weighted normal matrix and right-hand side of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
 }
 
@@ -70,8 +70,8 @@ impl<'a> Linearization<'a> {
         Linearization { structure, settings, thetas, jacobians, normals }
     }
 
-    /// Predicts the family in which these sites vary and all others are shared. Returns `None` if the linear problem
-    /// has no solution.
+    /// Predicts the family in which `sites` vary and all others are shared. Returns `None` if the linear problem has no
+    /// solution.
     pub fn predict(&self, sites: &[Site]) -> Option<Prediction> {
         let from = &self.structure.hypothesis;
         let varies = varies(&from.template, sites);

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct SettingTests {
     /// Value of the setting.
     pub value: f64,
-    /// Tests at this setting.
+    /// Tests at the setting.
     pub tests: Vec<Test>,
 }
 
@@ -126,7 +126,7 @@ impl FamilyHypothesis {
     }
 
     /// Computes the [covariance](crate::deviations::sandwich) of all free parameters at a refit, and the degree of
-    /// determination of each.
+    /// determination of each. Returns `None` if the Hessian is singular.
     pub fn covariance(&self, refit: &FamilyRefit, settings: &[SettingTests]) -> Option<(DMatrix<f64>, Vec<f64>)> {
         let tests: Vec<Test> = settings.iter().flat_map(|of| of.tests.iter().cloned()).collect();
         let residual_at = |theta: &[f64]| self.residual_by(Accuracy::Derivatives, settings, theta);
@@ -234,7 +234,7 @@ mod tests {
     use crate::unknowns::{CurveName, Unknown};
     use crate::vocabulary::base_numbers;
 
-    /// The damper has two settings that differ only in their FV curves.
+    /// Checks a damper with two settings that differ only in their FV curves.
     #[test]
     fn residuals_of_a_family_are_those_of_each_setting_at_its_own_numbers() {
         let base = Params::new();

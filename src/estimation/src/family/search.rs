@@ -2,9 +2,9 @@
 //!
 //! Each setting is first searched as an ordinary damper. Each structure from these searches gives a start in which
 //! every parameter varies with the setting if possible. Parameters that do not depend on the setting are then shared.
-//! From each start, a move makes one parameter vary or shared, removes an effect, or adds an effect from the search of
-//! a setting. Moves end when the log posterior no longer rises. The result is the most probable family at the end of
-//! the moves.
+//! Moves follow from each start. A move makes one parameter vary or shared, removes an effect, or adds an effect from
+//! the search of a setting. Moves end when the log posterior no longer rises. The result is the most probable family at
+//! the end of the moves.
 
 use super::alternatives::{Rival, distinct_rivals};
 use super::pattern::{Site, sites};
@@ -33,7 +33,7 @@ const REFITTED: usize = 3;
 const ASKED_FOR: f64 = 15.0;
 /// Largest number of effects that are tried in addition to those of the best structures.
 const EFFECTS: usize = 16;
-/// Largest number of moves.
+/// Largest number of moves from one start.
 const MOVES: usize = 24;
 
 /// Number of moves after which the search is usually half done. It only scales the displayed progress, because the
@@ -103,8 +103,9 @@ pub fn search_family(
     Some(FamilySearch { best, rivals })
 }
 
-/// Returns the family with the more probable of the two forms of the FV curve at rest first, then the other one. Both
-/// forms have the same number of parameters, so the smaller χ² decides.
+/// Returns the family with the more probable of the two forms of the FV curve at rest, then the family with the other
+/// form. The second is `None` if the other form does not apply or gives no finite force. Both forms have the same
+/// number of parameters, so the smaller χ² decides.
 fn by_form_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> (FamilyStructure, Option<FamilyStructure>) {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
@@ -118,7 +119,7 @@ fn by_form_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> (FamilySt
 }
 
 /// Makes moves as long as the log posterior rises, but at most [`MOVES`]. Also returns the other families that were
-/// refitted on the way.
+/// refitted during the moves.
 fn climb(
     start: FamilyStructure,
     settings: &[SettingTests],
@@ -195,7 +196,7 @@ fn toggle(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStruct
         .collect()
 }
 
-/// Refits the family without each of its effects.
+/// Refits the family without one of its effects, for each effect.
 fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStructure> {
     (0..from.components.len())
         .into_par_iter()
@@ -203,7 +204,7 @@ fn remove(from: &FamilyStructure, settings: &[SettingTests]) -> Vec<FamilyStruct
         .collect()
 }
 
-/// Refits the family with each further effect.
+/// Refits the family with each effect of `asked_for` that the family lacks and that was not `tried` before.
 fn add(
     from: &FamilyStructure,
     settings: &[SettingTests],

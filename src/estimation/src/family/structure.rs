@@ -56,7 +56,7 @@ pub fn log_prior_of(hypothesis: &FamilyHypothesis, components: &[Component]) -> 
     log_prior(&effects, &hypothesis.template.priors) + log_prior_of_pattern(&hypothesis.template, &hypothesis.varies)
 }
 
-/// Computes by how much known facts about this damper reduce the cost of its free parameters, in log odds. A varying
+/// Computes the reduction of the cost of the free parameters by known facts about this damper, in log odds. A varying
 /// parameter counts once for each setting.
 fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
     let FamilyHypothesis { template, varies, .. } = hypothesis;

@@ -17,9 +17,9 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Smallest ratio of the speeds of a knee's point and of any other point. The points that the search of a setting adds
-/// are at least a factor of 1.13 from their neighbors at that setting. Points of other settings closer than about half
-/// of that show the same knee, and would have too few samples between them.
+/// Smallest ratio of the speeds of a knee's point and of any other point. The search of one setting adds points at
+/// least a factor of 1.13 from their neighbors. Points of two settings closer than about half of that factor show the
+/// same knee. The curve would have too few samples between them.
 const APART: f64 = 1.06;
 
 /// Returns the velocities of the FV table that all settings share.
@@ -44,6 +44,7 @@ pub fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<
 
 /// Makes a family with the effects of one structure, in which every parameter varies if possible. At each setting,
 /// parameters start from the structure of that setting if it contains them. Each setting is then refitted separately.
+/// Returns `None` if a structure is not valid with an FV curve at `velocities`.
 pub fn varying_family(
     from: &Structure,
     at_settings: &[&Structure],

@@ -31,7 +31,7 @@ mod tests {
         for (k, (_, added)) in fast.iter().enumerate().skip(400) {
             assert!((added - slow[10 * k].1).abs() < 0.5, "{k}");
         }
-        // The total force is larger while the force rises.
+        // The measured force is larger while the force rises, so the loop encloses a positive area.
         let area: f64 = slow[4000..].windows(2).map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0)).sum();
         assert!(area > 0.5 * 0.03 * 2.0 * 1000.0 * 1000.0, "{area}");
     }

@@ -50,11 +50,12 @@ pub enum Artefact {
     /// The number of the variant is the force range, N, over which the sign of the added force changes after a
     /// reversal.
     Loop(u32),
-    /// Fraction of the force that a resonance adds in phase with the force. The number of the variant is the frequency
-    /// of the resonance, Hz.
+    /// Factor of a resonance's second derivative, divided by ω², that adds to the force. Below the resonance, this part
+    /// is in phase opposition to the force. The number of the variant is the frequency of the resonance, Hz.
     Ring(u32),
-    /// Fraction of the force that a resonance adds in quadrature with the force, in phase with its rate. The number of
-    /// the variant is the frequency of the resonance, Hz.
+    /// Factor of a resonance's rate, divided by ω, that adds to the force. Below the resonance, this part is in
+    /// quadrature with the force, in phase with its rate. The number of the variant is the frequency of the resonance,
+    /// Hz.
     RingAcross(u32),
 }
 
@@ -102,7 +103,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the range of values that occur on rigs.
+    /// Returns the range of values that occur on rigs, in the unit of the error's parameter.
     pub fn bounds(self) -> (f64, f64) {
         let most = match self {
             Artefact::Delay | Artefact::LowPass => 5e-3,

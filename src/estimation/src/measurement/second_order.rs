@@ -1,4 +1,6 @@
-//! Second-order filter y'' + 2 ζ ω y' + ω² y = ω² F, exact for a force that is linear between samples.
+//! Second-order filter with output y and input force F: y'' + 2 ζ ω y' + ω² y = ω² F.
+//!
+//! The solution is exact for a force that is linear between samples.
 
 /// Filter of the second order.
 pub(super) struct SecondOrder {
@@ -8,7 +10,7 @@ pub(super) struct SecondOrder {
     pub damping: f64,
 }
 
-/// Relative difference below which two steps count as equal. The relative error of the force has the same order of
+/// Relative difference below which two time steps count as equal. The relative error of the force has the same order of
 /// magnitude.
 const ALIKE: f64 = 1e-9;
 
@@ -31,7 +33,8 @@ impl SecondOrder {
                 (sin, cos) = libm::sincos(turns * h);
             }
             let slope = (*force - last) / h;
-            // Deviation of the output and of its rate from the steady response to the current ramp of the force.
+            // These are the deviations of the output and of its rate from the steady response to the current ramp of
+            // the force.
             let (off, off_rate) = (y - (last - late * slope), rate - slope);
             let after = stays * (off * cos + (off_rate + falls * off) / turns * sin);
             let after_rate = stays * (off_rate * cos - (falls * off_rate + omega * omega * off) / turns * sin);

@@ -12,21 +12,22 @@ const FORM: f64 = 0.002;
 const TIMING: f64 = 0.05;
 
 /// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant. `noise` is the
-/// variance of a sample, `top` the largest force.
+/// variance of a sample, N². `top` is the largest force, N.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
 
 /// Computes the allowed error of each sample of a mean cycle, N.
 ///
-/// `noise` is the variance of a sample's mean. `times` contains a factor on this variance for each sample. A jump
-/// counts only above `mean_noise`.
+/// `noise` is the variance of a sample's mean, N². `times` contains a factor on this variance for each sample. A jump
+/// of the force counts only as far as it exceeds `mean_noise`, N.
 pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
 }
 
-/// Computes the allowed error of each scored sample of a road signal, N.
+/// Computes the allowed error of each scored sample of a road signal, N. `noise` and `mean_noise` are those of
+/// [`in_cycle`].
 pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     let n = segment.force.len() - segment.from;
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))

@@ -79,10 +79,10 @@ pub fn test(place: usize, record: &Record, motion: &Motion, signal: &SettingSign
     }
 }
 
-/// Splits the steps of a test at the times at which the command changes from level to level.
+/// Splits the steps of a test at the times at which the command changes from one value to another.
 ///
-/// A change may occur anywhere between two samples. The split assumes the middle. A mean command over that step would
-/// spread the change over a sample, with a dead time of half a sample. The model could then not represent an
+/// A change may occur anywhere between two samples. The split is midway between them. A mean command over that step
+/// would spread the change over a sample, with a dead time of half a sample. The model could then not represent an
 /// instantaneous valve, and the estimated lag would be a sixteenth of a sample too short.
 fn with_steps_until_changes(
     mut test: Test,
@@ -121,7 +121,7 @@ fn with_steps_until_changes(
 /// Interpolates the input of the damper in the middle between two samples `dt` apart.
 fn between([a, b]: [Input; 2], dt: f64) -> Input {
     let middle = |a: f64, b: f64| 0.5 * (a + b);
-    // The cubic Hermite interpolation between both ends with their velocities.
+    // This is the cubic Hermite interpolation between both samples with their velocities.
     let displacement =
         a.displacement.zip(b.displacement).map(|(x, y)| middle(x, y) + dt / 8.0 * (a.velocity - b.velocity));
     Input {

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// Largest number of samples of a mean cycle.
 const PER_CYCLE: usize = 120;
-/// Largest fraction of a cycle over which the force is averaged. A wider window would smooth the knee.
+/// Largest fraction of a cycle over which the force is averaged. A wider window would smooth the knee of the FV curve.
 const WINDOW: f64 = 1.0 / 400.0;
 
 /// Returns the time at which the displacement rises through its mean near a sample. Cycles are cut at samples, but a
@@ -43,7 +43,8 @@ fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
 
 /// Largest distance, as a fraction of a sample interval, at which a time counts as the time of a sample.
 const AT_SAMPLE: f64 = 0.02;
-/// Smallest ratio of a jump of the force to the changes in the neighboring intervals plus the noise.
+/// Ratio of a force change to the changes in the neighboring intervals plus the noise, above which the change is a
+/// jump.
 const STEEPER: f64 = 3.0;
 
 /// Returns whether the force jumps between the two samples around a time. Interpolation is invalid there.
@@ -62,9 +63,10 @@ fn across_a_jump(record: &Record, t: f64) -> bool {
     rise(left) > STEEPER * (0.5 * (rise(left - 1) + rise(right)) + record.noise.force_rms)
 }
 
-/// Returns the phases at which the mean of a cycle is computed: at most `count` samples of the middle cycle. If the
-/// other cycles have samples at equal phases, interpolation is unnecessary. Across a friction reversal, interpolation
-/// would give an arbitrary force between the two levels.
+/// Returns the phases at which the mean of a cycle is computed: those of at most `count` samples of the middle cycle.
+///
+/// If the other cycles have samples at equal phases, interpolation is unnecessary. Interpolation across a friction
+/// reversal would give an arbitrary force between the forces before and after the reversal.
 fn phases(time: &[f64], cycles: &[Range<usize>], bounds: &[(f64, f64)], count: usize) -> Vec<f64> {
     let middle = cycles.len() / 2;
     let (range, (a, b)) = (&cycles[middle], bounds[middle]);

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 /// Shortest duration of the lead-in, s. [`CYCLES`] is its shortest and longest length in cycles.
 ///
-/// A slower internal state starts in equilibrium at the middle of the stroke, as on a rig.
+/// An internal state that is slower than the lead-in starts in equilibrium at the middle of the stroke, as on a rig.
 const TIME: f64 = 0.15;
 const CYCLES: (f64, f64) = (1.5, 3.5);
 /// Fraction of a cycle, directly before the scored samples, in which the lead-in uses every sample.
@@ -21,10 +21,10 @@ const FINE: f64 = 0.25;
 const COARSER: usize = 4;
 /// Largest number of cycles by which the lead-in is extended.
 const MORE: usize = 20;
-/// Largest residual influence of the initial state, in allowed errors.
+/// Largest remaining influence of the initial state on the force, in units of the typical allowed error.
 const LEFT: f64 = 0.1;
 /// Ratio of one cycle's change to the previous change above which warming or drift is the cause. A longer lead-in does
-/// not end such a change.
+/// not end such a change, so the lead-in is then not extended.
 const SLOWEST: f64 = 0.95;
 
 /// Computes the initial length of the lead-in of a cycle of `count` samples, in samples.
@@ -41,7 +41,8 @@ pub fn places(lead: usize, count: usize) -> Vec<usize> {
     (0..lead + count).filter(is_taken).collect()
 }
 
-/// Extends the lead-in of each test until the internal state of the damper reaches its steady state.
+/// Extends the lead-in of each test until the internal state of the damper reaches its steady state, by at most
+/// `MORE` cycles.
 pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
     let Ok(model) = Model::new(params) else { return tests };
     tests
@@ -70,7 +71,8 @@ fn led_in(test: &Test, places: &[usize], lead: usize) -> Segment {
     }
 }
 
-/// Returns the number of further cycles of lead-in after which the force is that of the steady state.
+/// Returns the number of further cycles of lead-in after which the force is that of the steady state. Returns 0 for a
+/// test without cycles.
 fn further_cycles(test: &Test, model: &Model) -> usize {
     let count = test.count();
     if test.frequency <= 0.0 || count <= COARSER {
@@ -107,7 +109,7 @@ mod tests {
 
     const COUNT: usize = 100;
 
-    /// A cycle of 1 mm that starts at an arbitrary phase, with the initial lead-in.
+    /// Makes the test of a cycle of 1 mm that starts at an arbitrary phase, with the initial lead-in.
     fn cycle(frequency: f64) -> Test {
         let dt = 1.0 / (frequency * COUNT as f64);
         let input = |k: usize| {

@@ -25,8 +25,8 @@ use dashpot_records::smoothing::smooth;
 use rayon::prelude::*;
 use road::Extent;
 
-/// Shortest duration of a test that is cut into stretches, s. [`STRETCH_CYCLES`] and [`MOST_STRETCHES`] limit the
-/// stretches.
+/// Shortest duration of a test that is cut into stretches, s. A stretch has at least [`STRETCH_CYCLES`] cycles, and a
+/// test has at most [`MOST_STRETCHES`] stretches.
 const LONG: f64 = 20.0;
 const STRETCH_CYCLES: usize = 3;
 const MOST_STRETCHES: usize = 4;
@@ -34,13 +34,13 @@ const MOST_STRETCHES: usize = 4;
 /// One test, or one stretch of a long test.
 #[derive(Debug, Clone)]
 pub struct Test {
-    /// Index of the test's record in the given list.
+    /// Index of the test's record in the list of records.
     pub record: usize,
     /// Motion and mean measured force. [`Segment::scale`] is the typical allowed error.
     pub segment: Segment,
-    /// Allowed error of every scored sample, N: noise of the mean, form, timing.
+    /// Allowed error of every scored sample, N: noise of the mean, form of the FV curve, timing.
     pub allowed: Vec<f64>,
-    /// Noise of one sample of the mean, N.
+    /// Standard deviation of the noise of one sample of the mean cycle, N.
     pub mean_noise: f64,
     /// Fraction of independent samples among the scored samples, 1 for white noise.
     pub independence: f64,
@@ -113,8 +113,8 @@ fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<
         .collect()
 }
 
-/// Makes a segment of a record at a time of its clock. Scored samples begin at index `from`. `noise` is the variance of
-/// a sample.
+/// Makes a segment of a record at the time `clock` of the campaign's clock, s. Scored samples begin at index `from`.
+/// `noise` is the variance of a sample, N².
 fn segment(
     record: &Record,
     clock: f64,

@@ -3,7 +3,8 @@
 
 use dashpot_records::restrict;
 
-/// Smallest number of cycles for an estimate of the noise of their mean from their differences.
+/// Smallest number of cycles at which their differences give the noise of their mean. With fewer cycles, the noise
+/// comes from the record.
 const REPEATS: usize = 3;
 /// Fraction of the deviations that is clamped as outliers. Their cause is steep parts of the force, not noise. [`KEPT`]
 /// is the fraction of the variance of normal noise that remains after clamping.
@@ -12,7 +13,7 @@ const KEPT: f64 = 0.964;
 
 /// Statistics of the differences between cycles.
 pub struct Repeat {
-    /// Noise of the mean cycle, N.
+    /// Standard deviation of the noise of the mean cycle, N.
     pub mean_noise: f64,
     /// Fraction of independent samples.
     pub independence: f64,
@@ -21,7 +22,7 @@ pub struct Repeat {
 }
 
 /// Computes the statistics from the deviations of cycles from their mean at equal phase, for any noise spectrum.
-/// Returns `None` for too few cycles or samples, and without deviations.
+/// Returns `None` for too few cycles or samples, or if all deviations are zero.
 pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
     let count = mean.len();
     if bounds.len() < REPEATS || count < 16 {

@@ -23,8 +23,8 @@ const STRETCH: usize = 150;
 /// Number of samples of the lead-in of a stretch. An internal state with a time constant above 0.2 s keeps its initial
 /// error. Such slow states belong to temperature and gas, which are inputs.
 const LEAD: usize = 100;
-/// Numbers of cells of displacement and of velocity over the range of the road: the displacements at an end stop have
-/// separate cells.
+/// Numbers of cells of displacement and of velocity over the range of the road. With this number, the displacements at
+/// an end stop have separate cells.
 const CELLS: f64 = 10.0;
 /// Number of tests that a record without cycles represents, because it has the amplitudes and speeds of several sines.
 pub const ROAD: f64 = 4.0;
@@ -37,7 +37,7 @@ type Cell = (i64, i64);
 pub enum Extent {
     /// The whole road, as one test.
     Whole,
-    /// At most this number of stretches.
+    /// At most the given number of stretches.
     Stretches(usize),
 }
 
@@ -60,7 +60,7 @@ impl Extent {
 pub struct Shortened {
     /// Number of roads that are not simulated whole.
     pub roads: usize,
-    /// Number of stretches of each of these roads.
+    /// Number of stretches of each road that is not simulated whole.
     pub stretches: usize,
     /// Length of a stretch without its lead-in, s.
     pub seconds: f64,
@@ -112,7 +112,7 @@ pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> 
 }
 
 impl Road<'_> {
-    /// Returns adjacent stretches, each after a lead-in.
+    /// Returns adjacent stretches of the road. Before each stretch, there are enough steps for its lead-in.
     fn stretches(&self) -> Vec<Range<usize>> {
         let count = self.picks.len().saturating_sub(LEAD) / STRETCH;
         (0..count).map(|k| LEAD + k * STRETCH..LEAD + (k + 1) * STRETCH).collect()
@@ -170,8 +170,8 @@ mod tests {
     use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
-    /// The record is a simulation of the kernel, sampled at 1 kHz for half a minute. With larger steps, the model would
-    /// not reproduce these forces.
+    /// Checks a record of a simulation of the kernel, sampled at 1 kHz for half a minute. With larger steps, the model
+    /// would not reproduce these forces.
     #[test]
     fn a_long_road_is_gone_through_at_its_own_rate() {
         let model = Model::new(&Params::new()).unwrap();

@@ -1,8 +1,8 @@
 //! Selection of the tests of a very large campaign that a fit uses.
 //!
 //! Every test costs about the same time. Beyond a few hundred tests, further tests rarely contain a new motion, so a
-//! selection represents all of them. The selection includes every kind of motion in turn, and covers the whole order of
-//! the campaign.
+//! selection represents all of them. The selection includes every kind of motion in turn, and is spread over the whole
+//! campaign.
 
 use dashpot_records::{Record, SettingPattern};
 use std::collections::BTreeMap;
@@ -54,7 +54,7 @@ fn bin_of_range(value: f64, (low, high): (f64, f64), bins: f64, least: f64) -> i
     (bins * (value - low) / (high - low).max(least)).round() as i64
 }
 
-/// Returns the kind of a test in bins whose widths are `wide` times those of the constants above.
+/// Returns the kind of a test in bins that are `wide` times as wide as those of the constants of this module.
 fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     let octaves = |value: f64| (PER_OCTAVE / wide * libm::log2(value.max(1e-9))).round() as i64;
     let setting = record.setting_signal.as_ref().map(|signal| {
@@ -72,12 +72,12 @@ fn kind(record: &Record, ranges: &Ranges, wide: f64) -> Kind {
     )
 }
 
-/// Selects the positions of the tests that a fit uses, in their order. Returns `None` if the fit uses all of them.
+/// Selects the indices of the tests that a fit uses, in increasing order. Returns `None` if the fit uses all of them.
 pub fn select(records: &[&Record]) -> Option<Vec<usize>> {
     select_at_most(records, MOST_TESTS)
 }
 
-/// Selects the positions of at most `most` tests, from every kind of motion, in their order. Returns `None` if there
+/// Selects the indices of at most `most` tests, from every kind of motion, in increasing order. Returns `None` if there
 /// are no more than `most` tests.
 pub fn select_at_most(records: &[&Record], most: usize) -> Option<Vec<usize>> {
     if records.len() <= most {

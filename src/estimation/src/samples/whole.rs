@@ -1,4 +1,4 @@
-//! Tests of a fit: the samples of a diagnosis, with each test whole and weighted by its largest force.
+//! Tests of a fit: the samples that a diagnosis uses, but with each test whole and weighted by its largest force.
 
 use super::road::Extent;
 use super::{Test, of_record};
@@ -9,7 +9,8 @@ use rayon::prelude::*;
 /// Expected model error as a fraction of a test's largest force; it limits the weight of tests with little noise. With
 /// a smaller value, noise dominates the fastest tests. With a larger value, noise dominates the slow tests.
 const MODEL_FLOOR: f64 = 0.01;
-/// Largest number of samples that count in one test. A road has any number of samples, but is one test.
+/// Largest number of samples with which one test counts. A road has any number of samples, so its errors are scaled up
+/// to count as one test.
 const PER_TEST: f64 = 400.0;
 
 /// Makes the segments of all records, in their order.

@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(reduce(&DMatrix::zeros(4, 2), &DVector::from_element(4, 1.0)).0.shape(), (0, 2));
     }
 
-    /// For both factorizations, the reduced rows give the solution and the sum of squares of all rows.
+    /// Checks for both factorizations that the reduced rows give the solution and the sum of squares of all rows.
     #[test]
     fn the_reduced_rows_have_the_solution_of_all_rows() {
         for (near, squared) in [(1e-2, true), (1e-7, false), (0.0, false)] {

@@ -77,7 +77,7 @@ pub fn element_of(free: &Free) -> Option<Element> {
     element.filter(|element| *element != element!("fv_curve"))
 }
 
-/// Returns as how many parameters a free parameter counts: 0.5 if it is weakly determined, else 1.
+/// Returns the number of parameters as which a free parameter counts: 0.5 if it is weakly determined, else 1.
 pub fn weight(free: &Free) -> f64 {
     match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number)) if WEAK.contains(number) => 0.5,

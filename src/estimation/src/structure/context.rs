@@ -102,7 +102,7 @@ impl Structure {
     }
 
     /// Returns the structure without one effect, refitted. After a few steps, the refit continues only if the log
-    /// posterior has decreased by at most `reach`.
+    /// posterior has decreased by at most `reach`. Returns `None` if the model gives no finite force.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {

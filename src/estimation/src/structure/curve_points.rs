@@ -1,6 +1,6 @@
 //! Refinement of an FV curve whose dozen points for each stroke do not resolve the valves.
 //!
-//! The error of a coarse curve must not count as a missing effect.
+//! Without the refinement, a search would explain the error of a coarse curve by an effect that the damper lacks.
 
 use super::screening::Projection;
 use crate::hypothesis::{Free, Hypothesis, number};
@@ -20,7 +20,7 @@ const BY_POINTS: f64 = 0.05;
 const GENERATIONS: usize = 2;
 
 /// Adds points to the FV curve of a refitted hypothesis where they reduce χ² enough. `floor` is the χ² of noise. In the
-/// list of parameters, the new rises replace the old rises.
+/// list of parameters, the force increments between the new points replace those between the old points.
 pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f64) -> (Hypothesis, Refit) {
     let is_rise = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     if !now.0.numbers.iter().any(|n| is_rise(&n.free)) {
@@ -63,7 +63,8 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the middles at which a point reduces χ² enough, and the total reduction.
+/// Returns the middles at which a point reduces χ² enough, and the total reduction. Returns `None` if the curve with
+/// all middles gives no valid model or no finite force.
 ///
 /// All other parameters adapt to first order. A greedy selection adds the best middle first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
@@ -80,7 +81,8 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
-    // If a point is above the line of its interval, the rise before it is larger and the rise after it is smaller.
+    // If a point is above the line of its interval, the force increment before it is larger and the one after it is
+    // smaller.
     let mut bumps: Vec<(f64, DVector<f64>)> = middles
         .iter()
         .filter_map(|middle| {
@@ -109,7 +111,8 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     Some((points, promised))
 }
 
-/// Returns a hypothesis with more points on its FV curve. Returns `None` if the table is full.
+/// Returns a hypothesis with more points on its FV curve. Returns `None` if the table is too small or the model is not
+/// valid.
 fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypothesis> {
     let mut velocities = from.base.list(list!("fv_velocity")).to_vec();
     velocities.extend_from_slice(points);

@@ -38,7 +38,7 @@ pub struct Evidence {
     pub numbers: f64,
     /// Negative log prior of the parameter values.
     pub negative_log_prior: f64,
-    /// Reduction of the cost of parameters that are better known for this damper than for other dampers.
+    /// Reduction of the log cost of parameters that are better known for this damper than for other dampers.
     pub relief: f64,
 }
 

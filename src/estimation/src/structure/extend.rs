@@ -117,8 +117,8 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     }
 }
 
-/// Returns the free rises of one stroke of the FV curve, innermost first. Each entry is a position among the parameters
-/// and a point.
+/// Returns the free force increments of one stroke of the FV curve, innermost first. Each entry is the index of the
+/// increment among the parameters and the index of its point.
 fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)> {
     let mut rises: Vec<(usize, usize)> = of
         .numbers
@@ -147,8 +147,8 @@ fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     }
 }
 
-/// Subtracts a force from the innermost rises of the FV curve, on both strokes. Each rise keeps at least a tenth of its
-/// value.
+/// Subtracts a force from the innermost increments of the FV curve, on both strokes. Each increment keeps at least a
+/// tenth of its value.
 fn level(to: &mut Hypothesis, force: f64) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     for stroke in [1.0, -1.0] {
@@ -162,8 +162,8 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Raises the slope of one FV branch beyond the force `drawn.from` to at least `drawn.steepness` times the slope below
-/// that force.
+/// Raises the slope of the FV curve on the stroke `drawn.stroke`, beyond the force `drawn.from`. The raised slope is at
+/// least `drawn.steepness` times the slope below that force.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

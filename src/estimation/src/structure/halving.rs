@@ -72,7 +72,7 @@ pub struct Field<'a> {
     pub budget: Budget,
 }
 
-/// Refits in three stages. Returns one refit for each form.
+/// Refits in three stages. Returns for each form the index of its screened start, and its refit.
 pub fn halve(
     entrants: Vec<Entrant>,
     field: &Field,

@@ -33,8 +33,8 @@ pub struct InventoryItem {
     /// model without the effect gives no finite force, it is infinite for an effect of the most probable model. It is 0
     /// for a removed effect.
     pub force_n_rms: f64,
-    /// Ratio of that force to the root mean square of the measured force. The JSON key is `share`, because scripts
-    /// depend on this name.
+    /// Ratio of the force of the effect to the root mean square of the measured force. The JSON key is `share`, because
+    /// scripts depend on this name.
     #[serde(rename = "share")]
     pub fraction: f64,
     /// The force in each fitted test, N rms, in the order of the tests. Empty if the model with the effect removed

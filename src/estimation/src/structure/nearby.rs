@@ -34,13 +34,15 @@ impl<'a> Nearby<'a> {
         Some(Nearby { off, accuracy, jacobian: &at.jacobian })
     }
 
-    /// Computes the weighted residuals of a hypothesis that extends the starting point.
+    /// Computes the weighted residuals of a hypothesis that extends the starting point. Returns `None` if the model
+    /// gives no finite force.
     pub fn residual(&self, hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         Some(hypothesis.residual_by(self.accuracy, tests, theta)? + &self.off)
     }
 
     /// Computes derivatives of a hypothesis that extends the starting point. Finite differences give the columns of its
-    /// new parameters. The other columns are those of the starting point.
+    /// new parameters. The other columns are those of the starting point. Returns `None` if the model gives no finite
+    /// force.
     pub fn jacobian(
         &self,
         hypothesis: &Hypothesis,

@@ -83,7 +83,8 @@ pub struct Screened {
     pub start: Vec<f64>,
     /// Reduction of χ² expected from the refit.
     pub gain: f64,
-    /// Squared norm of the candidate's response after the adaptation of the base: its visibility in the records.
+    /// Visibility of the candidate in the records: the squared norm of its response, in σ², after the adaptation of the
+    /// base.
     pub visible: f64,
     /// Whether the start also changes base parameters.
     pub moved: bool,
@@ -159,8 +160,8 @@ pub fn screen(
                             (gain, taken_up, theta) = (gain_there, taken_up_there, scaled);
                         }
                     }
-                    // If it is not proportional, the parameter changes the shape of the response. The gain at the best
-                    // strength then determines whether the start is refitted.
+                    // If the response is not proportional, the parameter changes the shape of the response. The gain at
+                    // the best strength then determines whether the start is refitted.
                     gain = gain.max(left.dot(&response).powi(2) / visible);
                 }
             }

@@ -53,18 +53,21 @@ const RISE: f64 = 0.5;
 /// rounding counts.
 const EXCHANGED: f64 = 0.05;
 /// Largest difference between the best log posterior of an expansion and that of a form at which the form is tried
-/// again later. The later trial follows the addition of other effects.
+/// again later. The later trial follows the addition of other effects. The best form of each effect is always tried
+/// again.
 ///
 /// A removal is refitted to convergence if its log posterior is within this difference below the best structure.
 const PROMISING: f64 = 25.0;
-/// Number of forms of an effect that are tried again.
+/// Largest number of forms of an effect that are tried again.
 const FORMS: usize = 2;
 /// Largest decrease of the log posterior by a removal at which every promising effect is tried as a replacement. If the
-/// decrease is larger, only the alternatives of the effect are tried.
+/// decrease is larger, only the alternatives and the other forms of the effect are tried. An effect with a named form,
+/// or the only effect of a structure, always has every promising replacement.
 const CONTESTED: f64 = 12.0;
-/// Largest difference from the best log posterior at which a structure with an added effect is refined.
+/// Largest deficit of log posterior, relative to the best structure, at which a structure with an added effect is
+/// refined. More points on the FV curve and a removal typically gain this much.
 ///
-/// For a replaced effect, the limit is [`SWAPPED`]. More points on the FV curve and a removal typically gain this much.
+/// For a replaced effect, the limit is [`SWAPPED`].
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
 /// Largest number of iterations of add, remove and replace, as a safeguard. For four measurement faults, a friction and
@@ -73,7 +76,8 @@ const ROUNDS: usize = 24;
 
 impl StructureSearch {
     /// Searches from starts based on the records alone, then from the given model if that is more probable. Thus, the
-    /// given model has an influence only if it improves the result. Returns `None` if no start gives a finite force.
+    /// given model has an influence only if it improves the result. Returns `None` if no start gives a finite force. If
+    /// no effect may be added, a given model with a finite force is required.
     pub fn run(
         context: &SearchContext,
         given: Option<StartModel>,
@@ -187,7 +191,7 @@ impl StructureSearch {
         }
     }
 
-    /// Returns the best structure with one effect removed.
+    /// Returns the best structure with one effect removed. Returns `None` if no removal gives a finite force.
     fn best_removal(&mut self, context: &SearchContext, from: &Structure) -> Option<Structure> {
         let less: Vec<Structure> = (0..from.components.len())
             .into_par_iter()
@@ -307,8 +311,8 @@ fn record(table: &mut BTreeMap<Vec<Form>, Visited>, structure: &Structure) {
     }
 }
 
-/// Selects the forms of every effect with a log posterior near that of the most probable form. The search tries them
-/// again after other effects were added.
+/// Selects the forms of every effect with a log posterior near that of the most probable form, and the best form of
+/// every effect. The search tries them again after other effects were added.
 fn select_promising(trials: &[Trial]) -> BTreeSet<Form> {
     let best = trials.first().map_or(0.0, |t| t.structure.log_posterior);
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();

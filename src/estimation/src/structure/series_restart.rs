@@ -13,7 +13,7 @@ use dashpot_core::curve::{Curve, Interpolation};
 use dashpot_core::{element, list, number};
 use dashpot_records::restrict;
 
-/// Mean excess per independent sample, in σ², below which the series element is not restarted.
+/// Mean excess of χ² over that of noise, for each independent sample, below which the series element is not restarted.
 const QUIET: f64 = 0.1;
 /// Trial factors on the series stiffness.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
@@ -22,8 +22,8 @@ const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
 const STRAIGHT: f64 = 0.02;
 /// Damping ratio of the internal mass on a restarted series element.
 const RATIO: f64 = 0.2;
-/// Largest increase of the cost, relative to the best cost, a few steps after a restart. It is a fraction of the
-/// excess.
+/// Largest increase of the cost, relative to the best cost, a few steps after a restart. It is a fraction of the excess
+/// of χ² over that of noise. With a larger increase, the restart is abandoned.
 ///
 /// The final cost must be below the best cost by the fraction [`BETTER`] of the excess.
 const NEAR: f64 = 0.5;

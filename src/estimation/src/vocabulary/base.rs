@@ -54,7 +54,7 @@ fn of_other_elements(base: &Params) -> Vec<Unknown> {
     for row in table().filter(own).filter(|row| matches!(row.parameter.shape, Shape::Scalar)) {
         let Ok(number) = Number::try_from(row) else { continue };
         let (value, Some(usual)) = (base.number(number), priors::distribution(number, scale)) else { continue };
-        // The temperature of a test is computed outside the model.
+        // The temperature of a test is computed outside the model, so the heat capacity stays fixed.
         let is_heat = number == number!("heat_capacity");
         if value == 0.0 || usual.standard_score(value).abs() > SWITCHED_OFF || is_heat {
             continue;

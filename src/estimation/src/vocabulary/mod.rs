@@ -33,8 +33,8 @@ pub struct Fresh {
     /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
     /// lower end of 0, all small values are plausible.
     pub plausible: (f64, f64),
-    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start. The prior of a
-    /// parameter of the model does not depend on it, see [`crate::priors`].
+    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start value. The prior of
+    /// a parameter of the model does not depend on it, see [`crate::priors`].
     pub deviation: Option<f64>,
 }
 
@@ -45,9 +45,10 @@ pub struct Start {
     pub values: Vec<f64>,
     /// Factors on parameters of the base that must change first, because the fitted base has absorbed the effect.
     pub moves: Vec<(Number, f64)>,
-    /// Linear extension of a branch of the FV curve: the fitted branch has absorbed a force cap.
+    /// Linear extension of one stroke of the FV curve, because the fitted curve has absorbed a force cap.
     pub unbend: Option<LinearExtension>,
-    /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly: its end has absorbed a stop.
+    /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly, because its end has absorbed a
+    /// stop.
     pub straighten: Option<f64>,
     /// Start forces of the points of the FV curve, N. If empty, the points start from their current forces.
     pub curve: Vec<f64>,
@@ -56,14 +57,14 @@ pub struct Start {
     pub level: f64,
 }
 
-/// A linear extension of a branch of the FV curve.
+/// A linear extension of one stroke of the FV curve.
 #[derive(Debug, Clone)]
 pub struct LinearExtension {
     /// Stroke: +1 rebound, −1 compression.
     pub stroke: f64,
-    /// Force up to which the branch counts as correct, N, positive.
+    /// Force up to which the curve counts as correct on this stroke, N, positive.
     pub from: f64,
-    /// Smallest slope of the extension, as a fraction of the slope of the branch just below that force.
+    /// Smallest slope of the extension, as a fraction of the slope of the curve just below that force.
     pub steepness: f64,
 }
 
@@ -122,7 +123,7 @@ pub struct Candidate {
     pub unnamed: Option<Unnamed>,
 }
 
-/// A measurement error without a name in the vocabulary.
+/// Unnamed measurement error, for which the vocabulary contains no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Unnamed {
     /// Friction that increases with the force, such as that of tilted guides.
@@ -156,7 +157,7 @@ impl Fresh {
 }
 
 impl Candidate {
-    /// Scales the candidate from a car damper to a damper of this size.
+    /// Scales the candidate from a car damper to a damper of size `scale`.
     fn grow(&mut self, scale: Scale) {
         for start in &mut self.starts {
             for (value, fresh) in start.values.iter_mut().zip(&self.fresh) {
@@ -220,7 +221,8 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
     a.iter().flat_map(|a| b.iter().map(|b| Start::at(&[*a, *b]))).collect()
 }
 
-/// Returns all candidates that could be added in a situation: effects of disabled elements, and errors of the rig.
+/// Returns all candidates that could be added in a situation: effects of disabled elements, errors of the rig, and
+/// unnamed errors.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
     // All sizes and starts apply to a car damper. For another damper, the candidates are made for a car damper and then
     // scaled.

@@ -5,22 +5,23 @@ use crate::hypothesis::Free;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// Reciprocal length of an oil column, 1/m.
+/// Start value of the reciprocal length of an oil column, 1/m.
 const COLUMN: f64 = 6.0;
-/// C of Vogel's law for damper oils, °C.
+/// Constant C, °C, of Vogel's law for damper oils: the logarithm of the viscosity is linear in 1/(T + C) at temperature
+/// T, °C.
 const VOGEL: f64 = 95.0;
 
 /// Trial values of force caps, as fractions of the largest force of their stroke.
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
-/// Fraction of a cap up to which the branch with the cap counts as correct.
+/// Fraction of a force cap up to which the FV curve counts as correct on the stroke with the cap.
 ///
-/// In a second start, the branch counts as correct only up to the speed [`SLOW`], m/s. Voids distort the branch well
+/// In a second start, the curve counts as correct only up to the speed [`SLOW`], m/s, because voids distort it well
 /// below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
-/// Returns the caps of a stroke with the largest force `top`, each with linear extensions of the branch that may have
-/// absorbed the cap.
+/// Returns the caps of a stroke with the largest force `top`, N. Each has a linear extension of the FV curve on that
+/// stroke, because the curve may have absorbed the cap.
 fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     let slow = s.driven(stroke * SLOW).abs();
     let drawn = |cap: f64| {
@@ -29,7 +30,7 @@ fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     CAPS.iter().flat_map(|share| drawn(share * top).map(|drawn| (share * top, drawn))).collect()
 }
 
-/// Adds the candidates for compression, cavitation and thinning of the oil.
+/// Adds the candidates for compressibility, aeration, cavitation and thinning of the oil.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     let stiffness =
         if s.base.is_on(element!("series_compliance")) { s.base.number(number!("series_stiffness")) } else { 2e6 };

@@ -6,7 +6,7 @@ use crate::measurement::Artefact;
 use crate::situation::Situation;
 use dashpot_core::{element, number};
 
-/// Largest zero offset of a load cell, N.
+/// Largest plausible zero offset of a load cell, N.
 const OFF: f64 = 200.0;
 
 /// Adds the candidates for mass on the rig and for measurement errors.

@@ -20,7 +20,7 @@ fn by_friction() -> Loss {
 /// Adds the candidates for the series path.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     // Friction without presliding behind a soft spring acts like presliding friction. In one slow test, the estimate
-    // was a mount of 0.25 N/µm that did not exist.
+    // was a mount of 0.25 N/µm that did not exist. Therefore, this form requires presliding friction.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
     for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
         all.push(Candidate {
@@ -122,7 +122,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     ));
     // Weight, gas and clamping increase or decrease the force at which the gap opens. The starts are about one and two
     // standard deviations of the load's prior away from zero. From there, the search converges to the optimum. Gap and
-    // spring have the values of the middle start above.
+    // spring have values between those of the narrower starts above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(
@@ -213,7 +213,7 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(
                 &[element!("bushing"), element!("oil_compressibility")],
                 vec![
-                    // Rubber without hardening is also plausible.
+                    // Rubber without hardening is also plausible, so the deflection of hardening has no upper limit.
                     log(number!("bushing_hardening"), (2e-4, f64::INFINITY)),
                     linear(number!("bushing_loss_stiffness"), (0.02, 3.0)),
                     last,

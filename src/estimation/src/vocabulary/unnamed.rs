@@ -1,4 +1,4 @@
-//! Measurement errors without a name in the vocabulary.
+//! Unnamed measurement errors, for which the vocabulary contains no effect.
 
 use super::{Candidate, Start, Unnamed, fresh, of_the_rig};
 use crate::hypothesis::Free;

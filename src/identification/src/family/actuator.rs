@@ -34,9 +34,9 @@ const NARROWED: f64 = 0.7;
 pub struct ActuatorDecision {
     /// Name: `lag`, `lag_each_way`, `dead_time`, `rate_limit` or `hysteresis`.
     pub name: &'static str,
-    /// Whether the model has this part.
+    /// Whether the model has the part.
     pub is_present: bool,
-    /// Probability that the valve has this part.
+    /// Probability that the valve has the part.
     pub probability: f64,
 }
 
@@ -168,8 +168,8 @@ fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &
 
 /// Widens the intervals to both sides until they hold the effect of the errors of the force between the settings on each number.
 ///
-/// A valve on its way passes these settings, where no record shows the force. The records determine these errors only together with the
-/// times of the valve, and the errors are bounded. So the intervals of the times alone would be too narrow.
+/// A moving valve passes these settings, where no record shows the force. The records determine these errors only together with the times
+/// of the valve, and the errors are bounded. So the intervals of the times alone would be too narrow.
 fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
     for estimate in known {
         let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
@@ -195,7 +195,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
-/// Returns whether the setting rises in any record, and whether it falls in any record.
+/// Returns whether the setting rises in some record, and whether it falls in some record.
 fn ways_of(records: &[&Record]) -> [bool; 2] {
     let values = |record: &&Record| record.setting_signal.as_ref().map(|signal| signal.values.clone());
     let all: Vec<Vec<f64>> = records.iter().filter_map(values).collect();
@@ -203,9 +203,10 @@ fn ways_of(records: &[&Record]) -> [bool; 2] {
     [has(|pair| pair[1] > pair[0]), has(|pair| pair[1] < pair[0])]
 }
 
-/// Estimates the numbers of an actuator with their intervals. `timing` contains the derivatives of the residuals with respect to the
-/// instant of the command within a sampling interval. The intervals include the uncertainty of that instant. If the setting never changes
-/// in one direction, the number of that direction is not identified, even if both directions share it.
+/// Estimates the numbers of an actuator with their intervals; the list is empty if the covariance cannot be computed. `timing` contains the
+/// derivatives of the residuals with respect to the instant of the command within a sampling interval. The intervals include the
+/// uncertainty of that instant. If the setting never changes in one direction, the number of that direction is not identified, even if both
+/// directions share it.
 fn estimates(
     refit: &ActuatorRefit,
     timing: &[Vec<f64>],

@@ -8,9 +8,9 @@ use dashpot_core::family::axis::{Axis, ENTRIES};
 pub struct ActuatorNumber {
     /// Name in the model file.
     pub name: &'static str,
-    /// Value.
+    /// Value, in `unit`.
     pub value: f64,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: String,
     /// 95 % interval, or `None` if the file has none or its two ends are equal.
     pub interval: Option<[f64; 2]>,

@@ -57,7 +57,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
 }
 
-/// Position of a setting on a grid, with the indices of its left and right neighbors.
+/// Position of a setting on a grid, with the indices of the neighboring settings of the grid below and above it.
 struct Place {
     setting: f64,
     left: usize,
@@ -137,7 +137,7 @@ impl Place {
     }
 
     /// Interpolates the distances of the neighbors' interval ends from their values, and adds the error of interpolation. Returns the ends
-    /// around `value`.
+    /// around `value`, or `None` if a neighbor has no interval.
     fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2], error: f64) -> Option<[f64; 2]> {
         let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
         Some([0, 1].map(|end| {
@@ -155,7 +155,8 @@ mod tests {
     use crate::model_file::family_of_text;
     use dashpot_core::number;
 
-    /// All numbers depend linearly on the setting. With three settings, a quarter of the difference between neighbors remains uncertain.
+    /// Family whose Coulomb friction and FV curve depend linearly on the setting. With three settings, a quarter of the difference between
+    /// neighbors remains uncertain.
     const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0, 2.0]\n\
          setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\
          fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0], [-4000.0, 0.0, 6000.0]]\n\n[identification]\n\

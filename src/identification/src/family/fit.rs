@@ -109,7 +109,7 @@ pub struct FamilyFit {
     pub has_doubtful_labels: bool,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
-    /// Fingerprints of the contents of these tests, in the same order.
+    /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
     /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,
@@ -130,8 +130,8 @@ impl FamilyFit {
 /// Fits one damper family to records measured at several values of a setting.
 ///
 /// # Errors
-/// The records lack the setting, they have a single setting or too many settings, or no damper can be fitted at a setting. Further errors
-/// are forces that are not finite, and numbers that the kernel rejects.
+/// The records lack the setting, it changes within all records, they have a single setting or too many settings, or no damper can be fitted
+/// at a setting. Further errors are forces that are not finite, and numbers that the kernel rejects.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,
@@ -284,7 +284,8 @@ fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], se
     }
 }
 
-/// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors.
+/// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors. Returns no
+/// estimates if neither can be free, or if the refit fails.
 fn with_open_measurement(
     best: &FamilyStructure,
     settings: &[SettingTests],

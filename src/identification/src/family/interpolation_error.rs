@@ -8,10 +8,10 @@ use dashpot_core::family::Definition;
 /// exponentials, powers and hyperbolas over 3 to 6 uneven settings.
 const AT_END: f64 = 2.0;
 
-/// Error midway between two of only three settings, as a fraction of the difference between the values at both. Three settings show the
-/// second derivative once. An S-shaped law whose middle is the second setting shows none at all. A monotone law is never off by more than
-/// the difference itself. With 0.25, the bound holds at 92 % of random settings between three, without it at 82 %. The random laws were
-/// bleed orifices with blow-off, magneto-rheological valves and S-shaped valves over 3 to 6 uneven settings.
+/// Error midway between two of only three settings, as a fraction of the difference between the values at these two. Three settings show
+/// the second derivative once. An S-shaped law whose middle is the second setting shows none at all. A monotone law is never off by more
+/// than the difference itself. With 0.25, the bound holds at 92 % of random settings between three, without it at 82 %. The random laws
+/// were bleed orifices with blow-off, magneto-rheological valves and S-shaped valves over 3 to 6 uneven settings.
 const OF_STEP: f64 = 0.25;
 
 /// Half the second derivative of a value with respect to the setting, from three settings of the grid.
@@ -28,8 +28,8 @@ struct Bend {
 /// The error of linear interpolation is half the second derivative times the distances to both neighbors (Davis, Interpolation and
 /// Approximation, 1963, 3.1). The deviation of the value at a setting from the line through its neighbors shows this derivative. Between
 /// two settings, the larger of the derivatives at these settings applies. In the first and last interval, the two nearest derivatives are
-/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection. Three settings show
-/// only one derivative, so a fraction of the difference between the neighbors' values is the least error there.
+/// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection. Three settings
+/// show only one derivative, so a fraction of the difference between the neighbors' values is the least error there.
 ///
 /// The model interpolates with a monotone cubic. It is more accurate than the line if the damper is smooth over the setting, and equally
 /// accurate at a kink.

@@ -30,7 +30,7 @@ pub struct SettingReport {
     pub setting: f64,
     /// Number of tests at the setting.
     pub tests: usize,
-    /// Error of an ordinary damper fitted to this setting alone.
+    /// Error of an ordinary damper fitted to the setting alone.
     pub own_fit: SettingError,
     /// Error of the family.
     pub family: SettingError,
@@ -64,7 +64,7 @@ impl WorstLeftOut {
         self.ratio > WorstLeftOut::AS_GOOD
     }
 
-    /// Finds the worst setting of these reports. Returns `None` if no setting was left out.
+    /// Finds the setting with the largest ratio in `reports`. Returns `None` if no setting was left out.
     pub fn find(reports: &[SettingReport]) -> Option<WorstLeftOut> {
         let left_out = reports.iter().filter_map(|of| {
             Some(WorstLeftOut { setting: of.setting, error: of.left_out?, ratio: of.left_out_ratio? })

@@ -24,8 +24,8 @@ pub const LABEL_DOUBT_RATIO: f64 = 5.0;
 const FEW: usize = 3;
 /// Ratio of a test's error at another setting to its error at its own setting below which both settings fit the test equally well.
 ///
-/// The damper at the own setting was fitted to the test, so its error is small. It counts as at least 1 in units of noise and form error. A
-/// damper that is interpolated or shares its numbers has an error of two to three such units. Test:
+/// The damper at the own setting was fitted to the test, so its error is small. This error counts as at least 1 in units of noise and form
+/// error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
 /// `a_test_with_the_label_of_another_setting_is_named`.
 const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that counts as noise, as a fraction of the range of the damping force. Test:
@@ -87,8 +87,8 @@ const POINTS: usize = 2;
 
 /// Returns a velocity whose force rises throughout over the settings, and one of the same stroke whose force falls throughout.
 ///
-/// Both are the velocities of the largest ratio, among several with that trend. The labels of some tests may then be counted from the other
-/// end. Returns `None` for fewer than three settings, or without both trends.
+/// If several velocities have a trend, the one with the largest ratio of forces is returned. The labels of some tests may then be counted
+/// from the other end. Returns `None` for fewer than three settings, or without both trends.
 fn opposite_trends(sets: &[Params]) -> Option<[f64; 2]> {
     if sets.len() < 3 {
         return None;

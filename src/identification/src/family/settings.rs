@@ -13,14 +13,14 @@ const NAMES: usize = 6;
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 pub enum FamilyError {
-    /// No record has a setting of this name.
+    /// No record has a setting with the requested name.
     NoSetting {
         /// Requested name.
         name: String,
         /// Names of the settings in the records.
         known: Vec<String>,
     },
-    /// Some records have no setting of this name.
+    /// Some records lack the setting.
     Without {
         /// Name of the setting.
         name: String,
@@ -54,14 +54,14 @@ pub enum FamilyError {
         name: String,
         /// Value of the setting.
         value: f64,
-        /// Error of the fit at this setting.
+        /// Error of the fit at the setting.
         why: FitError,
     },
     /// The numbers do not form a valid family.
     Kernel {
         /// The invalid parameter.
         parameter: &'static str,
-        /// Reason.
+        /// Reason why the parameter is invalid.
         why: &'static str,
     },
     /// The fit of all settings together gives no finite forces.
@@ -117,7 +117,7 @@ pub struct SettingAxis {
 pub struct SettingRecords<'a> {
     /// Value of the setting.
     pub value: f64,
-    /// Records at this value.
+    /// Records at the value.
     pub records: Vec<&'a Record>,
 }
 

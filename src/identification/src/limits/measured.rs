@@ -30,7 +30,7 @@ pub struct Point {
     pub peak: Peak,
 }
 
-/// Hysteresis of one test.
+/// Mean hysteresis of one test, N, with the amplitude, m, and the peak velocity, m/s, of the test.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Gap {
     test: String,

@@ -190,7 +190,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// Makes a test of a damper with this damping coefficient, N s/m.
+    /// Makes a test of a damper with the damping coefficient `damping`, N s/m.
     fn test(name: &str, damping: f64) -> Record {
         let (n, cycles, w) = (400, 4, 10.0);
         let mut record = Record {

@@ -167,7 +167,7 @@ pub enum LimitError {
     Read {
         /// Path of the file.
         file: PathBuf,
-        /// Reason.
+        /// Reason from the operating system.
         #[source]
         source: std::io::Error,
     },

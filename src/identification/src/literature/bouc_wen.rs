@@ -2,7 +2,8 @@
 //!
 //! R. Bouc, *Forced vibration of mechanical systems with hysteresis*, Prague 1967; Y.-K. Wen, *Method for random vibration
 //! of hysteretic systems*, J. Eng. Mech. Div. ASCE 102, 1976.
-//! `F = k x + c v + F_z z + f₀`, `ż = (v − β |v| |z|ⁿ⁻¹ z − γ v |z|ⁿ)/δ` with β + γ = 1, so that z slides at ±1.
+//! `F = k x + c v + F_z z + f₀`, `ż = (v − β |v| |z|ⁿ⁻¹ z − γ v |z|ⁿ)/δ` with β + γ = 1, so that z slides at ±1. Here x is the
+//! displacement, v the velocity, and z the relative hysteretic force.
 
 use super::bristle::Shape;
 use super::law::{Law, Number};
@@ -12,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the Bouc-Wen model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BoucWen {
-    /// Level F_z of the hysteretic force, N.
+    /// Amplitude F_z of the hysteretic force, N.
     pub level_n: f64,
     /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,

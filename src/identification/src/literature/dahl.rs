@@ -2,7 +2,8 @@
 //!
 //! P. R. Dahl, *A solid friction model*, The Aerospace Corporation, TOR-0158(3107-18)-1, 1968. F. Ikhouane and S. J. Dyke use it for
 //! magnetorheological dampers (Smart Mater. Struct. 16, 2007).
-//! `F = k x + c v + F_c z + f₀`, `dz/dx = (1 − z sgn v)/δ`.
+//! `F = k x + c v + F_c z + f₀`, `dz/dx = (1 − z sgn v)/δ`. Here x is the displacement, v the velocity, and z the relative friction, which
+//! slides at ±1.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
@@ -11,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of the Dahl model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Dahl {
-    /// Friction level F_c, N.
+    /// Friction force F_c at sliding, N.
     pub friction_n: f64,
     /// Travel δ over which friction builds up, m.
     pub stick_distance_m: f64,

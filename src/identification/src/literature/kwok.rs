@@ -1,9 +1,9 @@
 //! Kwok's hyperbolic tangent model.
 //!
 //! N. M. Kwok, Q. P. Ha, T. H. Nguyen, J. Li, B. Samali, *A novel hysteretic model for magnetorheological fluid dampers and parameter
-//! identification using particle swarm optimization*, Sensors and Actuators A 132, 2006. `F = k x + c v + α tanh(β v + δ sgn x) + f₀`. Here
-//! x in the sign function is relative to the middle of each motion. The paper needs no middle, because all motions on its rig have the same
-//! one.
+//! identification using particle swarm optimization*, Sensors and Actuators A 132, 2006. `F = k x + c v + α tanh(β v + δ sgn x) + f₀` with
+//! displacement x and velocity v. Here x in the sign function is relative to the middle of each motion. The paper needs no such middle,
+//! because all motions on its rig have the same middle.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of Kwok's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Kwok {
-    /// Level α of the hyperbolic tangent, N.
+    /// Amplitude α of the hyperbolic tangent, N.
     pub level_n: f64,
     /// Steepness β of the hyperbolic tangent, s/m.
     pub steepness_s_m: f64,

@@ -1,8 +1,8 @@
 //! Polynomial in velocity, followed by a first-order lag.
 //!
 //! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). The equations
-//! of the model are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y. Here the time constant T changes over a ramp from low to high speed, because a
-//! jump makes the model unstable.
+//! of the model are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y, with velocity v and force F. Here the time constant T changes over a ramp from
+//! low to high speed, because a jump makes the model unstable.
 
 use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
@@ -28,7 +28,7 @@ pub struct LaggedPolynomial {
 const DEGREE: usize = 7;
 /// Speeds at which the ramp of the time constant begins and ends, as fractions of the highest speed of the tests.
 const RAMP: [f64; 2] = [0.03, 0.3];
-/// Number of substeps in an interval of one shortest time constant.
+/// Number of substeps for each shortest time constant in a sampling interval.
 const PARTS: f64 = 2.0;
 /// Largest number of substeps in a sampling interval. An interval that needs more is so long compared with the time constants that the
 /// force reaches its target in it.

@@ -82,7 +82,7 @@ pub trait Law: Sized + Send + Sync + 'static {
     /// values of linear parameters.
     fn starts(scales: &Scales) -> Vec<Vec<f64>>;
 
-    /// Makes the model with these parameters.
+    /// Makes the model with the parameters `numbers`, which have the order of [`Law::numbers`].
     fn from_numbers(numbers: &[f64], scales: &Scales) -> Self;
 
     /// Returns the force of the model at every sample of a motion, N.

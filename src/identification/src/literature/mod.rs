@@ -53,13 +53,13 @@ pub enum Literature {
     Lag(lagged_polynomial::LaggedPolynomial),
     /// Restoring-force surface.
     Surface(restoring_force_surface::Surface),
-    /// Dahl.
+    /// Dahl friction with spring and dashpot.
     Dahl(dahl::Dahl),
-    /// Bouc-Wen.
+    /// Bouc-Wen hysteresis with spring and dashpot.
     BoucWen(bouc_wen::BoucWen),
-    /// Spencer.
+    /// Spencer's modified Bouc-Wen model.
     Spencer(spencer::Spencer),
-    /// Kwok.
+    /// Kwok's hyperbolic tangent model.
     Kwok(kwok::Kwok),
     /// Neural network.
     Network(neural_network::Network),
@@ -81,10 +81,10 @@ pub const MODELS: [(&str, &str); 9] = [
 /// Reason why the identification of a model of the literature failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum LiteratureError {
-    /// No model has this name.
+    /// No model has the given name.
     #[error("there is no model called {name:?} to compare with; there are {}", MODELS.map(|m| m.0).join(", "))]
     Unknown {
-        /// The given name.
+        /// Unknown name.
         name: String,
     },
     /// No test has scored samples.
@@ -102,7 +102,7 @@ pub enum LiteratureError {
 }
 
 impl Literature {
-    /// Identifies the model of this name from tests.
+    /// Identifies the model with the name `name` from tests.
     ///
     /// # Errors
     /// The name is unknown, there are no tests, or no start gives finite forces.

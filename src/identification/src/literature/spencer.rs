@@ -2,9 +2,9 @@
 //!
 //! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng. Mech. ASCE 123,
 //! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with these three rounds the force-velocity
-//! loop at low speed. The accumulator k₁ is in parallel with the whole path: `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`,
-//! `F = c₁ ẏ + k₁ x + f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y. The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which
-//! avoids a division if k₁ is nearly zero.
+//! loop at low speed. The accumulator k₁ is in parallel with the whole path: `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x +
+//! f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y. Here x is the displacement of the damper, and y that of the point between
+//! dashpot c₁ and the other three. The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which avoids a division if k₁ is nearly zero.
 
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 /// Parameters of Spencer's model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spencer {
-    /// Level F_z of the hysteretic force (α z at sliding), N.
+    /// Amplitude F_z of the hysteretic force, N: the force α z of the paper at sliding.
     pub level_n: f64,
     /// Travel δ over which the hysteretic force builds up, m.
     pub stick_distance_m: f64,

@@ -68,10 +68,10 @@ pub struct Validation {
 /// Mean figures over the tests in which the setting changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ChangingSummary {
-    /// Figures of these tests.
+    /// Figures of the tests in which the setting changes.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Indices of these tests in [`Validation::tests`].
+    /// Indices of the tests in which the setting changes, in [`Validation::tests`].
     #[serde(skip)]
     pub places: Vec<usize>,
 }
@@ -81,12 +81,12 @@ pub struct ChangingSummary {
 pub struct SettingSummary {
     /// Value of the setting.
     pub setting: f64,
-    /// Whether the model file gives numbers at this value. Otherwise the numbers of the model are interpolated.
+    /// Whether the model file gives numbers at the setting. Otherwise, the numbers of the model are interpolated.
     pub is_of_grid: bool,
-    /// Figures of the tests at this setting.
+    /// Figures of the tests at the setting.
     #[serde(flatten)]
     pub summary: Summary,
-    /// Indices of these tests in [`Validation::tests`].
+    /// Indices of the tests at the setting, in [`Validation::tests`].
     #[serde(skip)]
     pub places: Vec<usize>,
 }

@@ -11,7 +11,7 @@ pub struct Compared<'a> {
     pub model: Vec<f64>,
     /// Force of the force–velocity curve alone at every sample of the record, N.
     pub fv_only: Vec<f64>,
-    /// Whether the identification used this test. Only a left-out test is an independent check.
+    /// Whether the identification used the test. Only a left-out test is an independent check.
     pub used_in_fit: bool,
 }
 

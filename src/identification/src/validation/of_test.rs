@@ -22,7 +22,7 @@ pub struct TestValidation {
     /// Errors of the model and of the force–velocity curve alone.
     #[serde(flatten)]
     pub errors: Errors,
-    /// Whether the identification used this test.
+    /// Whether the identification used the test.
     pub used_in_fit: bool,
     /// Number of compared samples.
     pub samples: usize,
@@ -41,7 +41,7 @@ pub struct TestValidation {
 pub struct PeakForce {
     /// Velocity, m/s, rebound positive.
     pub velocity_m_s: f64,
-    /// Measured and simulated forces at this velocity, N.
+    /// Measured and simulated forces at the peak velocity, N.
     pub force_n: OfEach,
 }
 

@@ -49,16 +49,17 @@ impl ResponseTimes {
     }
 }
 
-/// Shortest duration of the levels before and after a step, s, at which the step is used. Shorter levels do not show the end of the
-/// response.
+/// Shortest duration of the constant settings before and after a step, s, at which the step is used. A shorter duration does not show the
+/// end of the response.
 pub const SHORTEST_LEVEL: f64 = 0.03;
-/// Largest noise of a measured response, in the width of a 95 % interval. With more, 63 % of the way cannot be told from its end.
+/// Largest half-width of a 95 % interval of a measured response, as a fraction of the change. With more noise, a response at 63 % of the
+/// change cannot be distinguished from its end, so no times are computed.
 const MOST_NOISE: f64 = 1.0 - 0.632;
 
 /// Computes the times of a measured response with their uncertainties. The model's response gives the slope.
 ///
-/// `samples_s` are the sampling intervals of the force and of the command. There are no times if the noise hides the way, for example
-/// because the instants of the commands are unknown.
+/// `samples_s` are the sampling intervals of the force and of the command, s. Both results are `None` if the noise hides the change, for
+/// example because the instants of the commands are unknown.
 pub fn measured_times(
     time: &[f64],
     measured: &[f64],
@@ -181,11 +182,12 @@ pub struct StepResponse {
     pub to: f64,
     /// Number of steps.
     pub steps: usize,
-    /// Names of the tests that contain these steps.
+    /// Names of the tests that contain the steps.
     pub tests: Vec<String>,
     /// Sampling interval, s. The instant of a step is known to half of it if the command has no missing values.
     pub sample_s: f64,
-    /// Completed fraction of the change of the model's force at the end of the levels. It is below 1 if the levels are too short for the lag.
+    /// Completed fraction of the change of the model's force when the next step begins. It is below 1 if the setting is constant for too
+    /// short a time, compared with the lag.
     pub end_fraction: f64,
     /// Response times of each test and stroke direction with at least three steps. A limit applies to the slowest of these groups and of
     /// all steps together.
@@ -262,7 +264,7 @@ mod tests {
         };
         assert!((of(0.006, 0.011).delay_of_model().unwrap() - 5e-3).abs() < 1e-12);
         assert!((of(0.011, 0.006).delay_of_model().unwrap() + 5e-3).abs() < 1e-12);
-        // Within the uncertainty, and within a tenth of the measured time.
+        // The differences are within the uncertainty, and within a tenth of the measured time.
         assert_eq!(of(0.006, 0.0069).delay_of_model(), None);
         assert_eq!(of(0.020, 0.0218).delay_of_model(), None);
     }
@@ -271,15 +273,15 @@ mod tests {
     fn noise_makes_the_time_to_the_end_of_a_response_uncertain() {
         let time: Vec<f64> = (0..1600).map(|k| 1e-4 * f64::from(k) - 0.01).collect();
         let model: Vec<f64> = time.iter().map(|t| if *t < 0.0 { 0.0 } else { 1.0 - libm::exp(-t / 0.01) }).collect();
-        // Standard deviation 0.02.
+        // The noise has a standard deviation of 0.02.
         let noisy: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.02 } else { -0.02 }).collect();
         let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, [1e-3; 2]).unwrap();
         let (clean, found) = (of(&model), of(&noisy));
         assert!((clean.t63_s - 5e-4).abs() < 2e-5 && (clean.rise_s - 8e-4).abs() < 5e-5, "{clean:?}");
-        // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %.
+        // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %, with the time constant τ = 0.01 s.
         assert!((found.t63_s - 5e-4 - 0.04 * 0.01 / 0.368).abs() < 1e-4, "{found:?}");
         assert!(found.rise_s > 4.6e-3 && found.rise_s < 5.6e-3, "{found:?}");
-        // Noise as large as the remaining way hides the times.
+        // Noise as large as the remaining change hides the times.
         let noise: Vec<f64> = (0i32..).zip(&model).map(|(k, r)| r + if k % 2 == 0 { 0.3 } else { -0.3 }).collect();
         assert_eq!(measured_times(&time, &noise, &model, [1e-3; 2]), (None, None));
         assert!(measured_times(&time, &noisy, &model, [1e-3; 2]).0.is_some());
