@@ -1,5 +1,5 @@
-//! A semi-active damper of the second laboratory, identified over its current. Evaluates the family's predictions for
-//! excluded data.
+//! A semi-active damper of the second laboratory, identified over its current. Evaluates the predictions of the
+//! identified damper for data that the fit did not use.
 
 use crate::EvaluationError;
 use dashpot_core::Input;
@@ -28,7 +28,7 @@ const RATE: f64 = 10_000.0;
 /// Grid of a response: start and end, s, and number of intervals.
 const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 
-/// Time to 63 % of a step, s, of the plant and of the identified model.
+/// Time from a step of the current to 63 % of its effect, s, of the plant and of the identified model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Lag {
     /// Currents before and after the step, A.
@@ -56,11 +56,12 @@ pub struct SemiActiveOutcome {
     pub worst_ratio: f64,
     /// Error ratio at each current inside the grid.
     pub ratios: Vec<f64>,
-    /// Largest error of the family fitted without a current, in percent of the largest force of each test.
+    /// Largest mean error of the family at a current without which it was fitted, in percent of the largest force of
+    /// each test.
     pub left_out_percent: f64,
-    /// Mean error over the left-out test with random current, as a fraction of the largest force.
+    /// Mean error over the left-out test with random current, as a fraction of the largest force of this test.
     pub random_error: f64,
-    /// Lags of the valve position, expressed as the steady-state current.
+    /// Lags of the valve position. Each position is expressed as the current at which it is the steady state.
     pub valve: Vec<Lag>,
     /// Lags of the force at constant speed.
     pub force: Vec<Lag>,
@@ -159,13 +160,13 @@ fn constant(test: &SemiActiveTest, level: f64) -> SemiActiveTest {
     SemiActiveTest { command: Command::Levels(vec![[0.0, level]]), ..test.clone() }
 }
 
-/// Computes the times to 63 % of the steps of valve position and force, for plant and model without noise.
+/// Computes the times to 63 % of the steps of valve position and force, s, for plant and model without noise.
 fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<Lag>, Vec<Lag>), EvaluationError> {
     let clean = Protocol { noise_percent: 0.0, sample_rate_hz: RATE, ..Protocol::default() };
     let grid: Vec<f64> = (0..=GRID.2).map(|k| GRID.0 + (GRID.1 - GRID.0) * k as f64 / GRID.2 as f64).collect();
     let map = plant.stage_map();
     let family = prepared_family(damper).map_err(|error| EvaluationError::Family(error.to_string()))?;
-    // Use the three pairs of levels with a common speed.
+    // Use only the tests at 300 mm/s, which have three pairs of current levels.
     let tests: Vec<SemiActiveTest> = steps(seed).into_iter().filter(|test| test.name.ends_with("_300mm_s")).collect();
     let (mut valves, mut forces) = (Vec::new(), Vec::new());
     for test in &tests {

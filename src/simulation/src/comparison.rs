@@ -22,7 +22,7 @@ pub enum CompareError {
     /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// The plain FV curve in the tables of the model file does not form a valid model.
+    /// The plain FV curve that the model file contains in its table `fv_only` does not form a valid model.
     #[error("the table fv_only of the model file: {0}")]
     FvOnly(String),
     /// A record does not state the setting on which the damper depends, and the user gives none.
@@ -45,7 +45,8 @@ pub enum CompareError {
 /// Several threads call `progress` with the number of completed records and their total.
 ///
 /// # Errors
-/// The parameters do not form a valid model, or there is no valid plain FV curve and none can be fitted.
+/// The parameters do not form a valid model. Or the plain FV curve of the model file is not valid, or the file has none and none can be
+/// fitted to the records.
 pub fn compare<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -61,7 +62,7 @@ pub fn compare<'a>(
 /// the family itself are used, without an actuator.
 ///
 /// # Errors
-/// A record has no setting and none is given, or [`compare`] fails.
+/// A record has no setting and none is given, or the parameters do not form a valid model.
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -163,7 +164,7 @@ fn plain_curve(params: &Params) -> Params {
 pub(crate) fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
-        // Every number of an actuator may be 0, which disables it.
+        // `set_number` cannot fail, because every parameter of an actuator may be 0. The value 0 disables the effect of the parameter.
         let _ = plain.axis.set_number(index, 0.0);
     }
     plain

@@ -1,11 +1,11 @@
-//! Motions that a user imposes on a model. They are completed, resampled on request, and simulated.
+//! Motions that a user imposes on a model. Missing channels are computed, and the motion is resampled on request and simulated.
 
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
-/// Largest number of rows of a resampled motion. This number of rows gives some gigabytes of output.
+/// Largest number of rows of a resampled motion. More rows are rejected, because this number already gives some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
 /// Number of samples between two reports of progress.
@@ -207,7 +207,7 @@ impl ImposedMotion {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// Returns the command during the step that ends at a sample, or `None` if the motion has no setting.
+    /// Returns the commanded setting during the step that ends at a sample, or `None` if the motion has no setting.
     ///
     /// The command is the mean of the settings at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
@@ -455,7 +455,8 @@ mod tests {
                 bends / (h * h)
             };
             for i in 1..x.len() - 1 {
-                // The second derivatives are of the order of 1 / (0.1 s)².
+                // The second derivatives are of the order of 1 / (0.1 s)², because the values are of the order of 1 and their interval is
+                // about 0.1 s.
                 prop_assert!((bend(i - 1, true) - bend(i, false)).abs() < 1e-8);
             }
         }

@@ -2,8 +2,8 @@
 //!
 //! A fit, a validation and a diagnosis all report these errors, so their figures are comparable.
 //!
-//! The internal figures of a fit and a diagnosis are smaller than those of a validation. The reasons are that mean cycles average out the
-//! noise, and that a diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
+//! The internal figures of a fit and a diagnosis are smaller than those of a validation, because mean cycles average out the noise, and a
+//! diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
 
 use crate::comparison::without_actuator;
 use crate::prediction::{predict, predict_family};
@@ -57,8 +57,8 @@ pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsE
     without(&fit.measured, &fit.params, records)
 }
 
-/// Quality of a fit: the error of its model, in comparison with the plain FV curve and with the noise of the records. No model can have a
-/// smaller error than the noise.
+/// Quality of a fit: the error of its model, in comparison with that of the plain FV curve and with the noise of the records. The noise is
+/// the smallest error that a model can have.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quality {
     /// Error of the model.

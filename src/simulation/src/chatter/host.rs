@@ -10,7 +10,7 @@ pub struct Host {
 }
 
 impl Host {
-    /// Real-time host with the lightest mass that a car damper moves.
+    /// Real-time host with a step of 1 ms and the lightest mass that a car damper moves.
     ///
     /// The mass consists of wheel, hub and half the links of a small car's front corner.
     pub const TYPICAL: Host = Host { step: 1e-3, mass: 40.0 };

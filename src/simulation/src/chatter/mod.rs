@@ -20,7 +20,7 @@
 //! | [`chatter`] | full check of one damper, and the element that causes chatter |
 //! | [`mod@softened`] | replacement of friction that chatters |
 //! | [`Ready`] | damper checked in a host and prepared for it |
-//! | `told` | messages |
+//! | `describe` | messages |
 
 mod describe;
 mod gain;
@@ -42,10 +42,10 @@ pub use softened::{Softened, Softer, softened};
 
 use dashpot_core::Params;
 
-/// Returns the remarks for an export of a damper.
+/// Returns the remarks for the export of a damper to a host.
 ///
-/// They report chatter in this host, and an internal mass whose oscillation the step does not resolve. There are none if the damper cannot
-/// be checked.
+/// The remarks report chatter in this host, and an internal mass whose oscillation the host's step does not resolve. There are no remarks
+/// if the damper cannot be checked.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
     Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }
