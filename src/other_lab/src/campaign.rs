@@ -26,7 +26,7 @@ pub struct Campaign {
 /// Measured channels of one test.
 #[derive(Debug, Clone)]
 pub struct TestRecord {
-    /// Name.
+    /// Name of the test.
     pub name: String,
     /// Time on the clock of the campaign, s. The clock continues from test to test.
     pub time_s: Vec<f64>,
@@ -171,7 +171,8 @@ impl Case {
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
                 left_out: test.left_out,
             });
-            // Unrecorded conditioning runs, only for sines, heat the oil. Then the oil cools during a pause.
+            // Unrecorded conditioning runs, only for sines, heat the oil. The oil cools over the duration of the test
+            // and a pause.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);
@@ -193,7 +194,8 @@ impl Case {
         })
     }
 
-    /// Returns the tests in the order of execution.
+    /// Returns the tests in the order of execution. If the protocol shuffles them, the repeated reference tests are
+    /// spread evenly over the others.
     fn ordered(&self) -> Vec<Test> {
         let tests = self.protocol.plan.tests(self.protocol.road_s);
         if !self.protocol.shuffled {

@@ -112,8 +112,8 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
         };
         all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
         all.extend((0..PAIRS).map(|k| {
-            // The first effects of the pairs advance by 5, so that they differ. The second effect is never equal to the
-            // first one.
+            // The stride 5 and the number of effects are coprime, so the first effects of successive pairs differ. The
+            // second effect of a pair is never equal to the first one.
             let a = (5 * (k + PAIRS * round) + 1) % hidden.len();
             let b = (a + 1 + (7 * k + round) % (hidden.len() - 1)) % hidden.len();
             ("pair", next(k).hiding(hidden[a], 1.0).hiding(hidden[b], 1.0))

@@ -455,8 +455,7 @@ mod tests {
                 bends / (h * h)
             };
             for i in 1..x.len() - 1 {
-                // The second derivatives are of the order of 1 / (0.1 s)², because the values are of the order of 1 and their interval is
-                // about 0.1 s.
+                // The second derivatives are of the order of 1 / (0.1 s)².
                 prop_assert!((bend(i - 1, true) - bend(i, false)).abs() < 1e-8);
             }
         }

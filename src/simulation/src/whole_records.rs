@@ -2,8 +2,8 @@
 //!
 //! A fit, a validation and a diagnosis all report these errors, so their figures are comparable.
 //!
-//! The internal figures of a fit and a diagnosis are smaller than those of a validation, because mean cycles average out the noise, and a
-//! diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
+//! The internal figures of a fit and a diagnosis are smaller than those of a validation. This is because mean cycles average out the noise,
+//! and a diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
 
 use crate::comparison::without_actuator;
 use crate::prediction::{predict, predict_family};

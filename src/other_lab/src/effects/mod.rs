@@ -46,7 +46,7 @@ pub struct Here {
     pub input: crate::jet::Jet,
     /// Displacement of the part of the damper with friction and springs, m.
     pub x: f64,
-    /// Velocity of this part, m/s.
+    /// Velocity of the part of the damper with friction and springs, m/s.
     pub v: f64,
     /// Hydraulic force, N.
     pub hydraulic: f64,
@@ -69,7 +69,7 @@ pub struct Reading {
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Motion of the moving end.
+    /// Motion of the moving end: displacement, velocity and acceleration.
     pub input: crate::jet::Jet,
     /// Force before this effect, N.
     pub force: f64,
@@ -119,8 +119,8 @@ pub trait EffectModel: Send + Sync {
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// Transforms the force in the channel over time; `time` contains the times of `force`. The number of the test
-    /// selects what is drawn for each test.
+    /// Transforms the force of a whole test in the force channel; `time` contains the times of `force`, s. The number
+    /// of the test selects the values that are random from test to test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
     /// Returns the reading of the displacement channel, m.
     fn displacement(&self, x: f64) -> f64 {
@@ -128,12 +128,12 @@ pub trait EffectModel: Send + Sync {
     }
 }
 
-/// Function that makes an effect with a strength, scaled to a damper.
+/// Function that makes an effect of a strength. The parameters of the effect are random and scaled to the damper.
 pub type Make = fn(f64, &Scale, &mut Draw) -> Box<dyn EffectModel>;
 
 /// An effect's name and laws.
 pub struct Effect {
-    /// Name.
+    /// Name of the effect.
     pub name: &'static str,
     /// Names of the laws, and the functions that make them.
     pub laws: &'static [(&'static str, Make)],
@@ -184,7 +184,7 @@ pub fn find(name: &str) -> Option<&'static Effect> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).find(|e| e.name == name)
 }
 
-/// Computes a smooth, algebraic sign function with a velocity scale.
+/// Computes a smooth, algebraic sign function of the velocity `v`, which changes over the velocity `within`, m/s.
 fn soft_sign(v: f64, within: f64) -> f64 {
     v / (v * v + within * within).sqrt()
 }

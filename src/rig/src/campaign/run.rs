@@ -11,7 +11,7 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Matrix, RigError, TestPoint};
 
-/// Number of samples per cycle at which the default sample rate aims.
+/// Number of samples per cycle that the default sample rate provides, if it is within its limits.
 pub const SAMPLES_PER_CYCLE: f64 = 400.0;
 /// Highest sample rate chosen by default, Hz.
 pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;

@@ -68,7 +68,8 @@ impl Damper {
         }
     }
 
-    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass of mid-stroke.
+    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass that the damper
+    /// has at mid-stroke.
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
@@ -307,7 +308,7 @@ mod tests {
         let filled = damper.oil_volume(&damper.at_rest(0.0), 0.0);
         for (time, _, state) in simulate(&damper, &point, 1.0, 50) {
             let now = damper.oil_volume(&state, drive.motion(time).0);
-            // The gas chamber is sensitive to lost oil: 1e-4 of the oil is 0.5 % of its volume.
+            // The gas chamber is sensitive to lost oil: 1e-4 of the oil volume is 0.5 % of the gas volume.
             assert!((now / filled - 1.0).abs() < 2e-5, "{}", now / filled - 1.0);
         }
     }

@@ -15,7 +15,7 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Number of samples per cycle at which the sample rate aims.
+/// Number of samples per cycle that the sample rate provides, if it is within its limits.
 ///
 /// It is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
@@ -28,8 +28,8 @@ const RATES_HZ: [f64; 22] = [
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals of the motion, in samples. Without it, the velocity of a sample at a
-/// reversal would be exactly zero.
+/// Offset of the samples from the reversals of the motion, in samples. Without the offset, the velocity of a sample at
+/// a reversal would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
@@ -106,7 +106,7 @@ fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
 }
 
 fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
-    // If a name is drawn several times, such as the fraction of each element, a number is added.
+    // If a name is drawn several times, such as the fraction of each element, a number is appended to the name.
     let named = |drawn: &[(String, f64)]| {
         let mut named = BTreeMap::new();
         for (name, value) in drawn {
@@ -135,12 +135,12 @@ fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
     }
 }
 
-/// A test with its time on the clock.
+/// A test with its start on the campaign clock.
 struct Scheduled<'a> {
     point: &'a TestPoint,
     drive: Drive,
     rate_hz: f64,
-    /// Clock at the first sample, s.
+    /// Campaign clock at the first sample, s.
     clock_s: f64,
     /// Pause before the test, s.
     pause_s: f64,
@@ -176,7 +176,7 @@ struct Rig<'a> {
     options: &'a Options,
 }
 
-/// States that continue from test to test.
+/// States that continue from one test to the next.
 struct Lasting {
     temperatures: Temperatures,
     states: Vec<Vec<f64>>,
@@ -201,7 +201,7 @@ impl Rig<'_> {
             for (hidden, states) in self.hidden.iter().zip(&mut lasting.states) {
                 hidden.pause(test.pause_s, states);
             }
-            // The number of states is a compile-time constant; surplus states stay at zero.
+            // The number of states is a compile-time constant, so it is rounded up. Surplus states stay at zero.
             let record = match states {
                 0..=3 => self.measure::<3>(test, with_side_force, &mut lasting),
                 4 => self.measure::<4>(test, with_side_force, &mut lasting),
@@ -354,7 +354,8 @@ mod tests {
 
     #[test]
     fn a_passive_damper_takes_energy_in_every_cycle() {
-        // Exclude errors of the rig. A mass returns the energy that it stores.
+        // Exclude the measurement errors of the rig. A mass need not be excluded, because it returns the energy that it
+        // stores.
         let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
         for name in physical {
             for record in measured(4, &[(name, 1.0)]) {

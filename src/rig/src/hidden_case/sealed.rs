@@ -8,11 +8,11 @@ use super::{InjectedCampaign, Truth};
 use crate::RigError;
 use crate::files::replace_file;
 
-/// Subfolder of the truth.
+/// Name of the subfolder that contains the truth.
 pub const SEALED_FOLDER: &str = "sealed";
-/// File of the injected effects.
+/// Name of the file with the injected effects.
 pub const TRUTH_FILE: &str = "truth.toml";
-/// File of the forces without noise: one line per sample, records in the order of measurement.
+/// Name of the file with the forces without noise: one line per sample, records in the order of measurement.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
 impl InjectedCampaign {

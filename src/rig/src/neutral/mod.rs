@@ -17,7 +17,7 @@ pub(crate) use valve_law::ValveLaw;
 
 use crate::draw::Draw;
 
-/// A damper of the thesis's topology.
+/// A damper with the topology of the thesis.
 #[derive(Debug, Clone)]
 pub(crate) struct Neutral {
     pub valves: ValveLaw,

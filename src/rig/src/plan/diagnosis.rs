@@ -10,7 +10,7 @@ use crate::draw::Draw;
 pub(super) const REFERENCE: &str = "reference";
 const REFERENCES: usize = 3;
 
-/// Amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
+/// Row of a plan: amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
 type Row = (f64, f64, f64, f64);
 
 const TRAINING: [Row; 31] = [
@@ -51,7 +51,7 @@ const TRAINING: [Row; 31] = [
     (25.0, 0.5, 0.0, 1000.0),
 ];
 
-/// Tests with strokes and velocities between those of the training tests.
+/// Check tests, with amplitudes and velocities between those of the training tests.
 const CHECKS: [Row; 11] = [
     (0.6, 2.0, 0.0, 0.0),
     (1.5, 18.0, 0.0, 0.0),
