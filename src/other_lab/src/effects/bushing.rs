@@ -84,8 +84,8 @@ impl EffectModel for Triboelastic {
 fn triboelastic(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let k = scale.series_n_m.min(1.5e6);
     let first = d.between(0.4, 0.8);
-    // For a friction force that grows with the root of the deflection, the stiffness of each friction element decreases
-    // with the root of its slip length.
+    // The friction force should grow with the root of the deflection. So the stiffness of each friction element
+    // decreases with the root of its slip length.
     let slips: [f64; SLIDERS] = std::array::from_fn(|i| 2e-5 * 4f64.powi(i as i32));
     Box::new(Triboelastic {
         compliance: strength * d.between(1.5, 3.0) / k,
