@@ -42,8 +42,8 @@ const UNDECIDED: usize = 3;
 /// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
-/// Mean square residual of a test, relative to noise and curve error, above which a diagnosis without findings lists
-/// this test in a note.
+/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the error
+/// expected from noise and curve form.
 const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.

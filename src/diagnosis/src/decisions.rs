@@ -11,7 +11,8 @@ pub const NAMED: f64 = 0.5;
 /// `a_residual_above_twice_the_noise_is_stated_with_it`.
 pub const CLEARLY: f64 = 2.0;
 
-/// Largest root mean square residual at which the model counts as complete, in units of noise and curve error.
+/// Largest root mean square residual at which the model counts as complete. Its unit is the error expected from noise
+/// and from the form of the FV curve.
 ///
 /// Above this value, the form error of the model is larger than the noise.
 pub const QUIET: f64 = 1.5;

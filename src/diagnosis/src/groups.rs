@@ -28,7 +28,7 @@ pub struct GroupResult {
 /// Diagnoses of all groups. `dashpot diagnose --group` writes this value as JSON.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
-    /// Name of the reference; in a chain, the reference of the first group.
+    /// Name of the reference. In a chain ([`Comparison::Chain`]), name of the reference of the first group.
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,

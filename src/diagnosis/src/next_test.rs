@@ -49,7 +49,8 @@ const BEYOND: f64 = 1.2;
 
 const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05];
 const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
-/// Samples per cycle. The lead-in has one cycle.
+/// Number of samples per cycle of a simulated sine. One cycle is simulated before the evaluated cycle, so that the
+/// model reaches its steady state.
 const PER_CYCLE: usize = 120;
 /// Expected noise of a test with a car damper: a fraction of the root mean square force, and a constant part, N.
 const NOISE: (f64, f64) = (0.02, 1.0);
@@ -105,8 +106,8 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// Proposes the tests that best distinguish the rivals, the most informative first. The displacements count in the
-/// direction and from the zero of the campaign's files.
+/// Proposes the tests that best distinguish the rivals, the most informative first. The displacements in the result
+/// have the direction and the zero of the campaign's files.
 ///
 /// For a single rival, or if no sine distinguishes the rivals, the result names the test that shows each effect best.
 pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
@@ -179,7 +180,8 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
         })
         .collect();
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
-    // Neighboring designs are redundant, so only one test of each amplitude is proposed.
+    // Sines that are neighbors in the grid of amplitudes and frequencies are redundant, so only one test of each
+    // amplitude is proposed.
     let mut told: Vec<NextTest> = Vec::new();
     let mut amplitudes = Vec::new();
     for (_, difference, [i, j], d) in judged {

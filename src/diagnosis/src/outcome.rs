@@ -303,9 +303,11 @@ pub struct Trial {
 pub struct Evidence {
     /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
     pub fraction: f64,
-    /// Mean square residual of a test without the effect, relative to noise and curve error.
+    /// Mean square residual of a test without the effect, relative to the error expected from noise and from the form
+    /// of the FV curve.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with the effect, relative to noise and curve error.
+    /// Mean square residual of a test with the effect, relative to the error expected from noise and from the form of
+    /// the FV curve.
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///

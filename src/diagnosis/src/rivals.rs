@@ -1,4 +1,5 @@
-//! Effects that are not named but explain a part of the disagreement, in addition to named effects or instead of one.
+//! Effects that are not named but explain a part of the disagreement of model and records, in addition to named effects
+//! or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -18,8 +19,8 @@ const SUSPECT: f64 = 0.03;
 const EXPLAINING: f64 = 0.01;
 
 /// Returns the fraction of the excess mean square that an effect explains, from −1 to 1. `before` and `after` are the
-/// mean squares without and with the effect, relative to noise and curve error. The excess is the part of `before`
-/// above 1.
+/// mean square residuals without and with the effect, relative to the error expected from noise and curve form. The
+/// excess is the part of `before` above 1.
 pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }

@@ -310,7 +310,8 @@ fn summarize(
             continue;
         }
         let at = added.iter().map(|at| at.setting).collect();
-        // An effect that replaces one effect of the model at all these settings is reported with the replaced effect.
+        // If the effect replaces the same effect of the model at all these settings, the summary also names the
+        // replaced effect.
         let mut replaced = added.iter().filter_map(|at| at.replaces);
         let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
         let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));

@@ -77,7 +77,8 @@ pub struct Accuracy {
 }
 
 impl Default for Accuracy {
-    /// Returns a tolerance with errors well below a tenth of the noise. A test with half the step size verifies it.
+    /// Returns tolerances with errors below a tenth of the noise. The test
+    /// `smaller_steps_change_the_force_by_less_than_a_tenth_of_the_noise` verifies this.
     fn default() -> Accuracy {
         Accuracy { relative: 4e-4, absolute: 0.4, longest: 1.0 }
     }
@@ -100,24 +101,24 @@ struct Simulated {
 }
 
 impl Case {
-    /// Runs the campaign.
+    /// Simulates all tests of the campaign, and adds the sensor errors.
     ///
     /// # Errors
-    /// [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation without a
-    /// finite force.
+    /// Returns a [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation
+    /// without a finite force.
     pub fn run(&self) -> Result<Campaign, LabError> {
         self.run_with(&Accuracy::default())
     }
 
-    /// Runs the campaign with another accuracy.
+    /// Simulates the campaign with another accuracy.
     ///
     /// # Errors
-    /// The errors of [`Case::run`].
+    /// Returns the errors of [`Case::run`].
     pub fn run_with(&self, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         self.run_prepared(self.prepare()?, accuracy)
     }
 
-    /// Runs the campaign of a prepared damper.
+    /// Simulates the campaign of a prepared damper.
     pub(crate) fn run_prepared(&self, prepared: Prepared, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         let Prepared { plant, effects, truth } = prepared;
         let p = &self.protocol;

@@ -18,7 +18,7 @@ impl Case {
     /// The campaign is simulated once for each injected effect and once for each part of the damper's physics.
     ///
     /// # Errors
-    /// The errors of [`Case::run`].
+    /// Returns the errors of [`Case::run`].
     pub fn true_set(&self) -> Result<Vec<String>, LabError> {
         let whole = self.run()?;
         let mut found = Vec::new();

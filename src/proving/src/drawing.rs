@@ -50,7 +50,7 @@ fn normal(seed: u64, place: u64) -> f64 {
 }
 
 impl Drawing {
-    /// Makes the drawing of a seed's damper. Returns `None` if the damper has no chambers.
+    /// Makes the drawing of the damper that a seed selects. Returns `None` if the damper has no chambers.
     pub fn new(kind: Kind, seed: u64) -> Option<Drawing> {
         let plant = Plant::new(kind, seed);
         let errors = (0..ENTRIES.len() as u64).map(|place| normal(seed, 10 + place)).collect();
@@ -81,11 +81,11 @@ impl Drawing {
         }
     }
 
-    /// Makes the drawing with some of its entries. Each has a random error, which is within its tolerance in 95 % of
-    /// the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
+    /// Makes the drawing with some of its entries. Each entry has a random error, which is within the tolerance of the
+    /// entry in 95 % of the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
     ///
     /// # Panics
-    /// If the reader of dimensions rejects the drawing.
+    /// Panics if the reader of dimensions rejects the drawing.
     pub fn with(&self, entries: &[Entry]) -> Dimensions {
         let mut text = format!("design = \"{}\"\n", if self.kind == Kind::Monotube { "monotube" } else { "twin_tube" });
         for ((entry, tolerance), error) in ENTRIES.iter().zip(&self.errors).filter(|((e, _), _)| entries.contains(e)) {

@@ -23,7 +23,7 @@ const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// Options of a diagnosis: the diagnosed model and the reference.
+/// Choice of the diagnosed model, and of a diagnosis with or without a reference.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
     /// Whether the damper is compared with itself without the injected effect.
@@ -32,10 +32,10 @@ pub struct Way {
     pub whole_fit: bool,
 }
 
-/// Measures the campaign of a case in the form for the diagnosis. The numbers in `case.effects` are strengths.
+/// Measures the campaign of a case in the form that a diagnosis needs. The numbers in `case.effects` are strengths.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError> {
     let campaign = case.run()?;
     let records = read(&campaign)?;
@@ -82,13 +82,13 @@ const PAIRS: usize = 8;
 ///
 /// A suite consists of these blocks:
 ///
-/// - every known effect that the base model does not absorb
-/// - every unknown effect
-/// - as many cases without an effect and with white noise as there are unknown effects
-/// - equally many cases without an effect and with colored noise, hum and 14 bits
-/// - pairs of known effects
-/// - every effect of the first block with a random laboratory protocol
-/// - equally many cases without an effect as in the third block, with a random laboratory protocol
+/// - every known effect that the base model does not absorb.
+/// - every unknown effect.
+/// - as many cases without an effect and with white noise as there are unknown effects.
+/// - equally many cases without an effect and with colored noise, hum and 14 bits.
+/// - pairs of known effects.
+/// - every effect of the first block with a random laboratory protocol.
+/// - equally many cases without an effect as in the third block, with a random laboratory protocol.
 ///
 /// The kinds of dampers alternate. The suite is repeated `repetitions` times. Seeds count up from `first_seed + 1`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
@@ -131,7 +131,7 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// Errors of laboratory, reader, fit or diagnosis.
+/// Returns the errors of the laboratory, the reader, the fit and the diagnosis.
 pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), EvaluationError> {
     let measured = measure(case, way.whole_fit)?;
     let reference = if way.reference { read(&case.reference().run()?)? } else { Vec::new() };
@@ -144,7 +144,7 @@ pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagn
 /// A severity is the root mean square that a refit of the base model cannot absorb, relative to the noise.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit, or a severity that no strength reaches.
+/// Returns the errors of the laboratory, the reader and the fit, and an error for a severity that no strength reaches.
 pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
     let ground = SeverityContext::new(case, &neutral)?;
@@ -158,7 +158,7 @@ pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
 /// Writes records to files and loads them, like a user.
 ///
 /// # Errors
-/// Errors of laboratory or reader.
+/// Returns the errors of the laboratory and the reader.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, EvaluationError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }

@@ -48,10 +48,11 @@ pub struct Outcome {
     pub evidence: Vec<Vec<(String, f64, Evidence)>>,
     /// Effects that these records cannot show, from the diagnosis.
     pub could_not_test: Vec<String>,
-    /// If the diagnosis named no effect: the first name after the proposed test was added. Empty if that diagnosis
-    /// names none either. `None` if there was no proposed test, or if the rig cannot run it.
+    /// First effect that is named after the first proposed test was added, for cases with a poor plan in which no
+    /// effect was named before. Empty if the second diagnosis names none either. `None` if there was no proposed test,
+    /// or if the rig cannot run it.
     pub with_proposed: Option<String>,
-    /// The first name after all proposed sines were added, under the conditions of `with_proposed`.
+    /// First effect that is named after all proposed sines were added, under the conditions of `with_proposed`.
     pub with_all_proposed: Option<String>,
 }
 
@@ -80,7 +81,7 @@ pub fn plain(name: &str) -> &str {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// Errors of rig, reader, fit or diagnosis.
+/// Returns the errors of the rig, the reader, the fit and the diagnosis.
 pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), EvaluationError> {
     let measured = case.measure()?;
     let (mut outcome, found) = judged(block, case.options.seed, &case.effects, &measured, &Options::default())?;
@@ -93,7 +94,7 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
 /// Diagnoses and scores a measured case.
 ///
 /// # Errors
-/// Errors of the diagnosis.
+/// Returns the errors of the diagnosis.
 pub fn judged(
     block: &'static str,
     seed: u64,
@@ -151,7 +152,8 @@ pub fn judged(
 /// Smallest amplitude, m, and largest speed, m/s, of the rig.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// Returns the first name after the first proposed sine was added, and after all proposed sines were added.
+/// Returns the first effect that is named after the first proposed sine was added, and after all proposed sines were
+/// added.
 fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
     let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;
@@ -171,8 +173,8 @@ fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<Stri
     (with_first, with_all)
 }
 
-/// Returns the first name after tests beyond the plan were added. It is empty if no effect is named. Returns `None` if
-/// there are no such tests, or if measurement or diagnosis fails.
+/// Returns the first effect that is named after tests beyond the plan were added, or an empty text if no effect is
+/// named. Returns `None` if there are no such tests, or if measurement or diagnosis fails.
 fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
     if more.is_empty() {
         return None;

@@ -33,7 +33,7 @@ const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 pub struct Lag {
     /// Currents before and after the step, A.
     pub step_a: [f64; 2],
-    /// Time of the plant, s.
+    /// Time of the plant (the simulated true damper), s.
     pub plant_s: f64,
     /// Time of the model, s.
     pub model_s: f64,
@@ -51,13 +51,13 @@ impl Lag {
 pub struct SemiActiveOutcome {
     /// Seed of the damper, its steps and its noise.
     pub seed: u64,
-    /// Error ratio at the worst current: the family fitted without that current, relative to a fit of that current
-    /// alone.
+    /// Largest of [`SemiActiveOutcome::ratios`], at the worst current.
     pub worst_ratio: f64,
-    /// Error ratio at each current inside the grid.
+    /// Error ratio at each current inside the grid. It is the error of a fit without that current, relative to the
+    /// error of a fit at that current alone.
     pub ratios: Vec<f64>,
-    /// Largest mean error of the family at a current without which it was fitted, in percent of the largest force of
-    /// each test.
+    /// Largest mean error of the adjustable damper at a current without which it was fitted, in percent of the largest
+    /// force of each test.
     pub left_out_percent: f64,
     /// Mean error over the left-out test with random current, as a fraction of the largest force of this test.
     pub random_error: f64,
@@ -81,7 +81,7 @@ impl SemiActiveOutcome {
 /// Measures tests and reads their records back from files.
 ///
 /// # Errors
-/// Errors of laboratory or reader.
+/// Returns the errors of the laboratory and the reader.
 pub fn measure(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],
@@ -103,7 +103,7 @@ pub fn measure(
 /// Measures, fits and evaluates the damper of a seed with the whole protocol.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
     let plant = SemiActivePlant::new(seed);
     let tests = protocol(seed, plant.most);
@@ -113,7 +113,7 @@ pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
 /// Measures, fits and evaluates a damper with the given tests.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn evaluate_tests(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],

@@ -58,7 +58,7 @@ pub struct Rivals {
 /// requests before the fits, which take minutes.
 ///
 /// # Errors
-/// A request is neither the name of a model nor an existing file.
+/// Returns an error if a request is neither the name of a model nor an existing file.
 pub fn named(wanted: &[String]) -> Result<Vec<String>, LiteratureError> {
     let mut names: Vec<String> = Vec::new();
     for name in wanted {
@@ -80,7 +80,7 @@ impl Rivals {
     /// and the name of the next model.
     ///
     /// # Errors
-    /// The comparison failed: [`AgainstError`].
+    /// Returns an [`AgainstError`] if the comparison fails.
     pub fn compare(
         wanted: &[String],
         file: &ModelFile,

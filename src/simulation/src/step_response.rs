@@ -173,7 +173,8 @@ struct Step {
     model: StepForces,
 }
 
-/// State of the valve along the command of a record. The dead time is omitted, because it does not affect the equilibrium of the valve.
+/// State of the valve along the command (setting over time) of a record. The dead time is omitted, because it does not affect the
+/// equilibrium of the valve.
 struct Valve<'a> {
     actuator: Actuator,
     record: &'a Record,
@@ -209,7 +210,7 @@ impl<'a> Valve<'a> {
 /// Computes the responses of the force to the steps of the setting in records, grouped by the settings before and after the step.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
     let mut kinds: Vec<Kind> = Vec::new();
     let family = prepared_family(definition)?;

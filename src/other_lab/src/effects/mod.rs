@@ -36,9 +36,9 @@ use crate::plant::Scale;
 /// Quantities available to an effect at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Here {
-    /// Time in the record, s.
+    /// Time since the start of the record, s.
     pub t: f64,
-    /// Time in the campaign, s.
+    /// Time since the start of the campaign, s.
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
@@ -52,7 +52,7 @@ pub struct Here {
     pub hydraulic: f64,
     /// Elastic force of the mount, N.
     pub mount: f64,
-    /// Deflection rate of the mount alone, m/s.
+    /// Rate of the mount's deflection without the injected effects in series with it, m/s.
     pub mount_rate: f64,
     /// Side force, N.
     pub side: f64,
@@ -63,15 +63,15 @@ pub struct Here {
 /// Quantities available to a sensor at a sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading {
-    /// Time in the record, s.
+    /// Time since the start of the record, s.
     pub t: f64,
-    /// Time in the campaign, s.
+    /// Time since the start of the campaign, s.
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
     /// Motion of the moving end: displacement, velocity and acceleration.
     pub input: crate::jet::Jet,
-    /// Force before this effect, N.
+    /// Force in the channel before this effect is added, N.
     pub force: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -115,14 +115,14 @@ pub trait EffectModel: Send + Sync {
     fn viscosity(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// Returns an additional reading of the force channel, N.
+    /// Returns the force that the force channel reads in addition to the true force, N.
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
     /// Transforms the force of a whole test in the force channel; `time` contains the times of `force`, s. The number
     /// of the test selects the values that are random from test to test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
-    /// Returns the reading of the displacement channel, m.
+    /// Returns the reading of the displacement channel, m, at the true displacement `x`, m.
     fn displacement(&self, x: f64) -> f64 {
         x
     }

@@ -1,5 +1,5 @@
-//! Dampers without an injected effect. All differ from the fitted model: each has friction with internal states, and
-//! the physical dampers have several further small deviations.
+//! Dampers without an injected effect. All these dampers differ from the fitted model: each has friction with internal
+//! states, and the physical dampers have several further small deviations.
 
 mod ablation;
 pub mod flow;
@@ -146,8 +146,8 @@ pub struct Plant {
     pub mass: f64,
     /// Friction.
     pub seal: Seal,
-    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis. Otherwise, they act
-    /// behind the mount.
+    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis (Jonnalagadda & Vyas
+    /// 2020). Otherwise, they act between mount and tube.
     pub seal_is_outside: bool,
     /// The oil.
     pub oil: Box<dyn Oil>,

@@ -5,7 +5,7 @@ use crate::solver::Tolerance;
 
 /// Number of states.
 pub const STATES: usize = 5;
-/// State vector; the constants below are the indices.
+/// State vector. The constants from [`REBOUND`] to [`MOUNT_RATE`] are its indices.
 pub type State = [f64; STATES];
 
 /// Absolute pressure in the rebound chamber, Pa.
@@ -19,7 +19,7 @@ const MOUNT: usize = 3;
 /// Rate of the mount's deflection, m/s.
 const MOUNT_RATE: usize = 4;
 
-/// Inputs from the rig at one instant.
+/// Motion and side force that the rig imposes at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Excitation {
     /// Extension from mid-stroke, m.
@@ -179,7 +179,7 @@ mod tests {
         }
     }
 
-    /// Returns time, input and state over the whole cycles, with `per_cycle` samples each.
+    /// Returns time, input and state over the whole cycles at full amplitude, with `per_cycle` samples in each cycle.
     fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {

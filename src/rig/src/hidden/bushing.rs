@@ -69,8 +69,8 @@ impl Hidden for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // If the series spring is stiff, a proportional change would be invisible. A common scale of stiffness ensures a
-    // soft mount.
+    // If the series spring is stiff, a proportional change would be invisible. So the softness is scaled to give every
+    // damper about the same soft mount.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

@@ -13,7 +13,7 @@ const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
     /// Length over which the friction force of each element builds up (m), and the element's fraction of the total
-    /// friction force. The first form has one element.
+    /// friction force. The form `elasto_plastic` has one element.
     elements: Vec<(f64, f64)>,
     /// Fraction of the full load below which a bristle is purely elastic (Dupont's break-away ratio).
     elastic: f64,

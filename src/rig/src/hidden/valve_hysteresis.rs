@@ -30,7 +30,7 @@ impl Hidden for ValveHysteresis {
         states.fill(0.0);
     }
 
-    /// Computes the rate of the valve position, N/s; the position is expressed as a force. In the first form, also
+    /// Computes the rate of the valve position, N/s; the position is expressed as a force. In the form `spool`, also
     /// computes the rate of the valve's velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let lag = here.oil_n - states[0];

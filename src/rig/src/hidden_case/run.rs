@@ -15,9 +15,10 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Number of samples per cycle that the sample rate provides, if it is within its limits.
+/// Smallest number of samples per cycle at the default sample rate, unless the highest of [`RATES_HZ`] limits this
+/// rate.
 ///
-/// It is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
+/// This number is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
 /// Sample rates with sample times in whole microseconds, Hz.
 const RATES_HZ: [f64; 22] = [
@@ -59,7 +60,7 @@ impl InjectedCase {
     /// of completed tests and of all tests.
     ///
     /// # Errors
-    /// The errors of [`InjectedCase::run`].
+    /// Returns the errors of [`InjectedCase::run`].
     pub fn run_matrix(&self, matrix: &Matrix, progress: impl Fn(usize, usize)) -> Result<InjectedCampaign, RigError> {
         let seed = self.options.seed;
         check(matrix, &self.options)?;
@@ -318,7 +319,7 @@ mod tests {
         ideal(seed, effects).run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
     }
 
-    /// Computes the rms difference of two campaigns, N.
+    /// Computes the root mean square difference of the forces of two campaigns, N.
     fn distance(a: &[Record], b: &[Record]) -> f64 {
         let squares = |f: &dyn Fn(&Record, &Record, usize) -> f64| -> f64 {
             a.iter().zip(b).map(|(a, b)| (0..a.time_s.len()).map(|i| f(a, b, i)).sum::<f64>()).sum()

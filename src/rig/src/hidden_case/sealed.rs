@@ -22,7 +22,7 @@ impl InjectedCampaign {
     /// `clean_force.csv` (header `test,force_N`; only the first line of a test contains its name).
     ///
     /// # Errors
-    /// The errors of [`crate::Campaign::write`].
+    /// Returns the errors of [`crate::Campaign::write`].
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         self.campaign.write(folder)?;
         let sealed = folder.join(SEALED_FOLDER);

@@ -6,7 +6,7 @@ use super::CHECK_PREFIX;
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Prefix of the names of the repeated test.
+/// Prefix of the names of the test that is repeated to show drift.
 pub(super) const REFERENCE: &str = "reference";
 const REFERENCES: usize = 3;
 
@@ -42,7 +42,7 @@ const TRAINING: [Row; 31] = [
     (50.0, 0.4, 0.0, 0.0),
     (50.0, 1.5, 0.0, 0.0),
     (50.0, 5.0, 0.0, 0.0),
-    // The mean position is off center, or side force acts.
+    // In the following tests, the mean position is off center, or side force acts.
     (10.0, 2.0, 25.0, 0.0),
     (10.0, 2.0, -25.0, 0.0),
     (25.0, 2.0, 25.0, 0.0),

@@ -1,4 +1,4 @@
-//! Error of the kernel's fixed step relative to a converged solution, over a matrix of sine tests.
+//! Error of the model's fixed step (`dashpot_core::step`) relative to a converged solution, over a matrix of sine tests.
 
 pub mod radau;
 
@@ -41,7 +41,7 @@ pub struct Errors {
     pub largest: f64,
 }
 
-/// Computes the forces, N, of the kernel's fixed step at each multiple of `dt`, s: `steps + 1` values. The simulation starts in the steady
+/// Computes the forces, N, of the model's fixed step at each multiple of `dt`, s: `steps + 1` values. The simulation starts in the steady
 /// state.
 pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
@@ -108,7 +108,7 @@ impl References {
         self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
     }
 
-    /// Computes the errors of the kernel's step at the host step `dt`, s, for each test. `dt` must be a multiple of the reference step.
+    /// Computes the errors of the model's step at the host step `dt`, s, for each test. `dt` must be a multiple of the reference step.
     pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests

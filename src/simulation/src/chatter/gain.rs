@@ -1,5 +1,5 @@
-//! Largest gain of a disturbance in one step of a host, as defined in [`super`]. It is searched over typical sines, at the reversals of
-//! these sines, and on every segment of the FV curve.
+//! Largest gain of a disturbance in one step of a host: (h/m)(∂F/∂v + h ∂F/∂x), with the host's step h and mass m. The gain is searched
+//! over typical sines, at the reversals of these sines, and on every segment of the FV curve.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -43,7 +43,7 @@ impl Sine {
     }
 }
 
-/// Returns the motions whose phase advances by at most 0.5 rad in a step of the host.
+/// Returns the motions that the host resolves: their phase advances by at most 0.5 rad in a step of the host.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;

@@ -1,6 +1,6 @@
 //! Properties of a host that determine chatter.
 
-/// Step and mass of a host, which determine chatter.
+/// Step and mass of a host: a program that simulates a vehicle and computes the damper force in each of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Host {
     /// Step of the host, s.

@@ -17,7 +17,7 @@ const FOLLOWS: f64 = 0.3;
 const BEYOND: f64 = 100.0;
 /// Initial velocity of the mass in the loop, m/s. An acceleration of 10 m/s² reaches this velocity in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Smallest alternating part of the force, N, that counts as a reversal. It is visible in a vehicle's signals.
+/// Smallest alternating part of the force, N, that counts as a reversal, because a smaller one is not visible in a vehicle's signals.
 const SEEN: f64 = 5.0;
 /// Smallest number of reversals of the force in the last 24 steps that counts as chatter.
 ///
@@ -51,7 +51,7 @@ pub struct Turning {
     pub steps: usize,
     /// Height of the road, m.
     pub height: f64,
-    /// Situation in which the force reverses.
+    /// Situation in which the loop chatters.
     pub situation: Situation,
 }
 

@@ -8,9 +8,9 @@ use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Fault, Model, Params};
 
-/// Gain from which on a disturbance changes sign at every step.
+/// Gain from which on a disturbance of the velocity changes sign at every step of the host.
 pub const RINGS: f64 = 1.0;
-/// Gain from which on a disturbance does not decay.
+/// Gain from which on a disturbance of the velocity does not decay.
 pub const GROWS: f64 = 2.0;
 
 /// Smallest fraction of the gain that must disappear if an element is disabled, for this element to count as the cause of the chatter.
@@ -19,7 +19,7 @@ pub(super) const ITS_DOING: f64 = 0.3;
 /// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
-    /// Largest gain over all situations and motions.
+    /// Largest gain (h/m)(∂F/∂v + h ∂F/∂x) over all situations and motions, with the host's step h and mass m.
     pub gain: f64,
     /// Velocity at the largest gain, m/s.
     pub velocity: f64,
@@ -44,7 +44,7 @@ pub struct Chatter {
 /// and in the cold, if these conditions affect the damper.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let model = Model::new(params)?;
     let usual = largest(&model, Situation::REFERENCE, host);

@@ -89,7 +89,7 @@ impl Ready {
     /// that chatters at this step is replaced.
     ///
     /// # Errors
-    /// The damper cannot be checked: [`HostError`].
+    /// Returns a [`HostError`] if the damper cannot be checked.
     pub fn prepare(
         params: &Params,
         host_step: f64,
@@ -175,7 +175,7 @@ impl Ready {
     /// stable.
     ///
     /// # Errors
-    /// The parameters do not form a valid model.
+    /// Returns an error if the parameters do not form a valid model.
     pub fn stiffness(&self) -> Result<Option<String>, NoModel> {
         Ok(stiffness::remark(&prepared(&self.params)?))
     }
@@ -183,7 +183,7 @@ impl Ready {
     /// Returns the results of the check as numbers.
     ///
     /// # Errors
-    /// The parameters do not form a valid model.
+    /// Returns an error if the parameters do not form a valid model.
     pub fn figures(&self) -> Result<Figures, NoModel> {
         let (chatter, softened) = (&self.chatter, self.softened.as_ref());
         let model = prepared(&self.params)?;

@@ -95,7 +95,7 @@ const MOST: usize = FRICTION.len() + 1;
 /// while the replaced friction jumps.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let mut soft = *params;
     for _ in 0..MOST {

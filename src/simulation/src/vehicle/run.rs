@@ -73,7 +73,7 @@ pub trait Dampers {
     fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
 }
 
-/// Dampers that the kernel simulates.
+/// Dampers that `dashpot_core` simulates.
 struct Kernels<'a> {
     models: [&'a Model; 4],
     states: [State; 4],
@@ -106,7 +106,7 @@ impl Dampers for Kernels<'_> {
 /// Simulates a maneuver at a fixed step with the dampers L1, R1, L2, R2 of these models.
 ///
 /// # Errors
-/// The step is out of range, or the vehicle becomes unstable.
+/// Returns an error if the step is out of range, or if the vehicle becomes unstable.
 pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
     run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
@@ -114,7 +114,7 @@ pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Res
 /// Simulates a maneuver with dampers of any kind, such as the dampers behind the simulator bridge.
 ///
 /// # Errors
-/// The step is out of range, or the vehicle becomes unstable.
+/// Returns an error if the step is out of range, or if the vehicle becomes unstable.
 pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
     if !(SHORTEST_STEP..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
@@ -145,7 +145,8 @@ fn told_every(
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
         let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
         if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-            // Use the slope of moving dampers, because the slope of friction is steeper, but the friction force is bounded.
+            // Use the slope of moving dampers. The slope of friction is steeper, but cannot cause instability, because the friction force
+            // is bounded.
             let slope = coupling_moving * car.unsprung_mass / dt;
             return Err(VehicleError::Unstable(time, too_fast(car, slope, dt)));
         }
@@ -180,7 +181,8 @@ pub struct Quiet {
 
 /// Coupling ratio c h/m at which the shorter step is chosen. With this ratio, an oscillation decays within a few steps.
 const QUIET: f64 = 0.5;
-/// Largest number of substeps of a host step. A curve that still chatters contains a jump, for which no step is short enough.
+/// Largest number of substeps of a host step. A damper that still chatters with these substeps has a jump in its FV curve, for which no
+/// step is short enough.
 const MOST_PARTS: f64 = 64.0;
 
 /// Simulates both sets of dampers again in shorter steps if one of the `runs` at `dt` chatters. Returns `None` if neither run chatters.
@@ -188,7 +190,7 @@ const MOST_PARTS: f64 = 64.0;
 /// The difference between the new runs comes from the dampers and not from the step of the coupling.
 ///
 /// # Errors
-/// The vehicle becomes unstable.
+/// Returns an error if the vehicle becomes unstable.
 pub fn without_chatter(
     car: &Car,
     manoeuvre: Manoeuvre,
