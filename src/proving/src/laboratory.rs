@@ -82,13 +82,13 @@ const PAIRS: usize = 8;
 ///
 /// A suite consists of these blocks:
 ///
-/// - every known effect that the base model does not absorb.
-/// - every unknown effect.
-/// - as many cases without an effect and with white noise as there are unknown effects.
-/// - equally many cases without an effect and with colored noise, hum and 14 bits.
-/// - pairs of known effects.
-/// - every effect of the first block with a random laboratory protocol.
-/// - equally many cases without an effect as in the third block, with a random laboratory protocol.
+/// - Every known effect that the base model does not absorb.
+/// - Every unknown effect.
+/// - As many cases without an effect and with white noise as there are unknown effects.
+/// - Equally many cases without an effect and with colored noise, hum and a converter of 14 bits.
+/// - Pairs of known effects.
+/// - Every effect of the first block with a random laboratory protocol.
+/// - Equally many cases without an effect as in the third block, with a random laboratory protocol.
 ///
 /// The kinds of dampers alternate. The suite is repeated `repetitions` times. Seeds count up from `first_seed + 1`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
