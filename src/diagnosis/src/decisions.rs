@@ -6,8 +6,8 @@ pub const NAMED: f64 = 0.5;
 /// Ratio of the residual to the noise of the mean cycles above which a diagnosis without a finding reports both values
 /// in a note.
 ///
-/// If the residual is twice the noise, the form error is 1.7 times the noise, so it limits the findings more than the
-/// noise does. The value decides only whether a note is added. Test:
+/// If the residual is twice the noise, the form error is 1.7 times the noise. The form error then limits the findings
+/// more than the noise does. The value decides only whether a note is added. Test:
 /// `a_residual_above_twice_the_noise_is_stated_with_it`.
 pub const CLEARLY: f64 = 2.0;
 

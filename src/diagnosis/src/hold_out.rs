@@ -10,9 +10,9 @@ const FEWEST: usize = 8;
 /// Marks the tests to leave out. In a campaign of fewer than eight tests, no test is left out.
 ///
 /// The tests with the extremes of amplitude, speed, reached displacement and side force are never left out. An effect
-/// could not be identified if its only test were left out. Of the other tests, every fourth is left out. They are
-/// ordered by side force, mean displacement, amplitude and speed, so that all values are represented. `seed` selects
-/// the first left-out test.
+/// could not be identified if its only test were left out. Of the other tests, every fourth is left out. These other
+/// tests are ordered by side force, mean displacement, amplitude and speed, so that all values are represented. `seed`
+/// selects the first left-out test.
 pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let n = records.len();
     let mut out = vec![false; n];

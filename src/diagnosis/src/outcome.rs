@@ -281,7 +281,7 @@ pub struct Curves {
     pub before: Vec<f64>,
     /// Force of the improved model, N.
     pub after: Vec<f64>,
-    /// Frequency, Hz, or 0 without cycles.
+    /// Frequency of the test, Hz, or 0 if the test has no cycles.
     pub frequency: f64,
 }
 

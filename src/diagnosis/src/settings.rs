@@ -141,7 +141,7 @@ pub struct EffectAtSetting {
     pub replaces: Option<&'static str>,
 }
 
-/// An effect over all settings.
+/// Results for one effect at all settings.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EffectOverSettings {
     /// Name of the effect.

@@ -165,7 +165,7 @@ impl Equations for Machine<'_> {
     }
 
     /// Limits the step near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
-    /// with the mount, error control does not resolve its reversal.
+    /// with the mount, error control does not resolve the reversal of the friction.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

@@ -75,7 +75,7 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
-/// Pairs of effects in each repetition.
+/// Number of pairs of effects in each repetition of the suite.
 const PAIRS: usize = 8;
 
 /// Returns cases of the second laboratory at typical strengths.

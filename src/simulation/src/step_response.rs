@@ -151,7 +151,7 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     ([measured, model], settled)
 }
 
-/// Steps between the same two settings.
+/// Steps of the setting between the same two settings.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
