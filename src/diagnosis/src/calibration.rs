@@ -1,4 +1,5 @@
-//! Calibration of the search's probabilities: names with a confidence of 90 % are correct in 90 % of cases.
+//! Calibration of the search's probabilities, so that effect names with a confidence of 90 % are correct in 90 % of
+//! cases.
 
 use serde::Deserialize;
 use std::sync::LazyLock;
@@ -13,17 +14,19 @@ struct Calibration {
 }
 
 static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
-    // The file is part of the program, so this fails only in a faulty build. The test below reads the file.
+    // The file `calibration.toml` is part of the program, so parsing it fails only in a faulty build. The test of this
+    // module parses it too.
     toml::from_str(include_str!("calibration.toml")).expect("calibration.toml holds three numbers")
 });
 
 /// Log odds above which the confidence no longer increases, in a comparison with a reference.
 const MOST: f64 = 8.0;
 
-/// Returns the probability that a name is correct if the search computes `probability` for it.
+/// Returns the probability that the name of an effect is correct if the search computes `probability` for this effect.
+/// `against_reference` states whether the search used a reference damper.
 ///
-/// Effects with a probability below one half are never named, so there is no calibration for them. The function then
-/// returns the probability of the search.
+/// Effects with a probability of at most one half are never named, so there is no calibration for them. The function
+/// then returns `probability` unchanged.
 pub fn confidence(probability: f64, against_reference: bool) -> f64 {
     if probability <= 0.5 {
         return probability;
@@ -49,7 +52,7 @@ mod tests {
             for p in [0.05, 0.1, 0.5, 0.9, 0.99, 1.0] {
                 let here = confidence(p, against);
                 // Without a reference, the log odds of the last two probabilities exceed the limit
-                // `most_without_reference`.
+                // `most_without_reference`, so both have the same confidence.
                 let is_at_limit = !against && p == 1.0 && here == last;
                 assert!((here > last || is_at_limit) && here < 0.96, "{p}: {here}");
                 last = here;

@@ -19,24 +19,25 @@ pub struct Change {
     pub reference: f64,
     /// Value of this damper.
     pub value: f64,
-    /// Lower end of the 95 % interval of the value, if `reference` is exact. The lower end of the change is this value
-    /// minus `reference`.
+    /// Lower end of the 95 % interval of `value`, on the assumption that `reference` is exact. The lower end of the
+    /// interval of the change is `low` minus `reference`.
     pub low: f64,
-    /// Upper end of the 95 % interval of the value.
+    /// Upper end of the 95 % interval of `value`, on the same assumption.
     pub high: f64,
-    /// Unit.
+    /// Unit of `reference`, `value`, `low` and `high`.
     pub unit: &'static str,
     /// Velocity at which the forces of a part of the FV curve are stated, m/s, rebound positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub velocity_m_s: Option<f64>,
-    /// Probability that this parameter changed.
+    /// Calibrated probability that this parameter changed.
     pub probability: f64,
-    /// Force of the change, N rms.
+    /// Root mean square force that the change causes in the fitted tests, N.
     pub force_n_rms: f64,
 }
 
-/// Returns the velocity at which the forces of a part of the FV curve are stated. It is that of the curve's point
-/// nearest to 0.05 m/s for low speeds, 0.3 m/s for all speeds and 1 m/s for high speeds.
+/// Returns the velocity, m/s, rebound positive, at which the force of a part of the FV curve is stated. This is the
+/// point of the curve nearest to 0.05 m/s for low speeds, 0.3 m/s for all speeds and 1 m/s for high speeds. For a part
+/// without points, it is this speed itself.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
     let is_rebound = part.side != Side::Compression;
@@ -58,9 +59,10 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// Lists the changes of a structure relative to its base. `ends` contains the intervals of its free parameters.
+/// Lists the changes of a structure relative to its base, largest force first. `ends` contains the 95 % intervals of
+/// the structure's free parameters.
 ///
-/// `probability` and `force` return the probability and the force of an effect from its name.
+/// `probability` and `force` return the probability and the force, N rms, of an effect from its name.
 pub fn changes(
     structure: &Structure,
     ends: &[[f64; 2]],
@@ -134,7 +136,7 @@ impl Change {
         }
     }
 
-    /// Formats the change: "gas_force -14.7 -> 24.0 N".
+    /// Formats the change as a sentence, for example "gas_force -14.7 -> 24.0 N".
     pub fn sentence(&self) -> Sentence {
         let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
         let digits = |value: f64| match factor * value {

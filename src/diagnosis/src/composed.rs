@@ -31,22 +31,25 @@ use dashpot_messages::Template;
 use dashpot_records::Record;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Ending of the names of forms in which a stroke begins without force.
+/// Ending of the names of those cavitation forms in which the damper has no force at the beginning of a stroke.
 const LOST_STROKE: &str = "begins with a lost stroke";
 
-/// Confidence above which a name requires no further test.
+/// Smallest confidence at which the name of an effect needs no further test that confirms it.
 const DECIDED: f64 = 0.9;
-/// Largest number of names that a proposed test should distinguish.
+/// Largest number of competing effects among which the proposed tests distinguish.
 const UNDECIDED: usize = 3;
-/// Smallest gain of log posterior, relative to the best structure, at which an unnamed error is reported. This
-/// threshold represents the prior odds of such an error.
+/// Gain of the log posterior over the best structure above which the summary describes the residual as an unnamed
+/// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
+/// odds of such an error.
 const UNNAMED: f64 = 1.0;
-/// Smallest mean square of a single test that a diagnosis without findings lists, relative to noise and curve error.
+/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the error
+/// expected from noise and curve form.
 const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
-    /// Remarks if the reference has the same measurements, the opposite direction or another temperature.
+    /// Remarks about a reference that contains the same measurements, has the opposite positive direction, or was
+    /// measured at another temperature.
     pub reference_remarks: Vec<Sentence>,
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
@@ -74,8 +77,8 @@ struct Judged {
 }
 
 impl Composed<'_> {
-    /// Returns the probable effects that are not in the given model, most probable first: effects to name, and effects
-    /// too small to name.
+    /// Returns the probable effects that are not in the given model, most probable first. The first list contains the
+    /// effects to name, the second list the effects whose force is too small.
     fn named<'c>(
         &'c self,
         items: &[InventoryItem],
@@ -95,8 +98,8 @@ impl Composed<'_> {
 
     /// Returns whether the force of an effect is large enough to name it.
     ///
-    /// In at least one test, the force must exceed the noise of a sample and a fraction of the measured force. An
-    /// effect whose force is unknown counts as large enough.
+    /// In at least one test, the force must exceed the noise of a sample and the fraction [`MATERIAL`] of the measured
+    /// force. An effect whose force is unknown counts as large enough.
     fn is_material(&self, item: &InventoryItem) -> bool {
         let mut tests = item.test_forces_n.iter().zip(&self.fitted);
         let exceeds = |(force, test): (&f64, &Test)| {
@@ -106,7 +109,8 @@ impl Composed<'_> {
         item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
-    /// Removes from the best structure all added effects that are not probable enough to be named.
+    /// Removes from the best structure all added effects that are not probable enough to be named. Stops early if the
+    /// model without such an effect gives no finite force.
     fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
         loop {
             let doubtful = self.best.components.iter().position(|c| {
@@ -133,7 +137,8 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies only to added effects. Effects in both models have the probability of the search.
+        // The calibration applies only to added effects. Effects in both models keep the probability that the search
+        // computed.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -268,7 +273,9 @@ impl Composed<'_> {
         diagnosis
     }
 
-    /// Returns the effect that replaces `effect` in the most probable structure without it.
+    /// Returns the effect that is new in the most probable structure without `effect`, compared with the best
+    /// structure. Returns `None` if the search visited no structure without `effect`, or if that structure contains no
+    /// new effect.
     fn instead_of(&self, effect: &str, probabilities: &BTreeMap<&'static str, f64>) -> Option<Instead> {
         let without = self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != effect));
         let (key, _) = without.max_by(|(_, a), (_, b)| a.log_posterior.total_cmp(&b.log_posterior))?;
@@ -325,7 +332,7 @@ impl Composed<'_> {
             let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let more = changed.len().saturating_sub(TOLD);
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            // If the form error of the model exceeds the noise, further changes may exist.
+            // A residual above `QUIET` is mainly form error of the model, which may conceal further changes.
             let rest = if after.sqrt() <= QUIET {
                 if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
             } else {
@@ -347,7 +354,8 @@ impl Composed<'_> {
                 .map(|(test, square)| (test, square.sqrt()))
                 .collect();
             loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-            // A record that is divided into sections is named only once, with its worst section.
+            // A record may be divided into sections, each of which is a test. The note names such a record once, with
+            // its worst section.
             let mut named = BTreeSet::new();
             loud.retain(|(test, _)| named.insert(test.record));
             if !loud.is_empty() {
@@ -393,7 +401,7 @@ impl Composed<'_> {
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
     }
 
-    /// Returns all trials with one form in addition to the best structure, most probable first.
+    /// Returns the trials, most probable first. Each trial adds one form of an effect to the best structure.
     fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Trial> {
         let before = &self.search.best.evidence;
         let of = |t: &dashpot_estimation::structure::expansion::Trial| {
@@ -486,7 +494,8 @@ impl Composed<'_> {
         names.iter().map(one).collect()
     }
 
-    /// Returns the length of the lost stroke in the longest stroke of all tests.
+    /// Returns the length of the lost stroke, m, in the longest stroke of the fitted tests: the unfilled fraction times
+    /// this stroke. Returns `None` if the form has no lost stroke.
     fn lost_stroke(&self, form: &str, parameters: &BTreeMap<&'static str, Value>) -> Option<Value> {
         let unfilled = parameters.get("cavitation_unfilled").filter(|_| form.ends_with(LOST_STROKE))?;
         let stroke = 2.0 * self.fitted.iter().map(|t| t.segment.amplitude).fold(0.0, f64::max);
@@ -499,7 +508,10 @@ impl Composed<'_> {
         })
     }
 
-    /// Returns the fraction of the gap that reopens without one effect. Uses the left-out tests if there are any.
+    /// Returns the fraction of the gap between the given model and the noise that reopens if one effect is removed.
+    /// `less` is the best structure without this effect. Uses the left-out tests if there are any.
+    ///
+    /// Returns `None` if the gap is at most 2 % of the noise, or if a model gives no finite force.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
         let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
         let noise = noise_alone(tests);
@@ -511,8 +523,8 @@ impl Composed<'_> {
         (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
-    /// Returns the accuracy of the integration for the errors. A comparison with a reference uses the accuracy of the
-    /// refits, because the form error of the reference was computed with it.
+    /// Returns the accuracy of the integration that computes the residuals. A comparison with a reference uses the low
+    /// accuracy of the refits, because the form error of the reference was computed with this accuracy.
     fn accuracy(&self) -> Accuracy {
         if self.against.is_some() { Accuracy::Single } else { Accuracy::Full }
     }
@@ -527,8 +539,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Adds the limits of the statement that nothing is missing: effects that the records cannot show, and a lack of
-    /// left-out tests.
+    /// Adds two limits to the statement that nothing is missing. These are the effects that the records cannot show,
+    /// and a lack of left-out tests that could confirm the statement.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())
@@ -537,7 +549,8 @@ impl Composed<'_> {
         nothing.with_any("not_seen", not_seen).with_any("not_confirmed", not_confirmed)
     }
 
-    /// Formats the remarks on the method of comparison.
+    /// Formats the remarks on the comparison with the reference. Without a reference, formats the limits of the effect
+    /// names, or returns `None` if no effect is named.
     fn about_the_reference(&self, names: &[&Component]) -> Option<Sentence> {
         let Some(against) = &self.against else {
             return (!names.is_empty()).then(|| phrases::WITHOUT_REFERENCE.into());
@@ -550,8 +563,9 @@ impl Composed<'_> {
         Some(Sentence::from(phrases::AGAINST_REFERENCE).with_any("aside", aside).with_any("nearest", nearest))
     }
 
-    /// Returns the scalar parameters of the given model that changed by more than three standard deviations. The list
-    /// is empty in a comparison with a reference.
+    /// Returns the scalar parameters of the given model that changed by more than three standard deviations of their
+    /// estimates in that model. The list is empty in a comparison with a reference, if the best structure has the
+    /// effects of the given model, or without a covariance.
     fn shifts(&self) -> Vec<Shift> {
         let (start, best) = (&self.start, &self.best);
         if start.key() == best.key() || self.against.is_some() {
@@ -576,7 +590,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Proposes tests that distinguish undecided names. Returns none if all names are decided or nothing is missing.
+    /// Proposes tests that distinguish undecided effect names. Returns none if nothing is missing. Also returns none if
+    /// all names are decided and no other effect is suspected.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
         if judged.verdict.nothing_is_missing()
@@ -610,7 +625,7 @@ impl Composed<'_> {
     }
 }
 
-/// Largest number of changes in the summary.
+/// Largest number of changes that the summary lists.
 const TOLD: usize = 3;
 
 fn looks(unnamed: Unnamed) -> Template {
@@ -621,10 +636,11 @@ fn looks(unnamed: Unnamed) -> Template {
     }
 }
 
-/// Number of standard deviations from the prior above which a value is reported as rare.
+/// Number of standard deviations from the mean of its prior at which a value counts as rare.
 const RARE: f64 = 2.5;
 
-/// Returns whether the value of a parameter is within [`RARE`] standard deviations of its prior.
+/// Returns whether the value of a parameter is within [`RARE`] standard deviations of the mean of its prior. A
+/// parameter without a prior is always plausible.
 fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
     hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
 }

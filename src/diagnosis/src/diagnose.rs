@@ -20,10 +20,10 @@ use dashpot_messages::Template;
 use dashpot_records::Record;
 
 /// Returns whether a diagnosis may use a candidate: the effect must be requested, and the records must be able to show
-/// it.
+/// it. A candidate without an effect name is always allowed.
 ///
 /// Two measurement errors are excluded, because only a fit identifies them: a mass on the load cell and a gain drift.
-/// In the vocabulary, the mass has the name of a moving mass.
+/// In the vocabulary, the mass on the load cell has the effect name `moving_mass`.
 fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -> bool {
     if candidate.unnamed.is_some() {
         return true;
@@ -35,10 +35,11 @@ fn is_allowed(candidate: &Candidate, situation: &Situation, options: &Options) -
         && effects::can_be_shown(effect, situation)
 }
 
-/// Diagnoses a model against records. `held_out` marks the records that refit and search must not use.
+/// Diagnoses a model against records. `held_out` marks the records that refits and the search must not use.
 ///
 /// # Errors
-/// No test, an unknown name, or a model without finite forces.
+/// Returns an error if the records or the reference have no test, or if the name of a requested effect is unknown. Also
+/// returns an error if the model gives no finite force.
 pub fn diagnose(
     records: &[&Record],
     held_out: &[bool],
@@ -80,7 +81,8 @@ pub fn diagnose(
     Ok(diagnosis)
 }
 
-/// Refits the given model and the most probable structure with the final accuracy.
+/// Refits the given model and the most probable structure with the final accuracy. Returns `None` if one of them gives
+/// no finite force.
 fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Structure)> {
     let given = search.start.as_ref()?.refitted(tests, Effort::FINE)?;
     Some((given, search.best.refitted(tests, Effort::FINE)?))
@@ -88,19 +90,20 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
 
 /// Returns whether a structure has additional effects but does not explain the records better than the given model.
 ///
-/// The odds of the structure are then higher only because its effects are more frequent, or because it has fewer
+/// Such a structure is more probable only because its effects are more frequent in dampers, or because it has fewer
 /// parameters. The given model then counts as complete.
 fn adds_without_need(given: &Structure, best: &Structure) -> bool {
     let effects = |of: &Structure| of.components.iter().map(|component| component.effect).collect::<Vec<_>>();
     is_without_need(&effects(given), &effects(best), best.evidence.log_likelihood() - given.evidence.log_likelihood())
 }
 
-/// Returns whether a structure has additional effects although its log likelihood rises by less than [`NEEDED`].
+/// Returns whether `best` has effects that `given` lacks, although its log likelihood is higher by less than
+/// [`NEEDED`].
 fn is_without_need(given: &[&str], best: &[&str], gain: f64) -> bool {
     best.iter().any(|effect| !given.contains(effect)) && gain < NEEDED
 }
 
-/// Searches for the most probable structure of these records, compared with the given model.
+/// Searches for the most probable structure that explains the records, starting from the given model.
 fn alone<'a>(
     records: &'a [&'a Record],
     prepared: Prepared,
@@ -120,7 +123,8 @@ fn alone<'a>(
         most: options.max_effects,
         progress: &|done| progress(0.1 + 0.8 * done, phrases::EACH_EFFECT),
     };
-    // If the request allows only some effects, or none, the comparison uses only the given model.
+    // The search also starts from models made from the records alone, unless the request allows only some effects or
+    // none.
     let is_open = options.candidates.is_none() && options.max_effects > 0;
     let plain = if is_open { starts::plain(&fitted, &heating, &|_| true) } else { Vec::new() };
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
@@ -199,7 +203,7 @@ mod tests {
     fn an_effect_that_fits_as_well_as_one_of_the_model_is_not_missing() {
         let given = ["gas_preload", "series_compliance"];
         let exchanged = ["gas_preload", "oil_compressibility"];
-        // The log likelihood falls, stays equal, or rises clearly.
+        // The log likelihood falls, stays equal, or rises by more than `NEEDED`.
         assert!(is_without_need(&given, &exchanged, -3.0) && is_without_need(&given, &exchanged, 0.0));
         assert!(!is_without_need(&given, &exchanged, 2.0));
         // A structure that only removes effects is accepted regardless of the gain.

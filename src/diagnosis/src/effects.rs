@@ -6,17 +6,18 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::{Sentence, Template};
 
-/// Description of an effect. The equations are in the kernel, and the starts of the search are in the vocabulary.
+/// Description of an effect. The equations of the effect are in `dashpot_core`, its start values in
+/// `dashpot_estimation::vocabulary`.
 pub struct Card {
-    /// Name.
+    /// Name of the effect.
     pub name: &'static str,
-    /// Location in the force path.
+    /// Location of the effect in the force path.
     pub path: &'static str,
     /// Name of the family: a group of effects at one location that are hardest to distinguish from each other.
     pub family: &'static str,
     /// Test that shows the effect best.
     pub remedy: Template,
-    /// Returns the reason why the channels and ranges of records cannot show the effect, or `None`.
+    /// Returns the reason why the records cannot show the effect with their channels and ranges, or `None` if they can.
     pub missing: fn(&Situation) -> Option<Sentence>,
 }
 
@@ -24,25 +25,25 @@ fn nothing(_: &Situation) -> Option<Sentence> {
     None
 }
 
-/// Smallest range of side forces, N, at which tests can distinguish side-force friction from other friction of a car
-/// damper.
+/// Smallest range of side forces, N, at which tests of a car damper can distinguish side-force friction from other
+/// friction. Heavier dampers need a proportionally larger range.
 const SIDE_FORCE: f64 = 50.0;
 /// Smallest range of positions at one speed, m, at which tests can show position-dependent damping. [`FREQUENCIES`] is
-/// the smallest ratio of frequencies at which they can show frequency-selective damping.
+/// the smallest ratio of the highest to the lowest frequency at which tests can show frequency-selective damping.
 ///
-/// Tests that pass each position at only one speed do not separate position from speed.
+/// If tests pass each position at only one speed, an effect of position cannot be separated from an effect of speed.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
 /// Smallest range of accumulated heat over the tests, J, at which the temperature of a car damper changes noticeably.
 const HEAT: f64 = 500.0;
-/// Displacement that tests must reach to show the stops of a car damper, m.
+/// Smallest displacement from the zero position, m, that tests must reach to show a stop of a car damper.
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {
     (!s.base.is_on(element!("series_compliance"))).then(|| phrases::NEEDS_SERIES.into())
 }
 
-/// All descriptions, in the order of the force path.
+/// Descriptions of all effects: those of the model's elements, then the measurement errors of the rig.
 pub const CARDS: &[Card] = &[
     Card {
         name: element!("gas_preload").name(),
@@ -246,7 +247,8 @@ pub fn remedy(effect: &str) -> Template {
     card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy)
 }
 
-/// Returns whether the given tests can show an effect at all. Stops are searched within the range of the tests.
+/// Returns whether the given tests can show an effect at all. Stops always count, because the search looks for them
+/// within the range of the tests.
 pub fn can_be_shown(effect: &str, s: &Situation) -> bool {
     card(effect).is_none_or(|c| c.family == "stop" || (c.missing)(s).is_none())
 }
@@ -271,7 +273,7 @@ mod tests {
         for (k, card) in CARDS.iter().enumerate() {
             assert!(!meaning(card.name).is_empty(), "{}", card.name);
             assert!(CARDS[..k].iter().all(|c| c.name != card.name), "{}", card.name);
-            // All effects of a family are in one path.
+            // All effects of a family are at one location.
             assert!(CARDS.iter().all(|c| c.family != card.family || c.path == card.path), "{}", card.family);
         }
         assert_eq!(EFFECTS.len(), CARDS.len());
@@ -300,12 +302,12 @@ mod tests {
     fn every_candidate_has_a_card_or_no_name() {
         let situation = situation(false, true);
         let all = candidates(&situation);
-        // Only a fit searches for a gain drift.
+        // Only a fit, not a diagnosis, searches for a gain drift.
         for c in all.iter().filter(|c| c.effect != "gain_drift") {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // Effects of the base model, and effects that no rig can separate, are not candidates.
+        // The other effects without a candidate are those of the base model and those that no rig can separate.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),
@@ -324,7 +326,7 @@ mod tests {
                 forms.extend(all.iter().map(|c| c.form).filter(|form| !form.is_empty()));
             }
         }
-        // A mount in series with friction.
+        // A base model with friction and no mount also has the form in which the friction acts behind the mount.
         let mut base = Params::new();
         base.enable(element!("series_compliance"), false);
         base.enable(element!("presliding_friction"), true);

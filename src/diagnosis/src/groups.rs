@@ -19,7 +19,7 @@ pub struct GroupResult {
     pub group: String,
     /// Name of the reference or group with which this group was compared.
     pub reference: String,
-    /// Number of tests.
+    /// Number of tests of the group, including left-out tests.
     pub tests: usize,
     /// Diagnosis relative to the reference.
     pub diagnosis: Diagnosis,
@@ -28,7 +28,7 @@ pub struct GroupResult {
 /// Diagnoses of all groups. `dashpot diagnose --group` writes this value as JSON.
 #[derive(Debug, Serialize)]
 pub struct GroupResults {
-    /// Name of the reference; in a chain, the reference of the first group.
+    /// Name of the reference. In a chain ([`Comparison::Chain`]), name of the reference of the first group.
     pub reference: String,
     /// Tests that belong to no group.
     pub left_aside: Vec<String>,
@@ -45,13 +45,13 @@ pub struct GroupResults {
     pub groups: Vec<GroupResult>,
 }
 
-/// Choice of the reference of each group.
+/// Choice of the reference with which each group is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Comparison {
-    /// The reference for all groups. The result shows the faults of each damper.
+    /// Compare every group with the reference. The result shows the faults of each damper.
     Reference,
-    /// The previous group, and the reference for the first group. The result shows the change due to one step of an
-    /// adjuster or of wear.
+    /// Compare each group with the previous group, and the first group with the reference. The result shows the change
+    /// due to one step of an adjuster or of wear.
     Chain,
 }
 
@@ -74,7 +74,7 @@ pub enum GroupsError {
         /// Name of the group.
         name: String,
     },
-    /// A group that cannot be diagnosed.
+    /// A group cannot be diagnosed.
     #[error("group {name}")]
     Group {
         /// Name of the group.
@@ -84,14 +84,15 @@ pub enum GroupsError {
     },
 }
 
-/// Diagnoses every group of data that were split `by` a property, relative to a reference. Without a reference, the
+/// Diagnoses every group of data that were split `by` a property, relative to the reference `good`. Without `good`, the
 /// first group is the reference.
 ///
-/// In a chain, each group is compared with the previous group. The function sets the reference of `options`. `seed`
-/// selects the tests that no refit uses. `progress` receives the fraction done and the current step.
+/// In a chain, each group is compared with the previous group. The function overwrites the reference in `options`.
+/// `seed` selects the left-out tests, which no refit uses. `progress` receives the completed fraction and the current
+/// step.
 ///
 /// # Errors
-/// A single group, or a group that cannot be diagnosed.
+/// Returns an error if there is a single group and no reference, or if a group cannot be diagnosed.
 pub fn diagnose_groups(
     (split, by): (Split, &str),
     good: Option<Good>,

@@ -1,4 +1,4 @@
-//! Choice of left-out tests, which show the improvement on records that no refit has used.
+//! Choice of left-out tests, which show whether the model also improves on records that no refit has used.
 
 use dashpot_records::Record;
 
@@ -7,12 +7,12 @@ const ONE_IN: usize = 4;
 /// Smallest number of tests in a campaign at which some are left out.
 const FEWEST: usize = 8;
 
-/// Marks the tests to leave out. This is every fourth test in the order of side force, mean displacement, amplitude and
-/// speed, so that all values are represented. A campaign of fewer than eight tests has no left-out tests. `seed`
-/// selects the first left-out test.
+/// Marks the tests to leave out. In a campaign of fewer than eight tests, no test is left out.
 ///
-/// The tests with the extremes of amplitude, speed, reached displacement and side force are kept. An effect cannot be
-/// identified if its only test is left out.
+/// The tests with the extremes of amplitude, speed, reached displacement and side force are never left out. An effect
+/// could not be identified if its only test were left out. Of the other tests, every fourth is left out. These other
+/// tests are ordered by side force, mean displacement, amplitude and speed, so that all values are represented. `seed`
+/// selects the first left-out test.
 pub fn choose(records: &[&Record], seed: u64) -> Vec<bool> {
     let n = records.len();
     let mut out = vec![false; n];

@@ -1,10 +1,10 @@
-//! Detection of measurements that are also in the reference. For these tests, there can be no change.
+//! Detection of measurements that are also in the reference. Such measurements cannot show a change.
 
 use super::phrases;
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 
-/// Returns a sentence with the tests whose values are identical in the reference.
+/// Returns a sentence that lists the tests whose values are identical in the reference, or `None` if there are none.
 pub(super) fn identical(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let known: Vec<String> = reference.iter().map(Record::fingerprint).collect();
     let same: Vec<String> = records

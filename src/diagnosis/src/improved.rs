@@ -15,8 +15,8 @@ use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
 
-/// Returns estimates of the free scalars of the model in the final hypothesis, with the intervals `ends`. If `ends` is
-/// `None`, the estimates have no intervals and count as not identified.
+/// Returns estimates of the free scalar parameters of the model in the final hypothesis, with the 95 % intervals
+/// `ends`. If `ends` is `None`, the estimates have no intervals and count as not identified.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
     last.numbers
@@ -41,7 +41,7 @@ pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Est
         .collect()
 }
 
-/// Returns the measurement errors in the final hypothesis that the reader of records can correct.
+/// Returns the measurement errors in the final hypothesis that can be corrected when records are read.
 pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
     let (last, end) = (&found.hypothesis, &found.refit);
     let numbers = last.numbers.iter().enumerate();
@@ -57,7 +57,7 @@ pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
 
 /// Combines the measurement errors that were corrected before the diagnosis with those that the diagnosis found.
 ///
-/// The corrected errors come from a fit, or from the user (`given`) if the fit found none.
+/// The corrected errors come from a fit. If the fit found none, they are those that the user stated (`given`).
 fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
@@ -72,7 +72,7 @@ fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured])
 impl Diagnosis {
     /// Returns the improved model as a fit to the records that were not left out.
     ///
-    /// It contains the plain FV curve of these records. It also contains the measurement errors from the fit of the
+    /// The fit contains a plain FV curve of these records. It also contains the measurement errors from the fit of the
     /// diagnosed model and from this diagnosis.
     pub fn as_fit(&self, records: &[&Record], held_out: &[bool], model: &ModelFile) -> Fit {
         let used: Vec<&Record> = records
@@ -104,8 +104,9 @@ impl Diagnosis {
             notes,
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-            // The plain FV curve in the file of the diagnosed model is unsuitable. With a reference, it belongs to
-            // another damper. Without a fit, it is the FV curve of the model, without friction.
+            // The plain FV curve is fitted again, because the curve in the file of the diagnosed model is unsuitable.
+            // With a reference, it belongs to another damper. Without a fit, it is the FV curve of the model, without
+            // friction.
             fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }

@@ -33,13 +33,14 @@ pub struct Rival<'a> {
 
 /// Capabilities of a rig, inferred from the campaign.
 pub struct Rig {
-    /// Range of displacements, m.
+    /// Lowest and highest displacement of the tests, m.
     pub reach: (f64, f64),
     /// Highest peak velocity, m/s.
     pub speed: f64,
-    /// Lowest and highest side force of the campaign, N, rounded to 50. The rig has a device for these side forces.
+    /// Lowest and highest side force of the campaign, N, rounded to multiples of 50. The rig can apply these side
+    /// forces, because it has applied them before.
     pub side_forces: Vec<f64>,
-    /// Largest force of the damper, N, which is safe for damper and load cell.
+    /// Largest measured force, N. It is known to be safe for damper and load cell.
     pub force: f64,
 }
 
@@ -48,9 +49,10 @@ const BEYOND: f64 = 1.2;
 
 const AMPLITUDES: [f64; 8] = [0.0003, 0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05];
 const FREQUENCIES: [f64; 10] = [0.01, 0.05, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 25.0];
-/// Samples per cycle. The lead-in has one cycle.
+/// Number of samples per cycle of a simulated sine. One cycle is simulated before the evaluated cycle, so that the
+/// model reaches its steady state.
 const PER_CYCLE: usize = 120;
-/// Expected noise: a fraction of the force and a constant part, N, for a car damper.
+/// Expected noise of a test with a car damper: a fraction of the root mean square force, and a constant part, N.
 const NOISE: (f64, f64) = (0.02, 1.0);
 /// Largest number of proposed tests.
 const TOLD: usize = 3;
@@ -104,8 +106,10 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// Proposes the tests that distinguish the rivals best, best first. For a single rival, the result describes the test
-/// that shows the effect best. Positions have the unit, direction and zero of the campaign's files.
+/// Proposes the tests that best distinguish the rivals, the most informative first. The displacements in the result
+/// have the direction and the zero of the campaign's files.
+///
+/// For a single rival, or if no sine distinguishes the rivals, the result names the test that shows each effect best.
 pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     if rivals.len() < 2 {
         return rivals.iter().map(|r| in_words(r.effect)).collect();
@@ -176,7 +180,8 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
         })
         .collect();
     judged.sort_by(|a, b| b.0.total_cmp(&a.0));
-    // Neighbors on the grid are redundant, so only one test of each amplitude is proposed.
+    // Sines that are neighbors in the grid of amplitudes and frequencies are redundant, so only one test of each
+    // amplitude is proposed.
     let mut told: Vec<NextTest> = Vec::new();
     let mut amplitudes = Vec::new();
     for (_, difference, [i, j], d) in judged {
@@ -281,7 +286,7 @@ mod tests {
     #[test]
     fn proposals_are_stated_as_the_files_count() {
         let plain = hypothesis(|_| ());
-        // A nonlinear spring has the largest effect at one end of the stroke.
+        // A nonlinear spring has its largest effect at one end of the stroke.
         let sprung = hypothesis(|p| p.set(number!("spring_cubic"), 5e6).unwrap());
         let rival = |effect, hypothesis| Rival { effect, hypothesis, theta: &[], confidence: 0.5 };
         let rivals = [rival("presliding_friction", &plain), rival("parallel_spring", &sprung)];

@@ -1,13 +1,14 @@
 //! Detection of opposite positive directions in campaign and reference. The direction of each campaign is determined
-//! separately, although campaigns of one rig usually have equal directions. If they differ, rebound of one campaign is
-//! compared with compression of the other.
+//! separately, although campaigns of one rig usually have equal directions. With opposite directions, the diagnosis
+//! would compare rebound of one campaign with compression of the other.
 
 use super::phrases;
 use dashpot_messages::Sentence;
 use dashpot_records::record::Counted;
 use dashpot_records::{Positive, Record};
 
-/// Returns a sentence if the directions are opposite, unless the user stated both.
+/// Returns a sentence if campaign and reference have opposite positive directions. Returns `None` if they are equal or
+/// unknown, or if the user stated both.
 pub(super) fn opposite(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let (own, good) = (records.first()?.counted?, reference.first()?.counted?);
     let is_meant = own.is_stated && good.is_stated;
@@ -37,7 +38,7 @@ mod tests {
         assert_eq!(describe(&rebound, rebound.clone()), None);
         assert!(describe(&rebound, of(Positive::Compression, true)).is_some());
         assert_eq!(describe(&of(Positive::Rebound, true), of(Positive::Compression, true)), None);
-        // These records were not read from a file.
+        // The default record was not read from a file, so its direction is unknown.
         assert_eq!(describe(&rebound, Record::default()), None);
     }
 }

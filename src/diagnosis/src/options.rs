@@ -37,7 +37,7 @@ pub enum DiagnosisError {
         /// The unknown name.
         name: String,
     },
-    /// The reference campaign has none of the tests.
+    /// The reference campaign has no test.
     NothingToCompare {
         /// Note if both campaigns were read with opposite positive directions.
         turned: Option<Sentence>,

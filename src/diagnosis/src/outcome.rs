@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 pub enum Verdict {
     /// At least one effect was named and added.
     Named,
-    /// The residual is noise, or within the form error of the curves.
+    /// The residual is at the level of the noise, or within the form error of the curves.
     NothingMissing,
     /// No effect is missing, but parameters differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
@@ -55,20 +55,22 @@ pub struct Diagnosis {
     pub before: Figures,
     /// Errors of the model with all findings.
     pub after: Figures,
-    /// Closed fraction of the gap between model and noise, on left-out tests. On fitted tests if none is left out.
+    /// Fraction of the gap between model and noise that the improved model closes on the left-out tests. On the fitted
+    /// tests if none is left out. `None` if the gap is at most 2 % of the noise, or if the best structure is that of
+    /// the given model.
     pub gap_closed: Option<f64>,
-    /// Fraction of the disagreement that the improved model does not explain, as a ratio of mean squares in excess of
-    /// noise.
+    /// Fraction of the disagreement that the improved model does not explain. The disagreement is the mean square
+    /// residual in excess of noise.
     pub unexplained_fraction: f64,
-    /// All probabilities of the search: path, family, effect, form.
+    /// All probabilities of the search as a tree with the levels path, family, effect and form.
     pub tree: Vec<Branch>,
     /// Proposed tests that give more information.
     pub next_tests: Vec<NextTest>,
     /// Effects that these records cannot show.
     pub could_not_test: Vec<CouldNotTest>,
-    /// Parameters of the base model that changed considerably when an effect was added.
+    /// Parameters of the base model that changed by more than three standard deviations when effects were added.
     pub shifts: Vec<Shift>,
-    /// Remarks.
+    /// Remarks on the records, the reference, the named effects and the priors.
     pub notes: Vec<Sentence>,
     /// Note about the limits of a name without a reference, or about the method of comparison with a reference. It is
     /// one of `notes`.
@@ -91,13 +93,15 @@ pub struct Diagnosis {
     /// Estimates of the improved model's parameters.
     #[serde(skip)]
     pub estimates: Vec<dashpot_identification::Estimate>,
-    /// Measurement errors in the file of the improved model. Readers of the file use them to correct these records.
+    /// Measurement errors that the file of the improved model states. They are used to correct these records when they
+    /// are read again with that model.
     #[serde(skip)]
     pub measured: Vec<dashpot_identification::Measured>,
     /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// Values of the measurement errors in the improved model, by name. Only the comparison corrects them.
+    /// Estimated measurement errors of the rig in the best structure, in SI units, by name. Only the comparison
+    /// corrects them; the improved model does not contain them.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
@@ -118,7 +122,8 @@ pub struct Finding {
     pub confidence: f64,
     /// Probability that the family is correct.
     pub family_confidence: f64,
-    /// Fraction of the disagreement that reopens without the effect, as a ratio of mean squares in excess of noise.
+    /// Fraction of the disagreement that reopens if the effect is removed. The disagreement is the mean square residual
+    /// in excess of noise.
     pub fraction: f64,
     /// Force of the effect, N rms.
     pub force_n_rms: f64,
@@ -126,7 +131,8 @@ pub struct Finding {
     pub of_the_rig: bool,
     /// Parameters of the effect.
     pub parameters: BTreeMap<&'static str, Value>,
-    /// Fraction of the gap that this effect closes on left-out tests. On fitted tests if none is left out.
+    /// Fraction of the gap between model and noise that this effect closes on the left-out tests. On the fitted tests
+    /// if none is left out.
     pub gap_closed: Option<f64>,
     /// Statistics that support the confidence.
     pub evidence: Evidence,
@@ -143,9 +149,9 @@ pub struct Value {
     pub low: f64,
     /// Upper end of the interval.
     pub high: f64,
-    /// Unit.
+    /// Unit of value and interval.
     pub unit: &'static str,
-    /// Whether the value is typical of dampers (or rigs).
+    /// Whether the value is typical of dampers, or of rigs for a measurement error.
     pub plausible: bool,
 }
 
@@ -171,9 +177,9 @@ pub struct Region {
     pub velocity_m_s: [f64; 2],
     /// Range of displacements, m.
     pub displacement_m: [f64; 2],
-    /// `rebound`, `compression` or `both`.
+    /// `rebound` or `compression`: direction of the velocity.
     pub direction: &'static str,
-    /// `speeding_up`, `slowing_down` or `both`.
+    /// `speeding_up`, `slowing_down` or `both`: change of the speed.
     pub acceleration: &'static str,
     /// Root mean square of measured minus computed force in the region, N.
     pub rmse_n: f64,
@@ -209,13 +215,13 @@ pub struct NextTest {
     pub amplitude_m: Option<f64>,
     /// Frequency, Hz.
     pub frequency_hz: Option<f64>,
-    /// Mean displacement, m, in the direction and from the zero of the files.
+    /// Mean displacement, m, in the direction and from the zero of the campaign's files.
     pub mean_displacement_m: Option<f64>,
     /// Side force, N.
     pub side_force_n: Option<f64>,
-    /// Root mean square difference of the rivals' predictions in this test, N.
+    /// Root mean square difference between the forces that the two effects in `separates` predict for this test, N.
     pub difference_n: Option<f64>,
-    /// Names that the test distinguishes.
+    /// Names of the effects that the test distinguishes.
     pub separates: Vec<&'static str>,
 }
 
@@ -254,7 +260,8 @@ pub struct TestOutcome {
     pub after_rmse_n: f64,
     /// Noise of the mean cycle, N.
     pub noise_n: f64,
-    /// Error due to noise and curve form, N. The gap measures the error of this test in units of this error.
+    /// Error that noise and the form of curves are expected to cause, N. [`Diagnosis::gap_closed`] measures the errors
+    /// of this test in units of this value.
     pub allowed_n: f64,
     /// Curves of the mean cycle.
     #[serde(skip)]
@@ -274,7 +281,7 @@ pub struct Curves {
     pub before: Vec<f64>,
     /// Force of the improved model, N.
     pub after: Vec<f64>,
-    /// Frequency, Hz, or 0 without cycles.
+    /// Frequency of the test, Hz, or 0 if the test has no cycles.
     pub frequency: f64,
 }
 
@@ -296,9 +303,11 @@ pub struct Trial {
 pub struct Evidence {
     /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
     pub fraction: f64,
-    /// Mean square residual of a test without the effect, relative to noise and curve error.
+    /// Mean square residual of a test without the effect, relative to the error expected from noise and from the form
+    /// of the FV curve.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with the effect, relative to noise and curve error.
+    /// Mean square residual of a test with the effect, relative to the error expected from noise and from the form of
+    /// the FV curve.
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///

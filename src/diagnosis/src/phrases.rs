@@ -2,7 +2,7 @@
 
 dashpot_messages::phrases! {
     "diagnosis-";
-    // Steps of a diagnosis, as its progress.
+    // Steps of a diagnosis, reported as its progress.
     PREPARING: "preparing records";
     FITTING_REFERENCE: "fitting the model to the reference";
     REFITTING: "refitting the model as it is";

@@ -23,9 +23,9 @@ pub(super) struct Prepared {
     pub fitted: Vec<Test>,
     /// Left-out tests.
     pub left: Vec<Test>,
-    /// Heat that the damper absorbed, for each test.
+    /// Heat that the damper absorbed, evaluated at each fitted test.
     pub heating: Arc<Heating>,
-    /// Properties of the tests.
+    /// Properties of the fitted tests that determine which effects they can show.
     pub situation: Situation,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Against {
     pub structure: Structure,
     /// Names of tests without a counterpart in the reference campaign.
     pub missing: Vec<String>,
-    /// Names of tests with a counterpart of another speed or stroke.
+    /// Names of tests whose nearest counterpart in the reference has another speed or stroke.
     pub shifted: Vec<String>,
 }
 
@@ -55,8 +55,9 @@ fn has_friction(params: &Params) -> bool {
     kinds.iter().any(|friction| params.is_on(*friction))
 }
 
-/// Returns the structure with the step of its curve at rest converted to friction. This requires a structure without
-/// friction, and records that are consistent with both forms.
+/// Returns the structure with the step of its FV curve at zero velocity converted to friction and gas force. Returns
+/// the structure unchanged if it already has friction, or if the records fit worse after the conversion. `fit` fits a
+/// model to the records.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
     /// Largest ratio of the mean square residuals with and without friction at which the friction is accepted.
     const OPEN: f64 = 1.05;
@@ -70,7 +71,7 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 
 impl Prepared {
     /// Fits the model to the reference, and corrects the tests by the form error that both dampers share. Returns the
-    /// structure of the reference.
+    /// structure of the reference, and the tests without an equal counterpart.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -84,8 +85,8 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Fit the given model in both forms of its curve at rest. If it has no friction, also fit models from the
-        // records alone, because a change of friction cannot show relative to a model without friction.
+        // Fit the given model in both forms of its FV curve at zero velocity. If the model has no friction, also fit
+        // models made from the records alone. A change of friction cannot show relative to a model without friction.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)
@@ -104,7 +105,7 @@ impl Prepared {
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
         let structure = with_friction(structure, |params| fit(start(params)));
-        // Use the integration of the refits, which has an equal error for both dampers.
+        // Use the integration of the refits, because its error is then equal for both dampers.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let (mut missing, mut shifted) = (Vec::new(), Vec::new());
@@ -118,7 +119,7 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Heat is indexed by test.
+        // The heating refers to tests by index, so it must refer to the new list of tests.
         self.heating = Arc::new(self.heating.of_tests(&self.fitted));
         Ok(Against { structure, missing, shifted })
     }

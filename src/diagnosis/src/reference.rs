@@ -42,14 +42,14 @@ fn is_same(a: &At, b: &At) -> bool {
         && (a.side - b.side).abs() <= SAME_SIDE
 }
 
-/// Returns the phase of a sample in its cycle, 0 to 2π: 0 at the middle of the stroke in rebound.
+/// Returns the phase of a sample in its cycle, rad, from 0 to 2π. It is 0 in rebound at the mean displacement.
 fn phase(input: &Input, at: &At) -> f64 {
     let x = (input.displacement.unwrap_or(at.mean) - at.mean) / at.amplitude;
     let v = input.velocity / (TAU * at.frequency * at.amplitude);
     libm::atan2(x, v).rem_euclid(TAU)
 }
 
-/// Residual of one cycle over its phase.
+/// Residual of one cycle, N, over its phase, rad.
 struct Left {
     by_phase: Vec<(f64, f64)>,
 }
@@ -84,11 +84,12 @@ pub struct Freed {
     pub shifted: Vec<String>,
 }
 
-/// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar: a
-/// factor of two in both.
+/// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar.
+/// The value corresponds to a factor of two in both.
 const ALIKE: f64 = 0.98;
 
-/// Returns the distance of two motions, or `None` if one has no cycles, or mean displacement or side force differ.
+/// Returns the logarithmic distance of two motions in speed and amplitude. Returns `None` if one has no cycles, or if
+/// mean displacement or side force differ.
 fn distance(a: &At, b: &At) -> Option<f64> {
     let speed = |at: &At| at.amplitude * at.frequency;
     let is_comparable = a.frequency > 0.0
@@ -98,12 +99,12 @@ fn distance(a: &At, b: &At) -> Option<f64> {
     is_comparable.then(|| libm::hypot(libm::log(speed(a) / speed(b)), libm::log(a.amplitude / b.amplitude)))
 }
 
-/// Corrects each test by the residual of the model on the same test of the reference, and adds the noise of this
-/// residual.
+/// Corrects each test by the residual of the model on the same test of the reference. Adds the noise of this residual
+/// to the noise of the test.
 ///
-/// If the reference does not contain the test, the correction uses the form error of the nearest motion, scaled with
-/// the force. Half of this error counts as uncertain. A test without a similar motion is not corrected. `residual` is
-/// measured minus computed force of every reference test, N.
+/// If the reference does not contain the test, the correction uses the form error of the nearest motion. This error is
+/// scaled with the largest force of the test. Half of this error counts as uncertain. A test without a similar motion
+/// is not corrected. `residual` is measured minus computed force of every reference test, N.
 pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> Freed {
     let known: Vec<(At, Left, f64, f64)> = reference
         .iter()

@@ -13,7 +13,7 @@ const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];
 const TOLD: usize = 12;
 /// Smallest ratio of residual to noise at which a region is reported.
 const STANDS_OUT: f64 = 1.5;
-/// Smallest number of samples of a region.
+/// Smallest number of samples for which a region is evaluated.
 const FEWEST: usize = 5;
 
 struct Cell {
@@ -22,7 +22,8 @@ struct Cell {
     rising: bool,
 }
 
-/// Finds the regions. `residual` is measured minus computed force of every scored sample, N.
+/// Finds the regions where model and records disagree, worst first. `residual` is measured minus computed force, N, of
+/// every scored sample of each test.
 pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
     let mut all = Vec::new();
     for (which, name) in std::iter::once((None, "all".to_owned()))
@@ -32,7 +33,8 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
             for band in 0..SPEEDS.len() - 1 {
                 let mut halves = [true, false]
                     .map(|rising| region(tests, residual, which, &name, &Cell { direction, band, rising }));
-                // If the errors while speeding up and slowing down are similar, both form one region.
+                // If the mean errors while speeding up and slowing down differ by less than half of the larger error,
+                // both form one region.
                 if let [Some(up), Some(down)] = &mut halves
                     && (up.mean_n - down.mean_n).abs() < 0.5 * up.mean_n.abs().max(down.mean_n.abs())
                 {

@@ -1,4 +1,5 @@
-//! Effects that are not named but explain a part of the disagreement, in addition to named effects or instead of one.
+//! Effects that are not named but explain a part of the disagreement of model and records, in addition to named effects
+//! or instead of one.
 
 use super::outcome::Rival;
 use super::wording::percent;
@@ -17,13 +18,14 @@ const SUSPECT: f64 = 0.03;
 /// Without this threshold, an accurate model was reported as incomplete because most dampers have friction.
 const EXPLAINING: f64 = 0.01;
 
-/// Returns the fraction of the excess mean square that the effect explains. Both mean squares are relative to noise and
-/// curve error, so the excess is the part above 1.
+/// Returns the fraction of the excess mean square that an effect explains, from −1 to 1. `before` and `after` are the
+/// mean square residuals without and with the effect, relative to the error expected from noise and curve form. The
+/// excess is the part of `before` above 1.
 pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
-/// Results of a search, for effects that are not in the best structure.
+/// Results of a search, for the evaluation of effects that are not in the best structure.
 pub(super) struct Open<'a> {
     pub search: &'a StructureSearch,
     /// The given model, or the model that was fitted to the reference, after a refit.
@@ -57,8 +59,8 @@ impl Open<'_> {
         all
     }
 
-    /// Returns effects that explain the records instead of a named one, most probable first. Each has the values of its
-    /// most probable structure.
+    /// Returns the effects that explain the records instead of the effect `named`, most probable first. The values of
+    /// each effect are those of the most probable structure that contains it and not `named`.
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
         let mut rows: Vec<(&'static str, &Visited)> = self.best_rows(Some(named)).into_iter().collect();
         rows.sort_by(|(a, one), (b, other)| other.log_posterior.total_cmp(&one.log_posterior).then(a.cmp(b)));
@@ -94,8 +96,8 @@ impl Open<'_> {
     }
 }
 
-/// Returns whether a rival is listed. Even if an effect explains nothing, it may be probable because most dampers have
-/// it.
+/// Returns whether a rival is listed. An effect that explains nothing is not listed, although it may be probable
+/// because most dampers have it.
 fn is_listed(rival: &Rival) -> bool {
     rival.confidence >= SUSPECT && rival.fraction >= EXPLAINING
 }

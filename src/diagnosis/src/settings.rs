@@ -39,7 +39,7 @@ pub struct WithSettings<'a> {
 /// Splits records by their setting, with the damper at each setting, lowest setting first.
 ///
 /// # Errors
-/// The first setting at which a reference has no record.
+/// Returns the first setting at which the reference has no record.
 pub fn split_by_setting(
     damper: &Definition,
     of: WithSettings<'_>,
@@ -82,7 +82,8 @@ struct AxisFigures<'a> {
     grid: &'a [f64],
 }
 
-/// Diagnosis at one setting. `D` has the keys of an ordinary diagnosis.
+/// Diagnosis at one setting. `D` is the type of the diagnosis, which is serialized with the keys of a diagnosis at a
+/// single setting.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingFigures<D> {
     /// Value of the setting.
@@ -105,7 +106,8 @@ pub struct SettingsFigures<'a, D> {
 }
 
 impl<'a, D> SettingsFigures<'a, D> {
-    /// Collects the results over the settings of an axis. `as_the_fit_saw` reports the correction of the records.
+    /// Collects the results over the settings of an axis. `as_the_fit_saw` reports the correction of the records, and
+    /// `unusable` lists the files and tests that could not be used.
     pub fn new(
         axis: &'a Axis,
         over: &'a OverSettings,
@@ -127,28 +129,28 @@ impl<'a, D> SettingsFigures<'a, D> {
 pub struct EffectAtSetting {
     /// Value of the setting.
     pub setting: f64,
-    /// Probability that the damper has the effect at this setting: that of the finding, or else that of the model's
-    /// effect.
+    /// Probability that the damper has the effect at this setting. It is the confidence of the finding if the effect is
+    /// named, otherwise the probability in the inventory.
     pub probability: f64,
     /// Force of the effect at this setting, N rms.
     pub force_n_rms: f64,
-    /// Status of the effect at this setting.
+    /// Whether the effect was kept, added, removed or replaced at this setting.
     pub status: Status,
     /// Effect of the model that this effect replaces at this setting.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
 }
 
-/// An effect over all settings.
+/// Results for one effect at all settings.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EffectOverSettings {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Whether the damper shows the effect at every diagnosed setting.
+    /// Whether the most probable model has the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether the effect was missing in the model at any of the settings.
+    /// Whether the given model lacks the effect at one setting at least, and the diagnosis added it there.
     pub is_found: bool,
-    /// Settings at which the effect is or was part of the model, or was missing.
+    /// Settings at which the given model or the most probable model has the effect.
     pub settings: Vec<EffectAtSetting>,
 }
 
@@ -178,14 +180,16 @@ pub struct ChangeOverSettings {
 pub struct OverSettings {
     /// Summary in sentences. An effect or a change at all settings is named only once.
     pub summary: Vec<Sentence>,
-    /// Every effect: first effects at all settings, then in order of force.
+    /// Every effect: first effects at all settings, then the others. Each part is sorted by force, largest first.
     pub effects: Vec<EffectOverSettings>,
-    /// Every change relative to a reference: first changes at all settings, then in order of force.
+    /// Every change relative to a reference: first changes at all settings, then the others. Each part is sorted by
+    /// force, largest first.
     pub changes: Vec<ChangeOverSettings>,
 }
 
 impl OverSettings {
-    /// Combines the diagnoses at the settings. `is_against` is true if there is a reference.
+    /// Combines the diagnoses at the settings. `unit` is the unit of the settings. `is_against` is true if there is a
+    /// reference.
     pub fn new(answers: &[(f64, &Diagnosis)], unit: &str, is_against: bool) -> OverSettings {
         let (effects, changes) = (effects_over_settings(answers), changes_over_settings(answers));
         let has_no_name = |found: &Diagnosis| matches!(found.verdict, Verdict::Ambiguous | Verdict::UnknownEffect);
@@ -196,12 +200,13 @@ impl OverSettings {
     }
 }
 
-/// Returns whether an effect of this status is part of the most probable damper.
+/// Returns whether an effect of this status is part of the most probable model.
 pub fn is_shown(status: Status) -> bool {
     matches!(status, Status::Kept | Status::Added)
 }
 
-/// Collects the changes of one damper at several settings: first changes at all settings, then in order of force.
+/// Collects the changes of one damper at several settings. Changes at all settings come first, and each part is sorted
+/// by force, largest first.
 fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSettings> {
     let mut all: Vec<ChangeOverSettings> = Vec::new();
     for (setting, found) in answers {
@@ -224,7 +229,8 @@ fn changes_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<ChangeOverSetting
     all
 }
 
-/// Collects the effects of one damper at several settings: first effects at all settings, then in order of force.
+/// Collects the effects of one damper at several settings. Effects at all settings come first, and each part is sorted
+/// by force, largest first.
 fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSettings> {
     let mut all: Vec<EffectOverSettings> = Vec::new();
     let mut add = |effect: &'static str, at: EffectAtSetting| match all.iter_mut().find(|of| of.effect == effect) {
@@ -274,7 +280,7 @@ fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
     }
 }
 
-/// Formats probabilities in percent, from the lowest to the highest.
+/// Formats the range of probabilities in percent, from the lowest to the highest.
 fn percents(probabilities: impl Iterator<Item = f64>) -> String {
     let percent = |probability: f64| (100.0 * probability).round();
     let (low, high) =
@@ -282,7 +288,8 @@ fn percents(probabilities: impl Iterator<Item = f64>) -> String {
     if low == high { format!("{low} %") } else { format!("{low}–{high} %") }
 }
 
-/// Summarizes the findings at the settings, and the settings with an unnamed disagreement.
+/// Summarizes the missing effects and the changes with their settings. `open` lists the settings with a disagreement
+/// that no effect explains.
 fn summarize(
     effects: &[EffectOverSettings],
     changes: &[ChangeOverSettings],
@@ -303,7 +310,8 @@ fn summarize(
             continue;
         }
         let at = added.iter().map(|at| at.setting).collect();
-        // An exchange of effects does not count as an additional missing effect.
+        // If the effect replaces the same effect of the model at all these settings, the summary also names the
+        // replaced effect.
         let mut replaced = added.iter().filter_map(|at| at.replaces);
         let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
         let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
@@ -361,7 +369,7 @@ mod tests {
         assert_eq!(said.len(), 2, "{said:?}");
         assert!(said[0].contains("every setting") && said[0].contains("free_play (90–94 % sure)"), "{said:?}");
         assert!(said[1].contains("cavitation") && said[1].contains("at 1 A"), "{said:?}");
-        // An exchange of effects counts as one finding.
+        // An effect that replaces another effect counts as one finding.
         let mut exchanged = effect("series_compliance", &[(0.0, Status::Added), (1.0, Status::Added)]);
         exchanged.settings.iter_mut().for_each(|at| at.replaces = Some("oil_compressibility"));
         let said = summary(&[exchanged], &[], &[], false);
@@ -373,7 +381,7 @@ mod tests {
         assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");
         let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);
         assert!(said.len() == 1 && said[0].contains("at every setting") && said[0].contains("no name"), "{said:?}");
-        // If the diagnosis has a reference, the summary begins with the changes.
+        // With a reference, the summary reports the changes.
         let change = Change {
             name: "coulomb_force",
             reference: 20.0,

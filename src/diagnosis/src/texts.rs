@@ -9,7 +9,7 @@ pub fn templates() -> &'static [Template] {
     TEMPLATES
 }
 
-/// Returns all words that are not in templates: the names of paths, families and forms of effects.
+/// Returns all words that are not in templates: the names of locations, families and forms of effects.
 pub fn words() -> impl Iterator<Item = &'static str> {
     CARDS.iter().flat_map(|card| [card.path, card.family]).chain(FORMS.iter().copied())
 }

@@ -1,4 +1,4 @@
-//! Tree of all probabilities: path, family, effect, form.
+//! Tree of all probabilities, with the levels path (location in the force path), family, effect and form.
 
 use super::effects::CARDS;
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
@@ -7,7 +7,7 @@ use serde::Serialize;
 /// Branch of the tree, with its probability and its subdivision.
 #[derive(Debug, Clone, Serialize)]
 pub struct Branch {
-    /// Path, family, effect or form.
+    /// Name of the path, family, effect or form.
     pub name: String,
     /// `path`, `family`, `effect` or `form`.
     pub level: &'static str,

@@ -7,12 +7,13 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
 
-/// Smallest squared response of an effect at typical strength, in σ² over all tests, at which the records can show the
-/// effect. The response is that after adaptation of the model.
+/// Smallest squared response of an effect of typical strength, in σ² over all tests, at which the records can show the
+/// effect. Only that part of the response counts which the other parameters of the model cannot reproduce.
 const TRACE: f64 = 20.0;
 
-/// Lists all effects that could not be tested, because of channels, ranges, or a small response at a typical strength.
-/// `invisible` contains the squared response of each screened effect, and `found` the named effects.
+/// Lists all effects that could not be tested, because of missing channels, too small ranges, or a small response at a
+/// typical strength. Effects of the base model and the named effects `found` are not listed. `invisible` contains the
+/// squared response of each screened effect in σ².
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

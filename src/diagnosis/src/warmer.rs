@@ -6,9 +6,9 @@ use super::phrases;
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 
-/// Smallest reported difference of a test's mean temperatures, K.
+/// Difference of a test's mean temperatures on damper and reference, K, above which it is reported.
 ///
-/// At this difference, the gas force differs by 3 %, as do the valves of dampers of one series.
+/// At this difference, the gas force differs by 3 %. The valve forces of dampers of one series differ as much.
 const WARMER: f64 = 8.0;
 
 /// Returns the mean temperature of a record, °C, if the temperature was recorded.
@@ -17,7 +17,8 @@ fn mean_temperature(record: &Record) -> Option<f64> {
     (!known.is_empty()).then(|| known.iter().sum::<f64>() / known.len() as f64)
 }
 
-/// Reports that tests of a damper were warmer or colder than the tests of equal names on the reference.
+/// Reports the test whose mean temperature differs most from that of the test of equal name on the reference. Returns
+/// `None` if the difference is at most [`WARMER`], or if temperatures are unknown.
 pub(super) fn warmer(records: &[&Record], reference: &[Record]) -> Option<Sentence> {
     let pair = |record: &Record| {
         let there = reference.iter().find(|other| other.name == record.name)?;

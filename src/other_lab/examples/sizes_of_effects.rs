@@ -1,7 +1,7 @@
 //! Prints the change of force due to every law of every effect.
 //!
-//! The change is the rms over all tests, before any refit, at strengths 0.1 and 1. Its unit is the noise (2 % of each
-//! test's rms plus 0.5 N).
+//! The change is the root mean square over all tests, before any refit, at the strengths 0.1 and 1. It is stated
+//! relative to the noise, which is 2 % of each test's root mean square force plus 0.5 N.
 //!
 //! `cargo run --release -p dashpot-other-lab --example sizes_of_effects [-- SEED]`
 

@@ -26,7 +26,7 @@ pub struct Campaign {
 /// Measured channels of one test.
 #[derive(Debug, Clone)]
 pub struct TestRecord {
-    /// Name.
+    /// Name of the test.
     pub name: String,
     /// Time on the clock of the campaign, s. The clock continues from test to test.
     pub time_s: Vec<f64>,
@@ -77,7 +77,8 @@ pub struct Accuracy {
 }
 
 impl Default for Accuracy {
-    /// Returns a tolerance with errors well below a tenth of the noise. A test with half the step size verifies it.
+    /// Returns tolerances with errors below a tenth of the noise. The test
+    /// `smaller_steps_change_the_force_by_less_than_a_tenth_of_the_noise` verifies this.
     fn default() -> Accuracy {
         Accuracy { relative: 4e-4, absolute: 0.4, longest: 1.0 }
     }
@@ -100,24 +101,24 @@ struct Simulated {
 }
 
 impl Case {
-    /// Runs the campaign.
+    /// Simulates all tests of the campaign, and adds the sensor errors.
     ///
     /// # Errors
-    /// [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation without a
-    /// finite force.
+    /// Returns a [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation
+    /// without a finite force.
     pub fn run(&self) -> Result<Campaign, LabError> {
         self.run_with(&Accuracy::default())
     }
 
-    /// Runs the campaign with another accuracy.
+    /// Simulates the campaign with another accuracy.
     ///
     /// # Errors
-    /// The errors of [`Case::run`].
+    /// Returns the errors of [`Case::run`].
     pub fn run_with(&self, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         self.run_prepared(self.prepare()?, accuracy)
     }
 
-    /// Runs the campaign of a prepared damper.
+    /// Simulates the campaign of a prepared damper.
     pub(crate) fn run_prepared(&self, prepared: Prepared, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         let Prepared { plant, effects, truth } = prepared;
         let p = &self.protocol;
@@ -171,7 +172,8 @@ impl Case {
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
                 left_out: test.left_out,
             });
-            // Unrecorded conditioning runs, only for sines, heat the oil. Then the oil cools during a pause.
+            // Unrecorded conditioning runs, only for sines, heat the oil. The oil cools over the duration of the test
+            // and a pause.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);
@@ -193,7 +195,8 @@ impl Case {
         })
     }
 
-    /// Returns the tests in the order of execution.
+    /// Returns the tests in the order of execution. If the protocol shuffles them, the repeated reference tests are
+    /// spread evenly over the others.
     fn ordered(&self) -> Vec<Test> {
         let tests = self.protocol.plan.tests(self.protocol.road_s);
         if !self.protocol.shuffled {

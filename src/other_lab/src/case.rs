@@ -25,11 +25,11 @@ pub struct Case {
 /// An injected effect.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InjectedEffect {
-    /// Name.
+    /// Name of the effect.
     pub effect: String,
-    /// Law.
+    /// Name of the law, which is one of the effect's equations.
     pub law: String,
-    /// Strength.
+    /// Strength of the effect: 0 has no influence, 1 is typical.
     pub strength: f64,
     /// Whether a diagnosis should name the effect.
     pub known: bool,

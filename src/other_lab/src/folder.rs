@@ -1,4 +1,4 @@
-//! A campaign on disk: one CSV file per test, and the truth.
+//! A campaign on disk: one CSV file per test, and a file with the true damper and effects.
 
 use crate::LabError;
 use crate::campaign::{Campaign, TestRecord};
@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-/// Name of the file of the truth.
+/// Name of the file with the true damper and effects.
 pub const TRUTH_FILE: &str = "truth.json";
 
 impl Campaign {
@@ -49,7 +49,7 @@ impl Campaign {
         written
     }
 
-    /// Returns the campaign with an ideal force channel.
+    /// Returns the campaign with the noise-free force as its measured force.
     #[must_use]
     pub fn without_noise(&self) -> Campaign {
         let mut clean = self.clone();

@@ -15,7 +15,8 @@ pub trait Equations {
     fn longest(&self, _: &Self::Drive) -> f64 {
         f64::INFINITY
     }
-    /// Returns the absolute error tolerance of each state per step, in addition to `relative` times its magnitude.
+    /// Returns the absolute error tolerance of each state per step. The total tolerance also contains
+    /// [`Steps::relative`] times the magnitude of the state.
     fn tolerances(&self) -> &[f64];
 }
 
@@ -226,8 +227,8 @@ fn solve(m: &[f64], pivots: &[usize], b: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Prothero and Robinson's problem: the first state follows cos t at any stiffness. Two more states are an undamped
-    /// nonlinear oscillator that the first state drives.
+    /// Prothero and Robinson's problem: the first state follows cos t at any stiffness. The other two states are an
+    /// undamped nonlinear oscillator that the first state drives.
     struct Stiff(Vec<f64>);
 
     impl Equations for Stiff {

@@ -55,7 +55,7 @@ impl Jet {
         Jet { x: self.x * by, v: self.v * by, a: self.a * by }
     }
 
-    /// Computes a step from 0 at 0 to 1 at 1 without a jump in acceleration. It is constant outside.
+    /// Computes a step from 0 at 0 to 1 at 1 without a jump in acceleration. The step is constant outside this range.
     pub fn smooth_step(self) -> Jet {
         let u = self.x;
         if u <= 0.0 {

@@ -22,7 +22,7 @@ const TURNS: f64 = 1.5e-3;
 /// Conditions of a test.
 #[derive(Debug, Clone, Copy)]
 pub struct Around {
-    /// Time in the campaign at the record's start, s.
+    /// Time from the start of the campaign to the start of the record, s.
     pub clock: f64,
     /// Length of the campaign, s.
     pub campaign: f64,
@@ -46,7 +46,7 @@ pub struct Machine<'a> {
 /// Time and motion at an instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Instant {
-    /// Time in the record, s.
+    /// Time since the start of the record, s.
     pub t: f64,
     /// Motion of the moving end.
     pub input: Jet,
@@ -165,7 +165,7 @@ impl Equations for Machine<'_> {
     }
 
     /// Limits the step near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
-    /// with the mount, error control does not resolve its reversal.
+    /// with the mount, error control does not resolve the reversal of the friction.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

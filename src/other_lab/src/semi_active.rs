@@ -1,8 +1,8 @@
 //! A semi-active damper, and its campaign on a rig: a monotube with a solenoid valve in parallel with the shims of the
 //! piston.
 //!
-//! Its equations differ from those of the identified model. In that model, the actuator is a lag with a dead time. In
-//! this damper, it consists of a coil, a magnet, a spool and a main stage.
+//! The equations of this damper differ from those of the identified model. In the identified model, the actuator is a
+//! lag with a dead time. In this damper, it consists of a coil, a magnet, a spool and a main stage.
 
 use crate::LabError;
 use crate::campaign::{Accuracy, TestRecord};
@@ -26,7 +26,7 @@ const SEAL: usize = 3;
 const OIL: usize = 4;
 const VALVE: usize = 6;
 const STATES: usize = VALVE + solenoid_valve::STATES;
-/// Duration of the first command before a test, s.
+/// Time, s, over which the valve reaches its steady state at a constant current.
 const LONG: f64 = 0.6;
 /// Longest step of the simulation, s.
 const STEP: f64 = 1e-3;
@@ -52,9 +52,9 @@ pub struct SemiActivePlant {
 /// A commanded current over time.
 #[derive(Debug, Clone)]
 pub enum Command {
-    /// Levels with their start times, s and A. The first level applies from the beginning.
+    /// Current levels with their start times, s and A. The first level applies from the beginning.
     Levels(Vec<[f64; 2]>),
-    /// A mean, A, and superposed waves: amplitude, A, angular frequency and phase.
+    /// A mean, A, and superposed waves: amplitude, A, angular frequency, rad/s, and phase, rad.
     Waves(f64, Vec<[f64; 3]>),
 }
 
@@ -72,7 +72,7 @@ impl Command {
         }
     }
 
-    /// Returns the times of the jumps before `end`.
+    /// Returns the times of the jumps of the current before `end`, s.
     fn jumps(&self, end: f64) -> Vec<f64> {
         match self {
             Command::Levels(levels) => {
@@ -86,13 +86,13 @@ impl Command {
 /// A test of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActiveTest {
-    /// Name.
+    /// Name of the test.
     pub name: String,
     /// Motion of the moving end.
     pub motion: Motion,
     /// Number of cycles of a sine or triangle.
     pub cycles: f64,
-    /// The command.
+    /// Commanded current over time.
     pub command: Command,
     /// Whether the test is excluded from identification.
     pub left_out: bool,
@@ -101,7 +101,7 @@ pub struct SemiActiveTest {
 /// Record of a test of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActiveRecord {
-    /// The ordinary channels.
+    /// Measured channels other than the command.
     pub record: TestRecord,
     /// Commanded current at the samples, A.
     pub command_a: Vec<f64>,
@@ -213,7 +213,7 @@ impl SemiActivePlant {
         ends.push(end);
         let mut begin = 0.0;
         for end in ends {
-            // In each interval, the level is constant, including the end of the interval.
+            // Between two jumps of the command, the level is constant, including the instant of the second jump.
             let held = match &test.command {
                 Command::Levels(_) => Some(test.command.at(0.5 * (begin + end))),
                 Command::Waves(..) => None,
@@ -262,7 +262,7 @@ impl SemiActivePlant {
 }
 
 impl SemiActiveRecord {
-    /// Formats the record as CSV with its command, SI units and A.
+    /// Formats the record as CSV with its commanded current, SI units.
     pub fn csv(&self) -> String {
         let text = self.record.csv();
         let mut lines = text.lines();
@@ -374,7 +374,7 @@ impl Equations for Machine<'_> {
 
 /// Currents of the sines, A.
 pub const CURRENTS: [f64; 8] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6];
-/// Prefix of the names of tests excluded from identification.
+/// Prefix of the names of tests that are excluded from identification.
 pub const LEFT_OUT: &str = "holdout_";
 /// Amplitude, mm, and peak velocity, m/s, of the sines at each current.
 const SINES: [(f64, f64); 6] = [(30.0, 0.02), (30.0, 0.15), (30.0, 0.5), (30.0, 0.9), (6.0, 0.25), (6.0, 0.6)];
@@ -403,12 +403,12 @@ pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
 
 /// Makes tests with steps of current up and down at constant speed.
 ///
-/// The time of each step is drawn within the middle of a stroke. Every third stroke has no step, so that steps up and
-/// down occur in both directions.
+/// Each step occurs at a random instant between 25 and 40 % of a stroke. Every third stroke has no step, so that steps
+/// up and down occur in both directions.
 pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
     let of = |(place, (low, high, speed)): (usize, &(f64, f64, f64))| {
         let mut d = Draw::new(seed, &format!("steps {place}"));
-        // The first stroke begins half a stroke after the standstill and the fade-in of one cycle.
+        // The first stroke with a step (k = 3) begins half a stroke after the standstill and the fade-in of one cycle.
         let stroke = 2.0 * TRIANGLE / speed;
         let cycles = 9.0;
         let mut levels = vec![[0.0, *low]];
@@ -438,7 +438,7 @@ pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTes
     let waves: Vec<[f64; 3]> =
         (0..14).map(|_| [d.between(0.4, 1.0), TAU * d.scale(0.3, 12.0), TAU * d.fraction()]).collect();
     let square: f64 = waves.iter().map(|[size, ..]| 0.5 * size * size).sum();
-    // Scale two standard deviations to half the range.
+    // Scale the waves so that two standard deviations of the current are half its range.
     let factor = 0.25 * most / square.sqrt();
     let waves = waves.into_iter().map(|[size, omega, phase]| [factor * size, omega, phase]).collect();
     SemiActiveTest {

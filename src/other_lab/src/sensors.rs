@@ -8,12 +8,12 @@ use std::f64::consts::TAU;
 pub const LEAST_NOISE_N: f64 = 0.5;
 /// Noise of the displacement transducer, standard deviation, m: an LVDT with a range of 100 mm.
 const DISPLACEMENT_M: f64 = 2e-6;
-/// Noise of the velocity channel, relative to its largest value.
+/// Noise of the velocity channel, standard deviation relative to the largest velocity of the test.
 const VELOCITY_SHARE: f64 = 1.5e-3;
 const SIDE_FORCE_N: f64 = 1.0;
 const TEMPERATURE_K: f64 = 0.1;
 const HUM_HZ: f64 = 50.0;
-/// Ratio of a converter's range to the largest value of the campaign.
+/// Ratio of the force converter's range to the largest force of the campaign.
 const RESERVE: f64 = 1.3;
 /// Range of the displacement transducer, m.
 const STROKE_M: f64 = 0.1;

@@ -3,8 +3,8 @@
 use crate::plant::Part;
 use crate::{Accuracy, Campaign, Case, LabError};
 
-/// Smallest visible change of the force due to the removal of an effect, relative to the test's rms force. It applies
-/// if the noise is lower.
+/// Smallest visible change of the force due to the removal of an effect, relative to the test's root mean square force.
+/// If the noise is larger, the noise is the smallest visible change.
 const LEAST_PART: f64 = 0.005;
 /// Constant part of the force noise of a protocol, N.
 const NOISE_N: f64 = 0.5;
@@ -15,10 +15,10 @@ impl Case {
     /// A change is visible if it exceeds the noise and 0.5 % of the root mean square force in at least one test.
     /// Injected effects come first, then the effects of the damper itself.
     ///
-    /// The damper is simulated once for each effect.
+    /// The campaign is simulated once for each injected effect and once for each part of the damper's physics.
     ///
     /// # Errors
-    /// The errors of [`Case::run`].
+    /// Returns the errors of [`Case::run`].
     pub fn true_set(&self) -> Result<Vec<String>, LabError> {
         let whole = self.run()?;
         let mut found = Vec::new();
@@ -29,8 +29,7 @@ impl Case {
         };
         for k in 0..self.effects.len() {
             let mut without = self.clone();
-            // Set the strength to 0 instead of removing the effect, because its law may depend on its position in the
-            // list.
+            // An effect of strength 0 is not simulated.
             without.effects[k].1 = 0.0;
             if self.is_moved(&whole, &without.run()?) {
                 add(self.effects[k].0.split(':').next().unwrap_or_default());

@@ -20,7 +20,8 @@ fn laws() -> impl Iterator<Item = (&'static str, String)> {
         .flat_map(|effect| effect.laws.iter().map(|(law, _)| (effect.name, format!("{}:{law}", effect.name))))
 }
 
-/// Computes the root mean square difference over the tests, relative to 2 % noise.
+/// Computes the root mean square difference of two campaigns over the tests. The difference of the force is relative to
+/// the noise, which is 2 % of the root mean square force plus 0.5 N.
 fn change(a: &Campaign, b: &Campaign) -> f64 {
     let of_test = a.tests.iter().zip(&b.tests).map(|(a, b)| {
         assert_eq!((&a.name, a.time_s.len()), (&b.name, b.time_s.len()));
@@ -69,7 +70,7 @@ fn peak_forces_are_those_of_car_dampers() {
     }
 }
 
-/// An ordinary run tests one law in this many.
+/// An ordinary run tests one of this many laws, because a test of all laws takes longer.
 ///
 /// `cargo test --profile tests -p dashpot-other-lab --test laboratory -- --include-ignored` tests all laws in two minutes.
 const ONE_IN: usize = 8;

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p dashpot-proving --example explain_other -- COUNT FIRST_SEED [dimensions] [eyes]`. With
 //! `dimensions` the fit has priors from bore, rod, chambers and oil. With `eyes`, the drawing also states the stiffness
-//! of the eyes. `split=calibrate` or `split=check` may replace the first seed.
+//! of the mounting eyes. `split=calibrate` or `split=check` may replace the first seed.
 
 use dashpot_core::list;
 use dashpot_dimensions::{Entry, explain, forward};
@@ -21,9 +21,9 @@ struct Score {
     reported: usize,
     held: usize,
     bounds: usize,
-    /// Ratio of truth to value.
+    /// Ratio of the true value to the reported value.
     ratios: Vec<f64>,
-    /// Ratio of upper to lower end.
+    /// Ratio of the upper to the lower end of the interval.
     widths: Vec<f64>,
 }
 

@@ -30,8 +30,8 @@ const CHAMBERS: [Entry; 7] = [
 #[derive(Default)]
 struct Score {
     cases: usize,
-    /// Sum over all dampers of the probability of the injected effect. `wrong` is the sum of the larger probability of
-    /// the two other effects.
+    /// Sum over all dampers of the probability of the injected effect. `wrong` is the corresponding sum for the more
+    /// probable of the two other effects in [`NAMES`].
     right: f64,
     wrong: f64,
     named: usize,

@@ -1,11 +1,10 @@
-//! Runs the second laboratory's cases.
+//! Runs the benchmark cases of the second laboratory.
 //!
 //! `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference] [fitted] [only=BLOCK,EFFECT,...] [OUT.jsonl]`.
 //!
-//! With `reference`, each damper is compared with itself without the injected effect. With `fitted`, the model is that
-//! of `dashpot fit`. Otherwise, it has only series spring, Coulomb friction and gas. `split=calibrate`, `split=check`
-//! or `split=locked="what for"` may replace the first seed. The locked split issues unused seeds, which are never
-//! issued again.
+//! The suite is repeated ROUNDS times. With `reference`, each damper is compared with itself without the injected effect. With `fitted`,
+//! the model is that of `dashpot fit`. Otherwise, it has only series spring, Coulomb friction and gas. `split=calibrate`, `split=check` or
+//! `split=locked="what for"` may replace the first seed. The locked split issues unused seeds, which are never issued again.
 
 use dashpot_proving::laboratory::{Way, run, suite};
 use dashpot_proving::outcome::Outcome;

@@ -1,4 +1,4 @@
-//! Drawing of a damper of the second laboratory, with measurement errors, and the true values.
+//! Drawing of a damper of the second laboratory. The stated values have errors, and the true values are known.
 
 use dashpot_dimensions::{Dimensions, Entry, orifice, read};
 use dashpot_other_lab::Kind;
@@ -10,19 +10,19 @@ pub struct Drawing {
     built: Built,
     kind: Kind,
     mount: f64,
-    /// True discharge coefficient and density.
+    /// True discharge coefficient of the valves. `density` is the true density of the oil, kg/m³.
     discharge: f64,
     density: f64,
     errors: Vec<f64>,
 }
 
-/// Pascals per bar. [`GPA`] is pascals per GPa.
+/// Factor from bar to Pa. [`GPA`] is the factor from GPa to Pa.
 const BAR: f64 = 1e5;
 const GPA: f64 = 1e9;
 /// Atmospheric pressure in the laboratory, bar.
 const AIR: f64 = 1.0;
 
-/// Entries of a drawing with their tolerances, in the order in which errors are drawn.
+/// Entries of a drawing with their relative tolerances. The order determines the random error of each entry.
 const ENTRIES: [(Entry, f64); 9] = [
     (Entry::Bore, 0.005),
     (Entry::Rod, 0.005),
@@ -43,14 +43,14 @@ fn uniform(seed: u64, place: u64) -> f64 {
     ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// Returns a sample of the standard normal distribution.
+/// Returns a sample of the standard normal distribution from a seed and an index.
 fn normal(seed: u64, place: u64) -> f64 {
     let radius = libm::sqrt(-2.0 * libm::log(1.0 - uniform(seed, 2 * place)));
     radius * libm::cos(std::f64::consts::TAU * uniform(seed, 2 * place + 1))
 }
 
 impl Drawing {
-    /// Makes the drawing of a seed's damper. Returns `None` if the damper has no chambers.
+    /// Makes the drawing of the damper that a seed selects. Returns `None` if the damper has no chambers.
     pub fn new(kind: Kind, seed: u64) -> Option<Drawing> {
         let plant = Plant::new(kind, seed);
         let errors = (0..ENTRIES.len() as u64).map(|place| normal(seed, 10 + place)).collect();
@@ -81,11 +81,11 @@ impl Drawing {
         }
     }
 
-    /// Makes the drawing with some of its entries. Each has a random error, which is within its tolerance in 95 % of
-    /// the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
+    /// Makes the drawing with some of its entries. Each entry has a random error, which is within the tolerance of the
+    /// entry in 95 % of the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
     ///
     /// # Panics
-    /// If the reader of dimensions rejects the drawing.
+    /// Panics if the reader of dimensions rejects the drawing.
     pub fn with(&self, entries: &[Entry]) -> Dimensions {
         let mut text = format!("design = \"{}\"\n", if self.kind == Kind::Monotube { "monotube" } else { "twin_tube" });
         for ((entry, tolerance), error) in ENTRIES.iter().zip(&self.errors).filter(|((e, _), _)| entries.contains(e)) {
@@ -99,7 +99,8 @@ impl Drawing {
     }
 
     /// Returns the true value of a quantity of an explanation, in the unit of the explanation. `force` is the largest
-    /// force of the FV table in the stroke of the quantity. Returns `None` for an unknown quantity.
+    /// force of the FV table in the stroke of the quantity, N. Returns `None` for an unknown quantity, or if the damper
+    /// has no valves with orifice and shim.
     pub fn truth(&self, quantity: &str, force: f64) -> Option<f64> {
         let built = &self.built;
         let stroke = usize::from(quantity.starts_with("compression"));

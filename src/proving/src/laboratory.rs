@@ -1,5 +1,5 @@
 //! Cases from the second laboratory. Each campaign is simulated, written to files and read back, and a base model is
-//! identified. The strength of each effect is chosen so that the effect has the requested severity.
+//! identified. [`at_severities`] chooses the strength of each effect so that the effect has the requested severity.
 
 use crate::EvaluationError;
 use crate::outcome::{Outcome, judged};
@@ -18,12 +18,12 @@ use std::collections::BTreeMap;
 const NEAR: f64 = 0.1;
 /// Largest number of trial strengths.
 const TRIES: usize = 8;
-/// Smallest and largest strength that the search tries. No damper has a stronger effect.
+/// Smallest and largest strength that the search tries. No real damper has an effect above this range.
 const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// Options of a diagnosis: the diagnosed model and the reference.
+/// Choice of the diagnosed model, and of a diagnosis with or without a reference.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
     /// Whether the damper is compared with itself without the injected effect.
@@ -32,10 +32,10 @@ pub struct Way {
     pub whole_fit: bool,
 }
 
-/// Measures the campaign of a case in the form for the diagnosis. The numbers in `case.effects` are strengths.
+/// Measures the campaign of a case in the form that a diagnosis needs. The numbers in `case.effects` are strengths.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError> {
     let campaign = case.run()?;
     let records = read(&campaign)?;
@@ -75,16 +75,22 @@ pub fn measure(case: &Case, whole_fit: bool) -> Result<Measured, EvaluationError
 const TAKEN_UP: [&str; 6] =
     ["viscous_friction", "coulomb_friction", "series_compliance", "gas_preload", "parallel_spring", "force_offset"];
 
-/// Pairs of effects in each repetition.
+/// Number of pairs of effects in each repetition of the suite.
 const PAIRS: usize = 8;
 
 /// Returns cases of the second laboratory at typical strengths.
 ///
-/// They contain every known effect that the base model does not absorb, and every unknown effect. For each unknown
-/// effect, there is a case without an effect and with white noise, and one with colored noise and hum. Pairs of effects
-/// follow. Then every effect of the first group is repeated with a random laboratory protocol, and as many cases
-/// without an effect as there are unknown effects. The kinds of dampers alternate. The suite is repeated `repetitions`
-/// times. Seeds count up from `first_seed + 1`.
+/// A suite consists of these blocks:
+///
+/// - Every known effect that the base model does not absorb.
+/// - Every unknown effect.
+/// - As many cases without an effect and with white noise as there are unknown effects.
+/// - Equally many cases without an effect and with colored noise, hum and a converter of 14 bits.
+/// - Pairs of known effects.
+/// - Every effect of the first block with a random laboratory protocol.
+/// - Equally many cases without an effect as in the third block, with a random laboratory protocol.
+///
+/// The kinds of dampers alternate. The suite is repeated `repetitions` times. Seeds count up from `first_seed + 1`.
 pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
     let (known, unknown) = (dashpot_other_lab::effects::KNOWN, dashpot_other_lab::effects::UNKNOWN);
     let hidden: Vec<&str> = known.iter().map(|e| e.name).filter(|name| !TAKEN_UP.contains(name)).collect();
@@ -106,7 +112,8 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
         };
         all.extend((0..unknown.len()).map(|k| ("null_coloured", coloured(next(k)))));
         all.extend((0..PAIRS).map(|k| {
-            // With coprime strides, the pairs include all effects, and never pair an effect with itself.
+            // The stride 5 and the number of effects are coprime, so the first effects of successive pairs differ. The
+            // second effect of a pair is never equal to the first one.
             let a = (5 * (k + PAIRS * round) + 1) % hidden.len();
             let b = (a + 1 + (7 * k + round) % (hidden.len() - 1)) % hidden.len();
             ("pair", next(k).hiding(hidden[a], 1.0).hiding(hidden[b], 1.0))
@@ -124,7 +131,7 @@ pub fn suite(repetitions: u64, first_seed: u64) -> Vec<(&'static str, Case)> {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// Errors of laboratory, reader, fit or diagnosis.
+/// Returns the errors of the laboratory, the reader, the fit and the diagnosis.
 pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagnosis), EvaluationError> {
     let measured = measure(case, way.whole_fit)?;
     let reference = if way.reference { read(&case.reference().run()?)? } else { Vec::new() };
@@ -137,7 +144,7 @@ pub fn run(block: &'static str, case: &Case, way: Way) -> Result<(Outcome, Diagn
 /// A severity is the root mean square that a refit of the base model cannot absorb, relative to the noise.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit, or a severity that no strength reaches.
+/// Returns the errors of the laboratory, the reader and the fit, and an error for a severity that no strength reaches.
 pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
     let neutral = Case { effects: Vec::new(), ..case.clone() }.run()?;
     let ground = SeverityContext::new(case, &neutral)?;
@@ -151,7 +158,7 @@ pub fn at_severities(case: &Case) -> Result<Case, EvaluationError> {
 /// Writes records to files and loads them, like a user.
 ///
 /// # Errors
-/// Errors of laboratory or reader.
+/// Returns the errors of the laboratory and the reader.
 pub fn read(campaign: &Campaign) -> Result<Vec<Record>, EvaluationError> {
     write_and_read(|path| Ok(campaign.write(path)?))
 }
@@ -168,11 +175,11 @@ fn base_of(case: &Case, records: &[&Record]) -> Result<Params, EvaluationError> 
     Ok(base)
 }
 
-/// The neutral damper's campaign, relative to which the severity of an effect is measured.
+/// Campaign of the damper without injected effects, relative to which the severity of an effect is measured.
 struct SeverityContext {
     base: Params,
     noise: Vec<f64>,
-    /// Residual of the base model for the neutral damper's campaign, relative to the noise.
+    /// Residual of the base model on this campaign, relative to the noise.
     own: Vec<f64>,
 }
 
@@ -200,7 +207,7 @@ impl SeverityContext {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        // The refit may have ended early, and a newly identified model may have a better fit.
+        // The refit may have ended early. So identify the model again, and use the smaller severity.
         Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
     }
 
@@ -213,7 +220,8 @@ impl SeverityContext {
         Ok((square / left.len().max(1) as f64).sqrt())
     }
 
-    /// Finds the strength for a severity by a bracketed search on a logarithmic scale.
+    /// Finds the strength for a severity by a bracketed search on a logarithmic scale. Returns an error if no tried
+    /// strength comes near the severity.
     fn strength(&self, case: &Case, name: &str, wanted: f64) -> Result<f64, EvaluationError> {
         if wanted <= 0.0 {
             return Ok(0.0);

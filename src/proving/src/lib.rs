@@ -26,7 +26,7 @@ pub enum EvaluationError {
     /// The case cannot be made.
     #[error(transparent)]
     Severity(#[from] dashpot_severity::SeverityError),
-    /// The fit of a family to its records fails.
+    /// The fit of an adjustable damper to the records fails.
     #[error("the family of the case's records: {0}")]
     Family(String),
     /// The second laboratory rejects the case.

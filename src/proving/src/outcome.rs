@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct Outcome {
     /// Block of the suite to which the case belongs.
     pub block: &'static str,
-    /// Seed.
+    /// Seed of the case.
     pub seed: u64,
     /// Injected effects with their severities.
     pub injected: Vec<(String, f64)>,
@@ -21,7 +21,7 @@ pub struct Outcome {
     pub forms: Vec<String>,
     /// Verdict of the diagnosis.
     pub verdict: Verdict,
-    /// Named effects with their confidences, in order.
+    /// Named effects with their confidences, most probable first.
     pub named: Vec<(String, f64)>,
     /// Whether the fit has found all injected effects, as elements of the model or as measurement errors.
     ///
@@ -34,13 +34,13 @@ pub struct Outcome {
     pub true_set: Option<Vec<String>>,
     /// Whether there was a reference campaign.
     pub against_reference: bool,
-    /// Suspected effects, if the diagnosis named no effect.
+    /// Effects that the diagnosis suspects but does not name.
     pub suspects: Vec<String>,
-    /// Error of the starting model relative to the noise-free force of the left-out tests, N.
+    /// Root mean square difference between the starting model and the noise-free force of the left-out tests, N.
     pub clean_before: f64,
-    /// Error of the improved model relative to the noise-free force, N.
+    /// Root mean square difference between the improved model and the noise-free force of the left-out tests, N.
     pub clean_after: f64,
-    /// Closed fraction of the gap on left-out tests, from the diagnosis.
+    /// Fraction of the gap between model and noise that the improved model closes, from the diagnosis.
     pub gap_closed: Option<f64>,
     /// Duration of the diagnosis, s.
     pub seconds: f64,
@@ -48,10 +48,11 @@ pub struct Outcome {
     pub evidence: Vec<Vec<(String, f64, Evidence)>>,
     /// Effects that these records cannot show, from the diagnosis.
     pub could_not_test: Vec<String>,
-    /// If the diagnosis named no effect: the first name after the proposed test was added. Empty if that diagnosis
-    /// names none either. `None` if there was no proposed test, or if the rig cannot run it.
+    /// First effect that is named after the first proposed test was added, for cases with a poor plan in which no
+    /// effect was named before. Empty if the second diagnosis names none either. `None` if there was no proposed test,
+    /// or if the rig cannot run it.
     pub with_proposed: Option<String>,
-    /// The first name after all proposed sines were added.
+    /// First effect that is named after all proposed sines were added, under the conditions of `with_proposed`.
     pub with_all_proposed: Option<String>,
 }
 
@@ -80,7 +81,7 @@ pub fn plain(name: &str) -> &str {
 /// Runs and scores one case.
 ///
 /// # Errors
-/// Errors of rig, reader, fit or diagnosis.
+/// Returns the errors of the rig, the reader, the fit and the diagnosis.
 pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagnosis), EvaluationError> {
     let measured = case.measure()?;
     let (mut outcome, found) = judged(block, case.options.seed, &case.effects, &measured, &Options::default())?;
@@ -93,7 +94,7 @@ pub fn run(block: &'static str, case: &Case) -> Result<(Outcome, Measured, Diagn
 /// Diagnoses and scores a measured case.
 ///
 /// # Errors
-/// Errors of the diagnosis.
+/// Returns the errors of the diagnosis.
 pub fn judged(
     block: &'static str,
     seed: u64,
@@ -151,7 +152,8 @@ pub fn judged(
 /// Smallest amplitude, m, and largest speed, m/s, of the rig.
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
-/// Returns the first name after the first proposed sine was added, and after all proposed sines were added.
+/// Returns the first effect that is named after the first proposed sine was added, and after all proposed sines were
+/// added.
 fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
     let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;
@@ -171,8 +173,8 @@ fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<Stri
     (with_first, with_all)
 }
 
-/// Returns the first name after tests beyond the plan were added. It is empty if no effect is named. Returns `None` if
-/// there are no such tests, or if measurement or diagnosis fails.
+/// Returns the first effect that is named after tests beyond the plan were added, or an empty text if no effect is
+/// named. Returns `None` if there are no such tests, or if measurement or diagnosis fails.
 fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<String> {
     if more.is_empty() {
         return None;
@@ -183,8 +185,8 @@ fn name_with(case: &Case, measured: &Measured, more: &[TestPoint]) -> Option<Str
     Some(found.findings.first().map_or(String::new(), |f| f.effect.to_owned()))
 }
 
-/// Computes the root mean square error relative to the noise-free force of the left-out tests, before and after the
-/// diagnosis.
+/// Computes the root mean square difference between model and noise-free force over the left-out tests, N, before and
+/// after the diagnosis.
 fn against_clean(measured: &Measured, found: &Diagnosis) -> (f64, f64) {
     let records: Vec<&Record> = measured.clean.iter().collect();
     let clean = dashpot_diagnosis::mean_cycles(&records);

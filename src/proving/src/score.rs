@@ -9,7 +9,7 @@ fn share(hits: usize, of: usize) -> String {
     if of == 0 {
         return "-".to_owned();
     }
-    // Wilson's interval (J. Am. Stat. Assoc. 22, 1927).
+    // Wilson's 95 % interval of a proportion (J. Am. Stat. Assoc. 22, 1927).
     let (n, p) = (of as f64, hits as f64 / of as f64);
     let z = 1.96f64;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
@@ -25,12 +25,12 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(values[values.len() / 2])
 }
 
-/// Computes the closed fraction of the gap to the noise-free force.
+/// Computes the fraction of the error against the noise-free force that the improved model removes.
 fn closed(o: &Outcome) -> f64 {
     1.0 - o.clean_after / o.clean_before.max(1e-9)
 }
 
-/// Formats the results as lines.
+/// Formats the results of the benchmark, one measure on each line.
 pub fn table(all: &[Outcome]) -> String {
     let mut out = String::new();
     let of = |block: &str| all.iter().filter(|o| o.block == block).collect::<Vec<_>>();
@@ -172,7 +172,7 @@ fn calibration(all: &[Outcome]) -> String {
     )
 }
 
-/// Formats the confusion matrix: injected effects by first name, nonzero entries only.
+/// Formats the confusion matrix: for each injected effect, the effects that were named first, with their counts.
 pub fn confusion(all: &[Outcome]) -> String {
     let mut counts: BTreeMap<String, BTreeMap<String, usize>> = BTreeMap::new();
     for o in all.iter().filter(|o| o.block == "single" || o.block == "unknown" || o.block.starts_with("null")) {

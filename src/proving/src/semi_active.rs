@@ -1,5 +1,5 @@
-//! A semi-active damper of the second laboratory, identified over its current. Evaluates the family's predictions for
-//! excluded data.
+//! A semi-active damper of the second laboratory, identified over its current. Evaluates the predictions of the
+//! identified damper for data that the fit did not use.
 
 use crate::EvaluationError;
 use dashpot_core::Input;
@@ -28,12 +28,12 @@ const RATE: f64 = 10_000.0;
 /// Grid of a response: start and end, s, and number of intervals.
 const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 
-/// Time to 63 % of a step, s, of the plant and of the identified model.
+/// Time from a step of the current to 63 % of its effect, s, of the plant and of the identified model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Lag {
     /// Currents before and after the step, A.
     pub step_a: [f64; 2],
-    /// Time of the plant, s.
+    /// Time of the plant (the simulated true damper), s.
     pub plant_s: f64,
     /// Time of the model, s.
     pub model_s: f64,
@@ -51,16 +51,17 @@ impl Lag {
 pub struct SemiActiveOutcome {
     /// Seed of the damper, its steps and its noise.
     pub seed: u64,
-    /// Error ratio at the worst current: the family fitted without that current, relative to a fit of that current
-    /// alone.
+    /// Largest of [`SemiActiveOutcome::ratios`], at the worst current.
     pub worst_ratio: f64,
-    /// Error ratio at each current inside the grid.
+    /// Error ratio at each current inside the grid. It is the error of a fit without that current, relative to the
+    /// error of a fit at that current alone.
     pub ratios: Vec<f64>,
-    /// Largest error of the family fitted without a current, in percent of the largest force of each test.
+    /// Largest mean error of the adjustable damper at a current without which it was fitted, in percent of the largest
+    /// force of each test.
     pub left_out_percent: f64,
-    /// Mean error over the left-out test with random current, as a fraction of the largest force.
+    /// Mean error over the left-out test with random current, as a fraction of the largest force of this test.
     pub random_error: f64,
-    /// Lags of the valve position, expressed as the steady-state current.
+    /// Lags of the valve position. Each position is expressed as the current at which it is the steady state.
     pub valve: Vec<Lag>,
     /// Lags of the force at constant speed.
     pub force: Vec<Lag>,
@@ -80,7 +81,7 @@ impl SemiActiveOutcome {
 /// Measures tests and reads their records back from files.
 ///
 /// # Errors
-/// Errors of laboratory or reader.
+/// Returns the errors of the laboratory and the reader.
 pub fn measure(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],
@@ -102,7 +103,7 @@ pub fn measure(
 /// Measures, fits and evaluates the damper of a seed with the whole protocol.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
     let plant = SemiActivePlant::new(seed);
     let tests = protocol(seed, plant.most);
@@ -112,7 +113,7 @@ pub fn evaluate(seed: u64) -> Result<SemiActiveOutcome, EvaluationError> {
 /// Measures, fits and evaluates a damper with the given tests.
 ///
 /// # Errors
-/// Errors of laboratory, reader or fit.
+/// Returns the errors of the laboratory, the reader and the fit.
 pub fn evaluate_tests(
     plant: &SemiActivePlant,
     tests: &[SemiActiveTest],
@@ -159,13 +160,13 @@ fn constant(test: &SemiActiveTest, level: f64) -> SemiActiveTest {
     SemiActiveTest { command: Command::Levels(vec![[0.0, level]]), ..test.clone() }
 }
 
-/// Computes the times to 63 % of the steps of valve position and force, for plant and model without noise.
+/// Computes the times to 63 % of the steps of valve position and force, s, for plant and model without noise.
 fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<Lag>, Vec<Lag>), EvaluationError> {
     let clean = Protocol { noise_percent: 0.0, sample_rate_hz: RATE, ..Protocol::default() };
     let grid: Vec<f64> = (0..=GRID.2).map(|k| GRID.0 + (GRID.1 - GRID.0) * k as f64 / GRID.2 as f64).collect();
     let map = plant.stage_map();
     let family = prepared_family(damper).map_err(|error| EvaluationError::Family(error.to_string()))?;
-    // Use the three pairs of levels with a common speed.
+    // Use only the tests at 300 mm/s, which have three pairs of current levels.
     let tests: Vec<SemiActiveTest> = steps(seed).into_iter().filter(|test| test.name.ends_with("_300mm_s")).collect();
     let (mut valves, mut forces) = (Vec::new(), Vec::new());
     for test in &tests {

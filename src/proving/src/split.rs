@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// A part of all seeds.
+/// A range of seeds for one purpose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Split {
     /// Seeds for the values in `calibration.toml` and the temperatures of the search.
@@ -56,7 +56,7 @@ impl Ledger {
     /// the build folder in every package.
     ///
     /// # Errors
-    /// Cargo did not start this program, or the file cannot be read.
+    /// Returns an error if Cargo did not start this program, or if the file cannot be read.
     pub fn of_the_project() -> std::io::Result<Ledger> {
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").ok_or_else(|| {
             std::io::Error::new(std::io::ErrorKind::NotFound, "run this with cargo, which says where the project is")
@@ -67,7 +67,7 @@ impl Ledger {
     /// Reads a ledger.
     ///
     /// # Errors
-    /// The file cannot be read.
+    /// Returns an error if the file cannot be read.
     pub fn read(path: &Path) -> std::io::Result<Ledger> {
         Ok(Ledger { path: path.to_owned(), text: std::fs::read_to_string(path)? })
     }
@@ -81,7 +81,7 @@ impl Ledger {
     /// Issues unused seeds and returns the first one. The entry is written before the first case runs.
     ///
     /// # Errors
-    /// The file cannot be replaced.
+    /// Returns an error if the file cannot be replaced.
     pub fn open(&mut self, for_what: &str) -> std::io::Result<u64> {
         let first = self.opened().into_iter().map(|s| s + OPENING).fold(Split::Locked.first_seed(), u64::max);
         let what = for_what.replace(['"', '\\'], " ");
@@ -98,7 +98,8 @@ impl Ledger {
 /// A request for the locked split issues unused seeds and records them in the ledger.
 ///
 /// # Errors
-/// An unknown split, a request for the locked split without a purpose, or a ledger that cannot be written.
+/// Returns an error for an unknown split, for a request for the locked split without a purpose, or if the ledger cannot
+/// be written.
 pub fn first_seed(args: &[String]) -> Result<Option<u64>, String> {
     let Some(asked) = args.iter().find_map(|a| a.strip_prefix("split=")) else { return Ok(None) };
     let (name, purpose) = asked.split_once('=').unwrap_or((asked, ""));

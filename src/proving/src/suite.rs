@@ -6,13 +6,13 @@ use dashpot_severity::case::Case;
 /// A case with its block of the suite.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// Block.
+    /// Block to which the case belongs.
     pub block: &'static str,
     /// Case.
     pub case: Case,
 }
 
-/// Blocks in the order of the table.
+/// Blocks of the suite.
 pub const BLOCKS: [&str; 9] =
     ["single", "null_white", "null_coloured", "null_form", "unknown", "pair", "poor", "whole_fit", "null_whole_fit"];
 

@@ -1,4 +1,4 @@
-//! Comparison of the second laboratory's laws with the model's.
+//! Comparison of the laws of the second laboratory with those of the kernel's elements.
 //!
 //! If a law becomes part of the kernel, it is no longer independent evidence, so the laboratory must drop it.
 
@@ -6,8 +6,8 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_other_lab::effects::KNOWN;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Every element of the kernel: its number of parameters, and its laws by their names in the second laboratory. A new
-/// parameter may mean a new form, so the test also compares the numbers.
+/// Every element of the kernel: name, number of parameters, and the laws of the element by their names in the second
+/// laboratory. A new parameter may mean a new form, so the test also compares the numbers of parameters.
 const KERNEL: &[(&str, usize, &[&str])] = &[
     ("fv_curve", 12, &["table", "piecewise_linear"]),
     ("integration", 2, &[]),

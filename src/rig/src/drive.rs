@@ -15,7 +15,7 @@ const SLOW_FREQUENCY_HZ: f64 = 0.05;
 const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
 const BRIEF_RAMP_S: f64 = 0.08;
 
-/// The motion of one test.
+/// The motion of the actuator in one test.
 #[derive(Debug, Clone)]
 pub struct Drive {
     mean: f64,
@@ -23,7 +23,7 @@ pub struct Drive {
     omega: f64,
     ramp: f64,
     rest: f64,
-    /// Start and end of the whole cycles at full amplitude.
+    /// Start and end of the whole cycles at full amplitude, s.
     full: (f64, f64),
     road: Option<Road>,
 }
@@ -120,7 +120,7 @@ impl Drive {
 /// A random motion with the spectrum of wheel travel on a road, relative to the amplitude.
 #[derive(Debug, Clone)]
 struct Road {
-    /// Amplitude, angular frequency and phase of each component.
+    /// Amplitude, angular frequency (rad/s) and phase (rad) of each component.
     waves: Vec<[f64; 3]>,
 }
 

@@ -6,7 +6,7 @@ use crate::draw::Draw;
 /// Temperature of the laboratory, °C.
 pub(crate) const AIR_C: f64 = 22.0;
 
-/// Heat capacities (J/K) and thermal conductances (W/K).
+/// Heat capacities (J/K) and thermal conductances (W/K) of oil and body.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Heat {
     oil_j_k: f64,
@@ -32,7 +32,7 @@ impl Heat {
         }
     }
 
-    /// Computes the temperatures after a time at constant power.
+    /// Computes the temperatures after `seconds` at a constant dissipated power, W.
     pub fn after(&self, now: Temperatures, power_w: f64, seconds: f64) -> Temperatures {
         // The time constant of the oil is some ten seconds, so a step of a second is short enough.
         let steps = seconds.ceil().max(1.0);

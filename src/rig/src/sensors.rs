@@ -29,7 +29,7 @@ const RANGES_N: [f64; 8] = [500.0, 1e3, 2e3, 5e3, 10e3, 20e3, 50e3, 100e3];
 /// Smallest ratio of the load cell's range to the largest force.
 const RESERVE: f64 = 1.2;
 
-/// A measured channel. The numbers of the variants select the random stream, so they must never be reused.
+/// A measured channel. The values of the variants select the random stream, so they must never be reused.
 #[derive(Debug, Clone, Copy)]
 pub enum Channel {
     Displacement = 1,
@@ -52,8 +52,8 @@ impl<'a> Sensors<'a> {
         Self { options, test }
     }
 
-    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the start of the test, which is at
-    /// `start_s`. `peak_n` is the largest noise-free force of the campaign.
+    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the start of the test, and `start_s` is
+    /// the time of this start, s. `peak_n` is the largest noise-free force of the campaign, N.
     pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
         let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
         self.disturb_force(rms_n, &mut record.force_n);
@@ -77,7 +77,7 @@ impl<'a> Sensors<'a> {
             return self.disturb(Channel::Force, deviation, force_n);
         }
         let mut stream = self.stream(Channel::Force);
-        // The noise is stationary from the first sample on.
+        // Draw the first value with the full deviation, so that the noise is stationary from the first sample on.
         let fresh = (1.0 - colour * colour).sqrt();
         let mut last: f64 = StandardNormal.sample(&mut stream);
         for value in force_n {

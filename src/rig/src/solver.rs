@@ -335,7 +335,7 @@ impl<const N: usize> Factors<N> {
 mod tests {
     use super::*;
 
-    /// Returns the full row of the method, including the diagonal.
+    /// Returns the coefficients of a stage of the method, including the diagonal.
     fn row(stage: usize) -> [f64; STAGES] {
         let mut row = [0.0; STAGES];
         row[..5].copy_from_slice(&WEIGHTS[stage]);

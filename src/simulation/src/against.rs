@@ -58,7 +58,7 @@ pub struct Rivals {
 /// requests before the fits, which take minutes.
 ///
 /// # Errors
-/// A request is neither a name nor a file.
+/// Returns an error if a request is neither the name of a model nor an existing file.
 pub fn named(wanted: &[String]) -> Result<Vec<String>, LiteratureError> {
     let mut names: Vec<String> = Vec::new();
     for name in wanted {
@@ -80,7 +80,7 @@ impl Rivals {
     /// and the name of the next model.
     ///
     /// # Errors
-    /// The comparison failed: [`AgainstError`].
+    /// Returns an [`AgainstError`] if the comparison fails.
     pub fn compare(
         wanted: &[String],
         file: &ModelFile,
@@ -110,7 +110,8 @@ impl Rivals {
         Ok(rivals)
     }
 
-    /// Appends the errors of the validated model and of these models to a validation of the same records.
+    /// Appends the errors of the validated model and of the models of the literature to `validation`. `compared` contains the records of
+    /// this validation.
     pub fn put_into(&self, validation: &mut Validation, compared: &[Compared<'_>]) {
         let own = validation.as_against();
         validation.against.push(own);
@@ -121,7 +122,7 @@ impl Rivals {
     }
 }
 
-/// Computes the errors of a model of the literature from its forces.
+/// Computes the errors of a model of the literature on the compared records from its forces, N.
 pub fn of_forces(name: &str, compared: &[Compared<'_>], forces: &[Vec<f64>]) -> Against {
     let meaning = MODELS.iter().find(|m| m.0 == name).map_or("", |m| m.1);
     Against::measure(name, meaning, compared, forces)

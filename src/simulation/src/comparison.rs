@@ -22,7 +22,7 @@ pub enum CompareError {
     /// The parameters do not form a valid model.
     #[error(transparent)]
     Model(#[from] NoModel),
-    /// The plain FV curve in the tables of the model file does not form a valid model.
+    /// The plain FV curve that the model file contains in its table `fv_only` does not form a valid model.
     #[error("the table fv_only of the model file: {0}")]
     FvOnly(String),
     /// A record does not state the setting on which the damper depends, and the user gives none.
@@ -48,7 +48,8 @@ pub enum CompareError {
 /// Several threads call `progress` with the number of completed records and their total.
 ///
 /// # Errors
-/// The parameters do not form a valid model, or there is no valid plain FV curve and none can be fitted.
+/// Returns an error if the parameters or the plain FV curve of the model file do not form a valid model. Also returns an error if the file
+/// has no plain FV curve and none can be fitted to the records.
 pub fn compare<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -58,13 +59,13 @@ pub fn compare<'a>(
     compare_records(file, campaign, &|_| Ok(Dampers::Constant(file.params, fv_only)), progress)
 }
 
-/// Simulates every record with a damper over a setting. If a record states no setting, the `given` one applies.
+/// Simulates every record with an adjustable damper, which depends on a setting. If a record states no setting, the `given` one applies.
 ///
 /// For comparison, a plain FV curve is fitted to the records of each setting. For records in which the setting changes, the FV curves of
-/// the family itself are used, without an actuator.
+/// the adjustable damper itself are used, without its actuator.
 ///
 /// # Errors
-/// A record has no setting and none is given, or [`compare`] fails.
+/// Returns an error if a record has no setting and none is given, or if the parameters do not form a valid model.
 pub fn compare_family<'a>(
     file: &ModelFile,
     campaign: &'a Campaign,
@@ -85,7 +86,8 @@ pub fn compare_family<'a>(
             let own: Vec<&Record> =
                 (0..settings.len()).filter(is_own).filter_map(|k| campaign.records.get(k)).collect();
             let options = FitOptions { family: Family::Fv, ..FitOptions::default() };
-            // No FV curve can be fitted to records with motion in only one direction. Use the curve of the family for them.
+            // No FV curve can be fitted to records with motion in only one direction. Use the FV curve of the adjustable damper at this
+            // setting for such records.
             fit(&own, &options, |_| ())
                 .map_or_else(|_| plain_curve(&file.definition().params_at(*setting)), |fit| fit.params)
         })
@@ -102,7 +104,7 @@ pub fn compare_family<'a>(
 enum Dampers {
     /// Parameters of the damper and of the FV curve alone, at a constant setting.
     Constant(Params, Params),
-    /// The setting changes within the record, so the damper family and its FV curves are used.
+    /// The setting changes within the record, so the whole adjustable damper and its FV curves at all settings are used.
     Changing,
 }
 
@@ -138,7 +140,7 @@ pub fn settings_of(
 /// Returns the setting of every test.
 ///
 /// # Errors
-/// [`settings_of`] fails, or the parameters do not form a valid model.
+/// Returns the errors of [`settings_of`]. Also returns an error if the parameters do not form a valid model.
 pub fn summarize_settings(
     validation: &mut Validation,
     file: &ModelFile,
@@ -163,12 +165,12 @@ fn plain_curve(params: &Params) -> Params {
     curve
 }
 
-/// Returns a damper over a setting that has only the FV curve and the gas force of the given damper. It follows every command
+/// Returns an adjustable damper that has only the FV curve and the gas force of the given damper. Its setting follows every command
 /// instantaneously.
 pub(crate) fn without_actuator(definition: &Definition) -> Definition {
     let mut plain = Definition { params: plain_curve(&definition.params), axis: definition.axis };
     for index in 1..ENTRIES.len() {
-        // Every number of an actuator may be 0, which disables it.
+        // `set_number` cannot fail, because every parameter of an actuator may be 0. The value 0 disables the effect of the parameter.
         let _ = plain.axis.set_number(index, 0.0);
     }
     plain
@@ -210,7 +212,7 @@ fn compare_records<'a>(
         .collect()
 }
 
-/// Returns velocities, m/s, and the forces of the model, N, at these constant velocities. They cover the range of the tests' peak
+/// Returns velocities, m/s, and the forces of the model, N, at these constant velocities. The velocities cover the range of the tests' peak
 /// velocities.
 pub fn at_constant_velocity(model: &Model, validation: &Validation) -> Vec<[f64; 2]> {
     let reach = |sign: f64| {

@@ -3,10 +3,10 @@
 use crate::limit::plain;
 use dashpot_core::Model;
 
-/// Returns a remark for a damper in host steps of this length, s.
+/// Returns a remark for a damper in host steps of `step`, s.
 ///
-/// The remark states that the internal mass oscillates, and that the steps do not resolve the oscillation. Returns `None` if they resolve
-/// it.
+/// The remark states that the internal mass oscillates on its series spring, and that the steps do not resolve the oscillation. Returns
+/// `None` if they resolve it.
 pub fn remark(model: &Model, step: f64) -> Option<String> {
     let integration = model.integration();
     let longest = integration.longest_that_follows();
@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn a_mass_that_rings_is_told_in_steps_longer_than_its_substeps_follow() {
         let (automatic, one, five) = (model(0.02, 0.0, 0.0), model(0.02, 1.0, 1.0), model(0.02, 1.0, 5.0));
-        // The angular frequency of the internal mass is 2450 rad/s.
+        // Each substep resolves 1 rad of the oscillation of the internal mass, whose angular frequency is 2450 rad/s.
         for (model, substeps) in [(&automatic, 16.0), (&one, 1.0), (&five, 5.0)] {
             let longest = substeps / (3e6f64 / 0.5).sqrt();
             assert_eq!(remark(model, 0.999 * longest), None);

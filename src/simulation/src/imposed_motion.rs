@@ -1,11 +1,11 @@
-//! Motions that a user imposes on a model. They are completed, resampled on request, and simulated.
+//! Motions that a user imposes on a model. Missing channels are computed, and the motion is resampled on request and simulated.
 
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
 use dashpot_records::MotionRecord;
 
-/// Largest number of rows of a resampled motion. This number of rows gives some gigabytes of output.
+/// Largest number of rows of a resampled motion. More rows are rejected, because this number already gives some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
 
 /// Number of samples between two reports of progress.
@@ -19,7 +19,7 @@ pub const PROGRESS_INTERVAL: usize = 16_384;
 pub struct ImposedMotion {
     /// Time, s, strictly increasing.
     pub time: Vec<f64>,
-    /// Displacement, m. If it is missing, the kernel integrates the velocity.
+    /// Displacement, m. If it is missing, the model integrates the velocity.
     pub displacement: Option<Vec<f64>>,
     /// Velocity, m/s.
     pub velocity: Vec<f64>,
@@ -89,11 +89,12 @@ impl ImposedMotion {
     ///
     /// A motion with displacement and velocity stays unchanged. For a motion with displacement alone, the velocity is the derivative of the
     /// cubic spline through the displacement. The spline has continuous acceleration and not-a-knot ends. It is exact for cubics, and
-    /// otherwise of third order in the sampling interval. For a motion with velocity alone, the kernel integrates from `initial_position`,
-    /// by default 0.
+    /// otherwise of third order in the sampling interval. For a motion with velocity alone, the model integrates the velocity from
+    /// `initial_position`, m, by default 0.
     ///
     /// # Errors
-    /// An initial position is given for a motion with displacement, the initial position is not finite, or a velocity is not finite.
+    /// Returns an error if an initial position is given for a motion with displacement. Also returns an error if the initial position or a
+    /// velocity is not finite.
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
         let MotionRecord { time, displacement, velocity, side_force, temperature, setting, .. } = record;
         let setting = setting.map(|of| of.values);
@@ -114,11 +115,11 @@ impl ImposedMotion {
 
     /// Resamples the motion at a fixed step, s, beginning at the first sample.
     ///
-    /// Displacement and velocity follow the cubic Hermite interpolant between neighboring samples, which the kernel also uses within a
-    /// step. Side force, temperature and setting are interpolated linearly.
+    /// Displacement and velocity follow the cubic Hermite interpolant between neighboring samples, which the model also uses within a step.
+    /// Side force, temperature and setting are interpolated linearly.
     ///
     /// # Errors
-    /// The step is not positive, is longer than the motion, or gives too many rows.
+    /// Returns an error if the step is not positive, is longer than the motion, or gives too many rows.
     pub fn resampled(&self, step: f64) -> Result<ImposedMotion, ImposeError> {
         if !(step.is_finite() && step > 0.0) {
             return Err(ImposeError::Step(step));
@@ -186,7 +187,7 @@ impl ImposedMotion {
         out
     }
 
-    /// Computes the displacement from the velocity with the kernel's rule: the velocity is linear between samples.
+    /// Computes the displacement, m, from the velocity with the rule of the model: the velocity is linear between samples.
     fn integrated(&self) -> Vec<f64> {
         let mut x = self.initial_position;
         let mut displacement = vec![x];
@@ -197,7 +198,7 @@ impl ImposedMotion {
         displacement
     }
 
-    /// Returns the kernel's input at a sample. Without a temperature channel, the temperature is 20 °C.
+    /// Returns the input of the model at a sample. Without a temperature channel, the temperature is 20 °C.
     pub fn input(&self, i: usize) -> Input {
         Input {
             displacement: self.displacement.as_ref().map(|c| c[i]),
@@ -207,15 +208,15 @@ impl ImposedMotion {
         }
     }
 
-    /// Simulates the motion with one kernel step for each sample, from the steady state at the first sample.
+    /// Simulates the motion with one step of the model for each sample, from the steady state at the first sample.
     ///
     /// # Errors
-    /// The motion is so extreme that a number overflows.
+    /// Returns an error if the motion is so extreme that a number overflows.
     pub fn drive(&self, model: &Model) -> Result<Vec<SimulatedSample>, ImposeError> {
         self.drive_telling(model, &|_, _| {})
     }
 
-    /// Returns the command during the step that ends at a sample, or `None` if the motion has no setting.
+    /// Returns the commanded setting during the step that ends at a sample, or `None` if the motion has no setting.
     ///
     /// The command is the mean of the settings at both ends of the step, because a change is equally likely in both halves.
     pub fn command(&self, sample: usize) -> Option<f64> {
@@ -223,10 +224,10 @@ impl ImposedMotion {
         Some(0.5 * (setting.get(sample.saturating_sub(1))? + setting.get(sample)?))
     }
 
-    /// Simulates a damper that depends on a setting. `command` returns the setting during the step that ends at a sample.
+    /// Simulates an adjustable damper. `command` returns the setting during the step that ends at a sample.
     ///
     /// # Errors
-    /// The errors of [`ImposedMotion::drive`].
+    /// Returns the errors of [`ImposedMotion::drive`].
     pub fn drive_family(
         &self,
         family: &Family,
@@ -258,7 +259,7 @@ impl ImposedMotion {
     /// number of finished samples and their total.
     ///
     /// # Errors
-    /// The errors of [`ImposedMotion::drive`].
+    /// Returns the errors of [`ImposedMotion::drive`].
     pub fn drive_telling(
         &self,
         model: &Model,
@@ -309,8 +310,8 @@ fn spline_slopes(t: &[f64], x: &[f64]) -> Vec<f64> {
         }
         _ => {}
     }
-    // Tridiagonal system: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i]. The not-a-knot conditions of the end rows contain a
-    // third slope, which is already eliminated with the neighboring row.
+    // Tridiagonal system: below[i] s[i-1] + at[i] s[i] + above[i] s[i+1] = right[i] for the slopes s. The not-a-knot conditions of the end
+    // rows contain a third slope, which is already eliminated with the neighboring row.
     let (l, m) = (n - 2, n - 3);
     let (first, last) = (h[0] + h[1], h[l] + h[m]);
     let (mut below, mut at, mut above, mut right) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);

@@ -17,7 +17,7 @@
 //! | [`chatter`] | chatter of a damper in a host with a zero-order hold of its force |
 //! | [`followed`] | check whether a step resolves an oscillating internal mass |
 //! | [`stiffness`] | fastest rate of a damper's states, and the longest step of explicit solvers |
-//! | [`accuracy`] | error of the kernel's fixed step relative to a converged solution |
+//! | [`accuracy`] | error of the model's fixed step relative to a converged solution |
 
 pub mod accuracy;
 pub mod against;

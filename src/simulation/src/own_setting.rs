@@ -1,4 +1,4 @@
-//! Setting that a record states, for the simulation of a damper over a setting.
+//! Setting that a record states, for the simulation of an adjustable damper.
 
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;

@@ -19,7 +19,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     let run = |start: State, range: std::ops::Range<usize>, forces: &mut Vec<f64>| {
         let (mut state, mut force) = (start, 0.0);
         for i in range {
-            // A non-finite result leaves state and force unchanged.
+            // If the step gives no finite result, state and force keep their values.
             force = force_in_place(model, &mut state, &input(i), record.time[i] - record.time[i - 1]).unwrap_or(force);
             forces.push(force);
         }
@@ -40,7 +40,7 @@ pub fn predict(model: &Model, record: &Record, motion: &Motion, rise: f64) -> Ve
     forces
 }
 
-/// Predicts the forces, N, of a damper over a setting at the samples of a record in which the setting changes.
+/// Predicts the forces, N, of an adjustable damper at the samples of a record in which the setting changes.
 ///
 /// The command between two samples is the mean of their settings, because a change is equally likely in both halves of the interval.
 pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<f64> {
@@ -53,7 +53,7 @@ pub fn predict_family(family: &Family, record: &Record, motion: &Motion) -> Vec<
     let mut forces = vec![output.force];
     for i in 1..n {
         let dt = record.time[i] - record.time[i - 1];
-        // A non-finite result leaves state and force unchanged.
+        // If the step gives no finite result, state and force keep their values.
         let mut next = output;
         if family.step_in_place(&mut state, &mut delay, &input(i), command(i), dt, &mut next, false) {
             output = next;

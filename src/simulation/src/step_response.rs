@@ -3,7 +3,7 @@
 //! For the motion of the test, the model gives the force at the setting before the step and at the setting after it. The response is the
 //! completed fraction of the difference of these forces. So a step during a sine is equivalent to a step at constant speed.
 //!
-//! Both settings are the equilibria of the valve. With hysteresis, the valve stops before it reaches the command.
+//! Both settings are equilibria of the valve, not commands, because a valve with hysteresis stops before it reaches the command.
 
 use crate::prediction::{predict, predict_family};
 use dashpot_core::family::Definition;
@@ -20,18 +20,19 @@ const BEFORE: f64 = 0.01;
 const BEHIND: f64 = 1.0;
 /// Largest number of points of a response over time.
 const POINTS: usize = 1500;
-/// Smallest duration of the level after a step, relative to the longest such level between the same settings. Steps with shorter levels are
-/// left out, because they would truncate the mean response.
+/// Smallest duration of the constant setting after a step, relative to the longest such duration of all steps between the same settings.
+/// Shorter steps are left out, because they would truncate the mean response.
 const LONG: f64 = 0.5;
-/// Smallest number of steps of one test in one stroke direction for a separate response. With fewer steps, the noise would determine the
-/// slowest response.
+/// Smallest number of steps of one test in one stroke direction for which a separate response is computed. With fewer steps, the noise
+/// would determine which of these responses is the slowest.
 const FEWEST: usize = 3;
-/// Fraction of a level, at its end, over which the final value of the response is averaged.
+/// Last fraction of the time after a step over which the final value of the response is averaged.
 const SETTLED: f64 = 0.25;
-/// Smallest force change due to the step, relative to the largest, at which an instant of a step is used.
+/// Smallest force change at an instant of a response, relative to the largest force change of all steps, at which the instant is used. The
+/// force change is that between the two settings.
 const LEAST: f64 = 0.2;
-/// Smallest fraction of the force change that counts as completed at the end of a level. Thus, the full change of the measured force is at
-/// most five times the observed change.
+/// Smallest fraction of the force change that counts as completed at the end of the constant setting after a step. Thus, the full change of
+/// the measured force is estimated as at most five times the observed change.
 const SHORTEST_WAY: f64 = 0.2;
 /// Largest error of the force due to a rounded velocity at which an instant is used, relative to the force change of the step.
 ///
@@ -82,15 +83,16 @@ impl StepForces {
     }
 }
 
-/// Averages the responses to steps of one kind on a grid of times since the step. The mean response is 0 before the step and 1 at the end
-/// of the grid.
+/// Averages the responses to steps between the same settings on a grid of times since the step, s. The mean response is 0 before the step
+/// and 1 at the end of the grid.
 pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     let raw = fraction_of_way(&steps.iter().collect::<Vec<_>>(), grid);
     let [zero, one] = ends(&raw, grid);
     scaled(&raw, zero, one)
 }
 
-/// Computes the completed fraction of the force change by least squares over the steps. Returns NaN at times without a usable step.
+/// Computes the completed fraction of the force change on a grid by least squares over the steps. Returns NaN at times without a usable
+/// step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -115,7 +117,8 @@ fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     sums.iter().map(|[product, square]| product / square).collect()
 }
 
-/// Averages the completed fraction before the step, and in the last part of the grid. Without finite values, the averages are 0 and 1.
+/// Averages the completed fraction before the step, and over the last quarter of the time after the step. Without finite values, the
+/// averages are 0 and 1.
 fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);
@@ -130,11 +133,11 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
     raw.iter().map(|r| (r - zero) / (one - zero)).collect()
 }
 
-/// Computes measured and modeled response on a grid, and the model's completed fraction at the end of the grid.
+/// Computes the measured and the modeled response on a grid, and the model's completed fraction at the end of the grid.
 ///
 /// Force errors of the model at the two settings do not belong to the response. So the measured response is scaled to end at the same
-/// fraction as the model's response. This fraction is below 1 if the level is too short for the valve. If the fraction were set to 1, a
-/// time constant of 60 ms would appear as 47 ms at 63 %.
+/// fraction as the model's response. This fraction is below 1 if the next step follows too early for the valve. If the fraction were set to
+/// 1, a time constant of 60 ms would appear as 47 ms at 63 %.
 fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
     let [measured, model] =
@@ -148,7 +151,7 @@ fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     ([measured, model], settled)
 }
 
-/// Steps of one kind: between the same two settings.
+/// Steps of the setting between the same two settings.
 #[derive(Default)]
 struct Kind {
     levels: [f64; 2],
@@ -170,7 +173,8 @@ struct Step {
     model: StepForces,
 }
 
-/// State of the valve along the command of a record. The dead time is omitted, because it does not affect the equilibrium of the valve.
+/// State of the valve along the command (setting over time) of a record. The dead time is omitted, because it does not affect the
+/// equilibrium of the valve.
 struct Valve<'a> {
     actuator: Actuator,
     record: &'a Record,
@@ -197,16 +201,16 @@ impl<'a> Valve<'a> {
         self
     }
 
-    /// Returns the equilibrium settings of the valve under the commands before and after a step.
+    /// Returns the settings at which the valve is in equilibrium under the commands `from` and `to` before and after a step.
     fn settings_at_rest(&self, from: f64, to: f64) -> [f64; 2] {
         [from, to].map(|command| self.actuator.setting(&self.actuator.at_rest(&self.stand, command)))
     }
 }
 
-/// Computes the responses to the steps of the setting in records, grouped by the settings before and after.
+/// Computes the responses of the force to the steps of the setting in records, grouped by the settings before and after the step.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Vec<StepResponse>, NoModel> {
     let mut kinds: Vec<Kind> = Vec::new();
     let family = prepared_family(definition)?;
@@ -273,7 +277,7 @@ pub fn step_responses(definition: &Definition, records: &[&Record]) -> Result<Ve
     Ok(kinds.into_iter().map(response).collect())
 }
 
-/// Computes the response to steps of one kind.
+/// Computes the mean response to steps between the same two settings.
 fn response(kind: Kind) -> StepResponse {
     let longest = kind.steps.iter().map(|step| step.level).fold(0.0, f64::max);
     let steps: Vec<&Step> = kind.steps.iter().filter(|step| step.level >= LONG * longest).collect();
@@ -344,7 +348,7 @@ mod tests {
 
     #[test]
     fn a_corner_that_the_derivative_rounds_is_no_part_of_a_response() {
-        // A triangle reverses 50 ms after the step. Its velocity is rounded over a window of 17 ms.
+        // A triangle reverses 50 ms after the step of the setting. Its velocity is rounded over a window of 17 ms.
         let (turn, half) = (0.05, 0.0085);
         let grid: Vec<f64> = (0..200).map(|k| 1e-3 * f64::from(k) - 0.01).collect();
         let speed = |t: f64| if t < turn { 1.0 } else { -1.0 };

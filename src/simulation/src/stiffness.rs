@@ -9,7 +9,7 @@ use dashpot_core::family::Definition;
 use dashpot_core::{Input, Model, Params};
 use nalgebra::DMatrix;
 
-/// Largest product of step and rate at which the classical Runge–Kutta method of fourth order is stable on the negative axis.
+/// Largest product of step and rate at which the classical Runge–Kutta method of fourth order is stable on the negative real axis.
 ///
 /// Hairer & Wanner, *Solving Ordinary Differential Equations II*, IV.2.
 const RUNGE_KUTTA: f64 = 2.785;
@@ -39,8 +39,8 @@ pub fn explicit_step(rate: f64) -> f64 {
     RUNGE_KUTTA / rate.max(1e-9)
 }
 
-/// Returns the longest step, s, with which an explicit solver can integrate the states of all dampers, at every setting of their grids. The
-/// result is at most 1 s.
+/// Returns the longest step, s, with which the classical Runge–Kutta method can integrate the states of all dampers, at every setting of
+/// their grids. The result is at most 1 s.
 pub fn longest_explicit_step<D: Copy + Into<Definition>>(all: &[D]) -> f64 {
     let at_each_setting = |damper: &D| {
         let damper: Definition = (*damper).into();
@@ -64,8 +64,8 @@ fn in_digits(limit: f64) -> String {
     format!("{limit:.digits$}")
 }
 
-/// Returns the text of [`remark`] for a parameter set, or no text. It serves the description of an FMU, because an FMU allows model
-/// exchange.
+/// Returns the text of [`remark`] for a parameter set, or no text. The description of an FMU contains this text, because an FMU allows
+/// model exchange.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
 }
@@ -143,7 +143,7 @@ mod tests {
             }
             most
         };
-        // The moving end moves at 0.12 m/s.
+        // The moving end reaches 0.12 m/s, so the internal mass stays below 0.2 m/s in a stable integration.
         assert!(largest(0.9 * told) < 0.2, "{}", largest(0.9 * told));
         assert!(largest(3.0 * told) > 0.4, "{}", largest(3.0 * told));
     }

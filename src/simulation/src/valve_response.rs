@@ -1,4 +1,4 @@
-//! Response of the valve of a damper over a setting to a step of its command, based on the numbers of its actuator alone.
+//! Response of the valve of an adjustable damper to a step of its command. Only the parameters of the actuator determine this response.
 
 use dashpot_core::family::actuator::{Actuator, Stand};
 use dashpot_core::family::axis::Axis;
@@ -6,7 +6,7 @@ use dashpot_identification::validation::{ResponseTimes, StepResponse};
 
 /// Number of points of a response.
 const POINTS: usize = 400;
-/// Number of time constants that a response includes. At its end, a thousandth of the change remains.
+/// Number of time constants that a response includes. At the end of the response, a thousandth of the change remains.
 const CONSTANTS: f64 = 7.0;
 /// Time before the step that a response includes, as a fraction of the time after the step.
 const BEFORE: f64 = 0.1;
@@ -78,7 +78,7 @@ mod tests {
     fn times_are_those_of_the_numbers() {
         let lag = axis([8e-3, 20e-3, 2e-3, 0.0, 0.0, 0.1]);
         let up = valve_response(&lag, 0.0, 1.6).unwrap().model.unwrap();
-        // The hysteresis reverses during the first tenths of the change. Meanwhile, the valve is slower than its lag.
+        // The hysteresis reverses during the first tenths of the change. In this part, the valve is slower than its time constant.
         assert!(up.t63_s > 0.010 && up.t63_s < 0.0115 && up.overshoot.abs() < 1e-6, "{up:?}");
         let down = valve_response(&axis([8e-3, 20e-3, 0.0, 0.0, 0.0, 0.0]), 1.6, 0.0).unwrap().model.unwrap();
         assert!((down.t63_s - 0.020).abs() < 2e-4 && (down.t90_s - 0.04605).abs() < 3e-4, "{down:?}");

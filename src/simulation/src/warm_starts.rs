@@ -1,7 +1,8 @@
 //! Temperature of the damper at the start of each record.
 //!
-//! A model with a heat balance starts cold in every simulation. On the rig, the preceding tests have warmed the oil. Records with a common
-//! clock show the rise ϑ of the oil temperature: C_h dϑ/dt = F v − h ϑ. Force and velocity are measured, and F v is 0 in pauses.
+//! A model with a heat balance starts cold in every simulation, although the preceding tests have warmed the oil on the rig. For records
+//! with a common clock, the rise ϑ of the oil temperature, K, follows from C_h dϑ/dt = F v − h ϑ. C_h is the heat capacity, J/K, and h the
+//! heat transfer, W/K. Force F and velocity v are measured, and F v is 0 in pauses.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;
@@ -14,7 +15,7 @@ const NONE: f64 = 1e-8;
 pub struct WarmStarts(Heating);
 
 impl WarmStarts {
-    /// Computes the heat from these records.
+    /// Computes the heat that the damper absorbed in these records.
     pub fn new(records: &[&Record]) -> WarmStarts {
         WarmStarts(Heating::new(records, &[]))
     }
@@ -79,7 +80,7 @@ mod tests {
             params.set(name, value).unwrap();
         }
         let model = Model::new(&params).unwrap();
-        // The model computes the measured force in one run, for two records with a pause between them.
+        // The measured force of both records is that of one simulation of the model, with a pause of 0.5 s between the records.
         let whole = {
             let (a, b) = (record(0.0), record(0.0));
             let rest = 0.5;

@@ -2,8 +2,8 @@
 //!
 //! A fit, a validation and a diagnosis all report these errors, so their figures are comparable.
 //!
-//! The internal figures of a fit and a diagnosis are smaller than those of a validation. The reasons are that mean cycles average out the
-//! noise, and that a diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
+//! The internal figures of a fit and a diagnosis are smaller than those of a validation. This is because mean cycles average out the noise,
+//! and a diagnosis first refits the model. A validation uses every sample of every record and begins in the steady state.
 
 use crate::comparison::without_actuator;
 use crate::prediction::{predict, predict_family};
@@ -33,7 +33,7 @@ pub enum WholeRecordsError {
 /// Computes the mean errors of a model over records with the definitions of a validation.
 ///
 /// # Errors
-/// The parameters do not form a valid model, or the records cannot be compared.
+/// Returns an error if the parameters do not form a valid model, or if the records cannot be compared.
 pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     let model = prepared(params)?;
     let warm = WarmStarts::new(records);
@@ -52,13 +52,13 @@ pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, Whol
 /// fit found.
 ///
 /// # Errors
-/// The errors of [`deviation`].
+/// Returns the errors of [`deviation`].
 pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
     without(&fit.measured, &fit.params, records)
 }
 
-/// Quality of a fit: the error of its model, in comparison with the plain FV curve and with the noise of the records. No model can have a
-/// smaller error than the noise.
+/// Quality of a fit: the error of its model, in comparison with that of the plain FV curve and with the noise of the records. The noise is
+/// the smallest error that a model can have.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Quality {
     /// Error of the model.
@@ -72,7 +72,7 @@ pub struct Quality {
 /// Computes the quality of a fit over the records of the fit.
 ///
 /// # Errors
-/// The errors of [`deviation`].
+/// Returns the errors of [`deviation`].
 pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
     let (model, fv_only) = (of_fit(fit, records)?, without(&fit.measured, &fit.fv_only, records)?);
     Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
@@ -85,10 +85,11 @@ fn mean_noise(records: &[&Record]) -> f64 {
     known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
 }
 
-/// Computes the quality of a damper family over the tests of its fit with constant settings. Each test is simulated at its own setting.
+/// Computes the quality of an adjustable damper over the tests of its fit with constant settings. Each test is simulated at its own
+/// setting.
 ///
 /// # Errors
-/// The errors of [`deviation`].
+/// Returns the errors of [`deviation`].
 pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
     let off = to_measurement_error(&fit.measured);
     let mut all: Vec<(Record, [Vec<f64>; 2])> = Vec::new();
@@ -134,10 +135,10 @@ fn quality_of(compared: &[Compared<'_>]) -> Result<Quality, WholeRecordsError> {
     Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&records) })
 }
 
-/// Computes the quality of a damper family over the tests of its fit in which the setting changes. Returns `None` without such tests.
+/// Computes the quality of an adjustable damper over the tests of its fit in which the setting changes. Returns `None` without such tests.
 ///
 /// # Errors
-/// The errors of [`deviation`].
+/// Returns the errors of [`deviation`].
 pub fn quality_where_the_setting_changes(
     fit: &FamilyFit,
     records: &[&Record],
@@ -190,7 +191,7 @@ impl OfDiagnosis {
     /// records are corrected for `measured`.
     ///
     /// # Errors
-    /// The errors of [`deviation`].
+    /// Returns the errors of [`deviation`].
     pub fn evaluate(
         as_it_came: &Params,
         refitted: &Params,

@@ -9,9 +9,10 @@ pub(super) const EFFECT: Effect =
 
 const BRANCHES: usize = 5;
 
-/// A fractional derivative of the deflection in parallel with a softer spring.
+/// A force proportional to a fractional derivative of the mount's deflection, in parallel with a spring that is softer
+/// than the mount.
 ///
-/// Five relaxing branches with time constants a factor of eight apart approximate the derivative (Sjöberg & Kari, Veh.
+/// Five Maxwell elements with time constants a factor of eight apart approximate the derivative (Sjöberg & Kari, Veh.
 /// Syst. Dyn. 37, 2002; Oustaloup's approximation).
 struct Fractional {
     compliance: f64,
@@ -83,8 +84,8 @@ impl EffectModel for Triboelastic {
 fn triboelastic(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let k = scale.series_n_m.min(1.5e6);
     let first = d.between(0.4, 0.8);
-    // For a force that grows with the root of the deflection, the stiffness of a slider decreases with the root of its
-    // slip length.
+    // The friction force should grow with the root of the deflection. So the stiffness of each friction element
+    // decreases with the root of its slip length.
     let slips: [f64; SLIDERS] = std::array::from_fn(|i| 2e-5 * 4f64.powi(i as i32));
     Box::new(Triboelastic {
         compliance: strength * d.between(1.5, 3.0) / k,

@@ -12,7 +12,8 @@ pub(super) const EFFECT: Effect =
 /// The volume of the void is proportional to the released gas (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013,
 /// after Singhal's full cavitation model, 2002).
 struct GasRelease {
-    /// Hydraulic compression force at the onset of release, N. The width of the onset is also in N.
+    /// Hydraulic compression force at the onset of release, N. `width` is the range of forces over which the release
+    /// begins, N.
     onset: f64,
     width: f64,
     /// Rate of the void's growth at twice the onset, as a velocity, m/s.

@@ -7,7 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "free_play", laws: &[("worn_eye", worn_eye as Make), ("offset_gap", offset_gap)] };
 
-/// A gap that closes gradually: the deflection of the gap at the force F is g tanh(F/F_0).
+/// A gap that closes gradually: the deflection of the gap at the force F is g tanh(F/F_0). Here, g is the gap, m, and
+/// F_0 the force scale of its closing, N.
 ///
 /// (Kogan, free-play smoothing; Kim, Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances.)
 struct WornEye {

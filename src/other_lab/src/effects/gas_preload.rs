@@ -26,9 +26,9 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// The O-ring of the floating piston maintains a pressure difference, which reverses with the stroke.
+/// O-ring of a floating piston, which maintains a pressure difference that reverses with the stroke.
 ///
-/// The friction is 0.1 to 0.3 of the gas force (Karaszewski, Hydraulic seals).
+/// The friction of the O-ring is 0.1 to 0.3 of the gas force (Karaszewski, Hydraulic seals).
 struct StickingPiston {
     force: f64,
     stick: f64,

@@ -12,13 +12,13 @@ pub(super) const EFFECT: Effect = Effect {
 /// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
-/// Expansion of mineral oil, 1/K.
+/// Volumetric thermal expansion of mineral oil, 1/K.
 const EXPANSION: f64 = 8e-4;
 
 /// An ideal gas behind a floating piston.
 ///
-/// Its pressure increases with its absolute temperature. It also increases because expanding oil reduces the gas volume
-/// (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression, the gas volume is smaller.
+/// The gas pressure increases with the absolute temperature. It also increases because expanding oil reduces the gas
+/// volume (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression, the gas volume is smaller.
 struct RoomTakenByOil {
     force: f64,
     /// Ratio of oil volume to gas volume.

@@ -36,9 +36,9 @@ use crate::plant::Scale;
 /// Quantities available to an effect at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Here {
-    /// Time in the record, s.
+    /// Time since the start of the record, s.
     pub t: f64,
-    /// Time in the campaign, s.
+    /// Time since the start of the campaign, s.
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
@@ -46,13 +46,13 @@ pub struct Here {
     pub input: crate::jet::Jet,
     /// Displacement of the part of the damper with friction and springs, m.
     pub x: f64,
-    /// Velocity of this part, m/s.
+    /// Velocity of the part of the damper with friction and springs, m/s.
     pub v: f64,
     /// Hydraulic force, N.
     pub hydraulic: f64,
     /// Elastic force of the mount, N.
     pub mount: f64,
-    /// Deflection rate of the mount alone, m/s.
+    /// Rate of the mount's deflection without the injected effects in series with it, m/s.
     pub mount_rate: f64,
     /// Side force, N.
     pub side: f64,
@@ -63,15 +63,15 @@ pub struct Here {
 /// Quantities available to a sensor at a sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading {
-    /// Time in the record, s.
+    /// Time since the start of the record, s.
     pub t: f64,
-    /// Time in the campaign, s.
+    /// Time since the start of the campaign, s.
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Motion of the moving end.
+    /// Motion of the moving end: displacement, velocity and acceleration.
     pub input: crate::jet::Jet,
-    /// Force before this effect, N.
+    /// Force in the channel before this effect is added, N.
     pub force: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -115,25 +115,25 @@ pub trait EffectModel: Send + Sync {
     fn viscosity(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// Returns an additional reading of the force channel, N.
+    /// Returns the force that the force channel reads in addition to the true force, N.
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
-    /// Transforms the force in the channel over time; `time` contains the times of `force`. The number of the test
-    /// selects what is drawn for each test.
+    /// Transforms the force of a whole test in the force channel; `time` contains the times of `force`, s. The number
+    /// of the test selects the values that are random from test to test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
-    /// Returns the reading of the displacement channel, m.
+    /// Returns the reading of the displacement channel, m, at the true displacement `x`, m.
     fn displacement(&self, x: f64) -> f64 {
         x
     }
 }
 
-/// Function that makes an effect with a strength, scaled to a damper.
+/// Function that makes an effect of a strength. The parameters of the effect are random and scaled to the damper.
 pub type Make = fn(f64, &Scale, &mut Draw) -> Box<dyn EffectModel>;
 
 /// An effect's name and laws.
 pub struct Effect {
-    /// Name.
+    /// Name of the effect.
     pub name: &'static str,
     /// Names of the laws, and the functions that make them.
     pub laws: &'static [(&'static str, Make)],
@@ -184,7 +184,7 @@ pub fn find(name: &str) -> Option<&'static Effect> {
     KNOWN.iter().chain(UNKNOWN.iter().map(|u| &u.effect)).find(|e| e.name == name)
 }
 
-/// Computes a smooth, algebraic sign function with a velocity scale.
+/// Computes a smooth, algebraic sign function of the velocity `v`, which changes over the velocity `within`, m/s.
 fn soft_sign(v: f64, within: f64) -> f64 {
     v / (v * v + within * within).sqrt()
 }

@@ -9,8 +9,8 @@ pub(super) const EFFECT: Effect =
 
 /// Inertia of oil in a long passage.
 ///
-/// The effective length of the passage grows with extension, so the force follows Lagrange's equation with M(x) (Swift
-/// et al., Proc. R. Soc. A 469, 2013).
+/// The effective length of the passage grows with extension, so the force follows Lagrange's equation with a mass M(x)
+/// (Swift et al., Proc. R. Soc. A 469, 2013).
 struct FluidInerter {
     mass: f64,
     per_length: f64,
@@ -38,7 +38,8 @@ struct SprungClamp {
 }
 
 impl SprungClamp {
-    /// Computes the force of the joint per mass. The states are the deflection of the joint and its rate.
+    /// Computes the force of the joint per mass, m/s². The states are the deflection of the joint, m, and its rate,
+    /// m/s.
     fn pull(&self, s: &[f64]) -> f64 {
         self.omega * self.omega * s[0] + 2.0 * self.damping * self.omega * s[1]
     }

@@ -1,5 +1,5 @@
-//! A dissipative spring in parallel with the damper. A force without dissipation would depend only on position, and a
-//! table of the spring force would represent it completely.
+//! A dissipative spring in parallel with the damper. The spring is dissipative, because a table of force over position
+//! would represent a force without dissipation completely.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -33,7 +33,8 @@ fn lossy(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Lossy { stiffness, loss: d.between(0.08, 0.2), length: d.scale(1e-3, 4e-3) })
 }
 
-/// A polymer sleeve or boot: a spring, and a branch that relaxes within about a second (Zener 1948).
+/// A polymer sleeve or boot: a spring in parallel with a Maxwell element that relaxes within about a second (Zener
+/// 1948).
 struct Relaxing {
     stiffness: f64,
     share: f64,

@@ -4,7 +4,7 @@ use super::{EffectModel, Here};
 use crate::draw::Draw;
 use crate::plant::Scale;
 
-/// Microcellular polyurethane with a relaxing part (Zener).
+/// Stop of microcellular polyurethane with a relaxing part (Zener).
 ///
 /// The force has a plateau while the cells buckle, and increases steeply when they close (Gibson & Ashby, Cellular
 /// Solids, 1997).
@@ -31,7 +31,7 @@ impl EffectModel for Foam {
         &[0.5]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is a force that follows the static force with a lag.
+        // The state is a force, N, that follows the static force with a lag.
         r[0] = (self.static_force(self.side * here.x - self.clearance) - s[0]) / self.time;
     }
     fn parallel(&self, here: &Here, s: &[f64]) -> f64 {

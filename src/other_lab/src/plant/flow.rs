@@ -2,7 +2,8 @@
 
 use crate::draw::Draw;
 
-/// Computes the flow velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0.
+/// Computes the flow velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0. Here, h
+/// is the hydraulic force, N, and w the flow velocity, m/s, expressed as a piston velocity.
 ///
 /// (Merritt, Hydraulic Control Systems, 1967.)
 pub fn passage(h: f64, a: f64, b: f64) -> f64 {
@@ -14,7 +15,8 @@ pub fn ramp(x: f64, width: f64) -> f64 {
     0.5 * (x + (x * x + width * width).sqrt())
 }
 
-/// Computes the velocity through a check valve with a light spring, which opens above the force `lifts`, for h ≥ 0.
+/// Computes the velocity, m/s, through a check valve with a light spring for a hydraulic force h ≥ 0, N. The valve
+/// opens above the force `lifts`, N.
 pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
     passage(h * h / (h + lifts), a, b)
 }
@@ -22,16 +24,17 @@ pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
 /// Valves of one direction.
 #[derive(Debug, Clone)]
 pub enum Valves {
-    /// Bleed with a power law `w_1 (h/h_1)^p`, in parallel with a blow-off valve that opens smoothly above a force.
+    /// Bleed with a power law `w = w_1 (h/h_1)^p`, in parallel with a blow-off valve that opens smoothly above a force.
+    /// Here, w is the velocity, m/s, and h the hydraulic force, N.
     PowerAndBlowOff {
-        /// Bleed: w at h_1, h_1, p.
+        /// Bleed: w_1, m/s, h_1, N, and p.
         bleed: [f64; 3],
-        /// Blow-off: opening force, w at twice that force, exponent, width of the transition.
+        /// Blow-off: opening force, N, w at twice that force, m/s, exponent, width of the transition, N.
         blow_off: [f64; 4],
     },
-    /// Inverse of `F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
+    /// Inverse of the law `h = F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
     Sum {
-        /// Forces and inverse slopes over a grid of velocities up to 4 m/s.
+        /// Forces h, N, and derivatives dw/dh over a grid of velocities w up to 4 m/s.
         table: Vec<[f64; 2]>,
     },
     /// Bleed orifice, laminar and turbulent, in parallel with a spring-loaded shim.
@@ -39,9 +42,9 @@ pub enum Valves {
     /// Above its preload, the opening of the shim grows with pressure up to a stop, and acts as an orifice (Talbott &
     /// Starkey, SAE 2002-01-3337).
     OrificeAndShim {
-        /// a and b of the bleed.
+        /// Coefficients a and b of the bleed ([`passage`]).
         bleed: [f64; 2],
-        /// Preload, additional force up to the stop, and w of the fully open shim at 1 kN.
+        /// Preload, N, additional force up to the stop, N, and w of the fully open shim at 1 kN, m/s.
         shim: [f64; 3],
     },
 }
@@ -102,7 +105,8 @@ impl Valves {
         }
     }
 
-    /// Computes the velocity at the force `h` ≥ 0 for a relative oil viscosity.
+    /// Computes the piston velocity, m/s, at the hydraulic force `h` ≥ 0, N. `viscosity` is the viscosity of the oil
+    /// relative to the reference.
     pub fn velocity(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::PowerAndBlowOff { bleed: [w, h1, p], blow_off: [open_at, open, m, width] } => {
@@ -124,7 +128,8 @@ impl Valves {
     }
 }
 
-/// Interpolates w in the table of forces and slopes with Hermite's cubic.
+/// Interpolates the velocity in the table of forces and derivatives with Hermite's cubic. Beyond the table, it
+/// extrapolates linearly.
 fn inverse(table: &[[f64; 2]], h: f64) -> f64 {
     let speed = |i: usize| FASTEST * (i as f64 / POINTS as f64).powi(3);
     let [last, slope] = table[POINTS];

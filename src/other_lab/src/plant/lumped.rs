@@ -1,4 +1,5 @@
-//! A damper with the thesis's topology and smooth laws: one oil column, and one force-velocity law per direction.
+//! A damper with the topology of the thesis (Jonnalagadda & Vyas 2020) and smooth laws: one oil column, and one
+//! force-velocity law per direction.
 
 use super::ablation::STIFFER;
 use super::{Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};

@@ -1,5 +1,5 @@
-//! Dampers without an injected effect. All differ from the fitted model: each has friction with internal states, and
-//! the physical dampers have several further small deviations.
+//! Dampers without an injected effect. All these dampers differ from the fitted model: each has friction with internal
+//! states, and the physical dampers have several further small deviations.
 
 mod ablation;
 pub mod flow;
@@ -146,8 +146,8 @@ pub struct Plant {
     pub mass: f64,
     /// Friction.
     pub seal: Seal,
-    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis. Otherwise, they act
-    /// behind the mount.
+    /// Whether friction and gas act in parallel with mount and oil together, as in the thesis (Jonnalagadda & Vyas
+    /// 2020). Otherwise, they act between mount and tube.
     pub seal_is_outside: bool,
     /// The oil.
     pub oil: Box<dyn Oil>,
@@ -181,7 +181,8 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Air acts above one atmosphere and a void below, so the removal of one leaves the other unchanged.
+    /// Checks that the removal of air leaves the void unchanged, and the reverse. Air acts above one atmosphere and a
+    /// void below.
     #[test]
     fn oil_without_air_keeps_its_void() {
         let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };
@@ -193,7 +194,7 @@ mod tests {
         let (aeration, cavitation) = (without(Part::Aeration), without(Part::Cavitation));
         assert!(aeration.compliance(5.0) < whole.compliance(5.0) && aeration.compliance(0.2) > 10.0 * whole.oil);
         assert!((cavitation.compliance(5.0) - whole.compliance(5.0)).abs() < 1e-15);
-        // Vapor smooths the pressure by half a percent at 1 bar.
+        // The smoothing of the pressure by vapor increases a pressure of 1 bar by half a percent.
         assert!((cavitation.compliance(0.2) / cavitation.compliance(1.0) - 1.0).abs() < 0.02);
         assert!(without(Part::OilCompressibility).compliance(5.0) < 0.05 * whole.compliance(5.0));
     }

@@ -32,7 +32,7 @@ impl Fluid {
         self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// Removes the compliance of the oil with its air, the compliance of the air, or that of the void.
+    /// Removes the part's compliance: that of the oil with its air, that of the air, or that of the void.
     pub fn remove(&mut self, part: Part) {
         match part {
             Part::OilCompressibility => {
@@ -55,7 +55,7 @@ impl Fluid {
     }
 }
 
-/// Pascals per bar.
+/// Factor from bar to Pa.
 pub(crate) const BAR: f64 = 1e5;
 /// Polytropic exponent of the gas in motion.
 pub(crate) const GAS: f64 = 1.3;
@@ -116,7 +116,7 @@ impl Oil for Monotube {
     fn remove(&mut self, part: Part) {
         self.fluid.remove(part);
         if part == Part::GasSpring {
-            // The pressure in a large volume is nearly constant.
+            // The gas pressure is nearly constant if the gas volume is large.
             self.gas[1] *= STIFFER;
         }
     }

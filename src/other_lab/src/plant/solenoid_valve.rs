@@ -24,7 +24,7 @@ pub const TOLERANCES: [f64; STATES] = [2e-4, 2e-4, 2e-7, 2e-4, 2e-9, 2e-7];
 
 /// Stiffness of the stops of the spool, N/m.
 const STOP: f64 = 4e5;
-/// Density of the oil, kg/m³, and discharge coefficient of a sharp edge.
+/// Density of the oil, kg/m³. [`DISCHARGE`] is the discharge coefficient of a sharp edge.
 const DENSITY: f64 = 850.0;
 const DISCHARGE: f64 = 0.65;
 /// Hydraulic force at the transition from laminar to turbulent flow, N.
@@ -66,7 +66,7 @@ impl SolenoidValve {
         let stiffness = d.between(5e3, 1e4);
         let mass = d.between(6e-3, 14e-3);
         let begins = most * d.between(0.7, 1.2);
-        // At the largest current, the spool has covered most of its travel.
+        // At the largest current, the spool has completed most of its travel.
         let reached = d.between(0.9, 0.96) * travel * stiffness;
         let force = reached / libm::tanh(most / begins);
         SolenoidValve {

@@ -11,13 +11,13 @@ use serde::Serialize;
 /// Protocol of execution and measurement.
 #[derive(Debug, Clone, Serialize)]
 pub struct Protocol {
-    /// The tests.
+    /// Plan of the tests.
     pub plan: Plan,
     /// Sample rate, Hz. Slow tests have a reduced rate, see `most_samples`.
     pub sample_rate_hz: f64,
     /// Number of samples above which a sine or triangle is decimated by an integer factor.
     pub most_samples: usize,
-    /// Cycles at full amplitude.
+    /// Number of cycles at full amplitude of a sine or triangle.
     pub cycles: u32,
     /// Duration of a road, s.
     pub road_s: f64,
@@ -98,7 +98,7 @@ impl Protocol {
 }
 
 impl Protocol {
-    /// Verifies the protocol.
+    /// Checks that every entry of the protocol is valid.
     ///
     /// # Errors
     /// [`LabError::Protocol`] with the invalid entry.

@@ -58,7 +58,7 @@ pub struct Ready {
     mean: f64,
     rest: f64,
     cycles: f64,
-    /// Amplitude, angular frequency and phase of a road's waves.
+    /// Amplitude, m, angular frequency, rad/s, and phase, rad, of a road's waves.
     waves: Vec<[f64; 3]>,
 }
 
@@ -88,7 +88,7 @@ impl Motion {
         }
     }
 
-    /// Prepares the motion about a mean displacement, after a standstill.
+    /// Prepares the motion about a mean displacement, m. The motion begins after a standstill of `rest`, s.
     pub fn ready(&self, mean: f64, rest: f64, cycles: f64) -> Ready {
         let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
         if let Motion::Road { displacement, velocity, seconds, seed } = *self {

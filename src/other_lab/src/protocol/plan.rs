@@ -28,10 +28,10 @@ pub enum Plan {
     /// 34 tests for identification (sines, three mean positions, side force, three repeats of one test), and 10
     /// left-out tests.
     Sines,
-    /// The thesis's matrix: eight strokes at common peak velocities, and slow tests. It has no other mean positions and
-    /// no side force.
+    /// The matrix of the thesis (Jonnalagadda & Vyas 2020): eight amplitudes at common peak velocities, and slow tests.
+    /// It has no other mean positions and no side force.
     Thesis,
-    /// Twelve sines with three strokes, and three left-out tests.
+    /// Twelve sines with three amplitudes, and three left-out tests.
     Reduced,
     /// Triangles and sweeps with some sines.
     Ramps,
@@ -42,7 +42,7 @@ pub enum Plan {
 /// Prefix of the names of left-out tests.
 pub const LEFT_OUT_PREFIX: &str = "check_";
 
-/// Amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
+/// Row of a plan: amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
 type Row = (f64, f64, f64, f64);
 
 const fn row(amplitude: f64, frequency: f64) -> Row {
@@ -93,10 +93,11 @@ const SINES_LEFT_OUT: [Row; 7] = [
     (16.0, 0.8, 0.0, 650.0),
 ];
 
-/// Peak velocities, m/s, of the thesis's matrix. [`THESIS_STROKES`] contains the strokes, mm.
+/// Peak velocities, m/s, of the matrix of the thesis ([`Plan::Thesis`]). [`THESIS_STROKES`] contains the amplitudes,
+/// mm.
 const THESIS_SPEEDS: [f64; 7] = [0.052, 0.131, 0.262, 0.393, 0.524, 1.047, 1.571];
 const THESIS_STROKES: [f64; 8] = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
-/// Frequency limit of the thesis's rig, Hz.
+/// Highest frequency of the thesis's rig, Hz. Faster tests are omitted.
 const THESIS_FASTEST: f64 = 25.03;
 
 fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {

@@ -114,7 +114,7 @@ impl Campaign {
         if self.records.iter().any(|record| record.temperature_c.is_some()) {
             channels.push("temperature_C");
         }
-        // Six decimals are a nanometer. Further decimals would only show the binary representation.
+        // Six decimals of a millimeter are a nanometer. Further decimals would only show the binary representation.
         let tidy = |value: f64| (value * 1e6).round() / 1e6;
         Description {
             format: FORMAT.into(),

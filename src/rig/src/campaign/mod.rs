@@ -28,8 +28,8 @@ pub struct Options {
     pub noise_colour: f64,
     /// Amplitude of mains hum (50 Hz) on the force, N.
     pub hum_n: f64,
-    /// Bits of the force channel's converter, over the smallest common range above the campaign's largest force. `None`
-    /// means no rounding.
+    /// Number of bits of the force channel's converter. Its range is the smallest standard range above the campaign's
+    /// largest force. `None` means no rounding.
     pub bits: Option<u32>,
     /// Whether the side force is recorded in tests with side force.
     pub side_force_channel: bool,

@@ -11,7 +11,8 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Matrix, RigError, TestPoint};
 
-/// Number of samples per cycle at which the default sample rate aims.
+/// Smallest number of samples per cycle at the default sample rate, unless [`HIGHEST_DEFAULT_RATE_HZ`] limits this
+/// rate.
 pub const SAMPLES_PER_CYCLE: f64 = 400.0;
 /// Highest sample rate chosen by default, Hz.
 pub const HIGHEST_DEFAULT_RATE_HZ: f64 = 1000.0;
@@ -38,10 +39,10 @@ const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 /// Accepted initial temperatures of a damper, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
-/// Returns the default sample rate for a test.
+/// Returns the default sample rate, Hz, for a test.
 ///
-/// It is 400 samples per cycle, rounded up to a common rate within 20 to 1000 Hz. The lower limit lets a slow test
-/// resolve the break-away, and the upper limit is the rate of a common logger.
+/// The rate gives 400 samples per cycle, and is rounded up to a common rate within 20 to 1000 Hz. The lower limit lets
+/// a slow test resolve the break-away, and the upper limit is the rate of a common logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
@@ -62,7 +63,7 @@ impl Campaign {
     /// Runs all tests like [`Campaign::run`], on a given damper. The seed then determines only the noise.
     ///
     /// # Errors
-    /// The errors of [`Campaign::run`].
+    /// Returns the errors of [`Campaign::run`].
     pub fn run_on(
         damper: &Damper,
         matrix: &Matrix,

@@ -30,7 +30,7 @@ pub(super) fn damper(seed: u64) -> Damper {
 }
 
 fn candidate(stream: &mut ChaCha8Rng) -> Damper {
-    // The factor is log-normal about 1, clamped at two and a half standard deviations.
+    // `vary` returns a factor, log-normal about 1 and clamped at two and a half standard deviations.
     let mut vary = |spread: f64| {
         let unit: f64 = StandardNormal.sample(stream);
         libm::exp(spread * unit.clamp(-2.5, 2.5))

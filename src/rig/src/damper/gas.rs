@@ -1,6 +1,7 @@
 //! Gas behind the floating piston.
 
-/// The gas chamber. The floating piston is light and free, so the gas has the pressure of the compression chamber.
+/// Gas chamber behind the floating piston. The floating piston is light and free, so the gas has the pressure of the
+/// compression chamber.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GasChamber {
     /// Absolute pressure at mid-stroke in equilibrium, Pa.

@@ -5,7 +5,7 @@ use crate::solver::Tolerance;
 
 /// Number of states.
 pub const STATES: usize = 5;
-/// State vector; the constants below are the indices.
+/// State vector. The constants from [`REBOUND`] to [`MOUNT_RATE`] are its indices.
 pub type State = [f64; STATES];
 
 /// Absolute pressure in the rebound chamber, Pa.
@@ -19,7 +19,7 @@ const MOUNT: usize = 3;
 /// Rate of the mount's deflection, m/s.
 const MOUNT_RATE: usize = 4;
 
-/// Inputs from the rig at one instant.
+/// Motion and side force that the rig imposes at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Excitation {
     /// Extension from mid-stroke, m.
@@ -68,7 +68,8 @@ impl Damper {
         }
     }
 
-    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass of mid-stroke.
+    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass that the damper
+    /// has at mid-stroke.
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
@@ -178,7 +179,7 @@ mod tests {
         }
     }
 
-    /// Returns time, input and state over the whole cycles, with `per_cycle` samples each.
+    /// Returns time, input and state over the whole cycles at full amplitude, with `per_cycle` samples in each cycle.
     fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {
@@ -307,7 +308,7 @@ mod tests {
         let filled = damper.oil_volume(&damper.at_rest(0.0), 0.0);
         for (time, _, state) in simulate(&damper, &point, 1.0, 50) {
             let now = damper.oil_volume(&state, drive.motion(time).0);
-            // The gas chamber is sensitive to lost oil: 1e-4 of the oil is 0.5 % of its volume.
+            // The gas chamber is sensitive to lost oil: 1e-4 of the oil volume is 0.5 % of the gas volume.
             assert!((now / filled - 1.0).abs() < 2e-5, "{}", now / filled - 1.0);
         }
     }

@@ -37,7 +37,8 @@ impl Oil {
     /// Computes the state of the mixture at an absolute pressure. The stiffness approaches zero at zero pressure, so
     /// that no chamber reaches a vacuum.
     pub fn compress(&self, pressure_pa: f64) -> Compression {
-        // The solver may evaluate negative pressures. The rates must increase such a pressure.
+        // The solver may evaluate negative pressures. They are treated as 1 Pa, so that the rates increase such a
+        // pressure.
         let pressure = pressure_pa.max(1.0);
         let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
         let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);

@@ -14,7 +14,7 @@ pub struct Seal {
     pub stribeck_m_s: f64,
     /// Stiffness of the bristles, N/m.
     pub bristle_n_m: f64,
-    /// Additional friction per side force.
+    /// Ratio of the additional friction to the side force.
     pub side_force_ratio: f64,
 }
 

@@ -64,7 +64,8 @@ pub struct Bleed {
 }
 
 impl Bleed {
-    /// Solves `drop = R Q + rho Q² / (2 (Cd A)²)` for the flow.
+    /// Solves `drop = R Q + rho Q² / (2 (Cd A)²)` for the flow Q, m³/s. R is the laminar resistance, rho the density,
+    /// Cd the discharge coefficient and A the area.
     fn flow(&self, drop_pa: f64, density: f64) -> f64 {
         let turbulent = density / (2.0 * (DISCHARGE * self.area_m2).powi(2));
         let laminar = self.laminar_pa_s_m3;
@@ -81,7 +82,7 @@ pub struct BlowOff {
     pub opening_m2_pa: f64,
     /// Area of the port behind the shim, m².
     pub port_m2: f64,
-    /// Pressure width of the knee, Pa: parts of the shim's edge lift at different pressures.
+    /// Width of the knee, Pa, over which the valve opens, because parts of the shim's edge lift at different pressures.
     pub knee_pa: f64,
 }
 

@@ -17,7 +17,7 @@ struct Aeration {
     /// air in the rebound chamber.
     chamber_m: f64,
     compression_share: f64,
-    /// Force at which all air is dissolved, N.
+    /// Hydraulic force at which all air is dissolved, N.
     dissolved_n: f64,
     /// Travel over which foam builds up (m), and time constant of its decay (s).
     churning_m: f64,

@@ -10,12 +10,12 @@ const WORKING_M_S: f64 = 0.5;
 struct Bushing {
     form: usize,
     strength: f64,
-    /// Working deflection at the stiffness of the series spring, m.
+    /// Deflection of the series spring under its working force, m.
     working_m: f64,
     /// Relative additional compliance at strength 1: the spring's stiffness is divided by `1 + strength * softer`.
     softer: f64,
-    /// Deflection at which the quintic term doubles the force, or the stop makes contact, relative to the working
-    /// deflection.
+    /// Deflection relative to the working deflection. At this deflection, the quintic term doubles the force at
+    /// strength 1, or the stop makes contact.
     hardens: f64,
     /// Friction in the filler, N. `friction_m` is the deflection over which the friction builds up, m.
     friction_n: f64,
@@ -39,7 +39,7 @@ impl Hidden for Bushing {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let rate = here.deflection_m_s;
         if self.form == 0 {
-            // The filler is a Bouc-Wen model with a load from -1 to 1.
+            // The filler is a Bouc-Wen model. Its state is the relative friction force, from -1 to 1.
             rates[0] = (rate - rate.abs() * states[0] * states[0].abs().sqrt()) / self.friction_m;
         } else {
             for (index, (_, time)) in self.relaxing.iter().enumerate() {
@@ -52,14 +52,14 @@ impl Hidden for Bushing {
         let stiffness = self.static_n_m(mount.stiffness_n_m);
         let limit = self.hardens * self.working_m;
         Some(if self.form == 0 {
-            // The quintic saturates at large deflections, because the rubber would move out of the mount.
+            // The quintic term saturates at large deflections, where the rubber would bulge out of the mount.
             let quartic = (deflection_m / limit).powi(4);
             let hardening = 1.0 + 2.0 * self.strength * quartic / (1.0 + quartic);
             stiffness * deflection_m * hardening + self.strength * self.friction_n * states[0]
         } else {
             let past = (deflection_m.abs() - limit).max(0.0).copysign(deflection_m);
             let relaxing: f64 = self.relaxing.iter().zip(states).map(|((share, _), d)| share * d).sum();
-            // The stop restores the original stiffness.
+            // Beyond the contact, the stop restores the stiffness of the series spring.
             let stop = (mount.stiffness_n_m - stiffness) * past;
             stiffness * (deflection_m + self.strength * relaxing) + stop
         })
@@ -69,8 +69,8 @@ impl Hidden for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // If the series spring is stiff, a proportional change would be invisible. A common scale of stiffness ensures a
-    // soft mount.
+    // If the series spring is stiff, a proportional change would be invisible. So the softness is scaled to give every
+    // damper about the same soft mount.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

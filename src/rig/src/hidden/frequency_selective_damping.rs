@@ -13,7 +13,7 @@ struct FrequencySelective {
     /// Time constant of filling or closing, s. `opening_s` is the time constant of reopening.
     closing_s: f64,
     opening_s: f64,
-    /// Velocity below which the second form detects a reversal, m/s.
+    /// Velocity below which the form `cross_fade` detects a reversal, m/s.
     reversal_m_s: f64,
 }
 
@@ -52,7 +52,7 @@ impl Hidden for FrequencySelective {
             let closed = if force > 0.0 { states[0] } else { states[1] };
             self.flow_m_s * (1.0 - closed) * force / libm::pow(force * force + 4e-4, 0.25)
         } else {
-            // The bypass is a second, linear and soft curve.
+            // In this form, the bypass is linear in the force.
             self.flow_m_s * (1.0 - states[0]) * force
         }
     }

@@ -9,7 +9,8 @@ const ADIABATIC: f64 = 1.4;
 
 struct GasSpring {
     form: usize,
-    /// Force at mid-stroke, N; the neutral damper already contains it as preload.
+    /// Gas force at mid-stroke, N. The constant preload of the neutral damper already contains it, so only its change
+    /// is added.
     force_n: f64,
     /// Length of the gas column at mid-stroke, m.
     column_m: f64,
@@ -51,7 +52,8 @@ impl Hidden for GasSpring {
         let pressure = if self.form == 1 {
             (1.0 + states[0]) / volume
         } else {
-            // At constant temperature, (p + a/V²)(V - b) = (1 + a)(1 - b).
+            // At constant temperature, (p + a/V²)(V - b) = (1 + a)(1 - b). Pressure p and volume V are relative to
+            // mid-stroke, a is the attraction and b the covolume.
             (1.0 + self.attraction) * (1.0 - self.covolume) / (volume - self.covolume)
                 - self.attraction / volume.powi(2)
         };

@@ -58,7 +58,7 @@ pub const EFFECTS: [&str; 19] = [
     "force_drift",
 ];
 
-/// Names of effects that no catalog of damper models contains: the correct diagnosis is "none of these".
+/// Names of effects that no catalog of damper models contains. The correct diagnosis is an unnamed missing effect.
 pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_shear_softening",
     "unknown_rig_resonance",

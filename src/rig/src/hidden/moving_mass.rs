@@ -8,7 +8,7 @@ const FORMS: &[&str] = &["rig_mass", "fluid_inertance"];
 enum MovingMass {
     /// Mass on the moving side of the load cell.
     Rig { kg: f64 },
-    /// Oil column in a passage, in series with the mount; its length depends on position.
+    /// Oil column in a passage, in series with the mount. The length of the column depends on position.
     Fluid { kg: f64, length_m: f64 },
 }
 

@@ -6,16 +6,16 @@ use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Rate at which the strength, and thus the softness of the bristles, reduces creep at standstill.
+/// Coefficient by which the strength, and thus the softness of the bristles, reduces creep at standstill.
 ///
 /// The smoothing velocity of the neutral friction is divided by `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
 
 struct Presliding {
-    /// Length over which the load of each element builds up (m), and its fraction of the load. The first form has one
-    /// element.
+    /// Length over which the friction force of each element builds up (m), and the element's fraction of the total
+    /// friction force. The form `elasto_plastic` has one element.
     elements: Vec<(f64, f64)>,
-    /// Fraction of the load below which a bristle is purely elastic (Dupont's break-away ratio).
+    /// Fraction of the full load below which a bristle is purely elastic (Dupont's break-away ratio).
     elastic: f64,
     /// Velocity scale of the transition from creeping to sliding, m/s.
     smooth_m_s: f64,

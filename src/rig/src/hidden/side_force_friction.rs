@@ -6,7 +6,8 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["saturating", "two_bushes"];
 
 enum SideFriction {
-    /// `mu (sqrt(Fs² + F0²) - F0)`, which saturates when the lubricant film collapses.
+    /// Friction `mu (sqrt(Fs² + F0²) - F0)` at the side force Fs, with the onset force F0. It saturates when the
+    /// lubricant film collapses.
     Saturating { share: f64, onset_n: f64, level_n: f64 },
     /// Friction of the reaction forces in rod guide and piston band, whose distance decreases with extension.
     TwoBushes { share: f64, overhang_m: f64, overlap_m: f64 },

@@ -21,7 +21,7 @@ fn measured(points: &[TestPoint], effects: &[(&str, f64)]) -> Vec<Record> {
     case.run_matrix(&Matrix::new(points.to_vec()).unwrap(), |_, _| {}).unwrap().campaign.records
 }
 
-/// Computes the force with the effect minus the force without the effect, per test.
+/// Computes the force with the effect minus the force without the effect, N, per test.
 fn traces(points: &[TestPoint], effect: &str) -> Vec<(Record, Vec<f64>)> {
     let neutral = measured(points, &[]);
     let hidden = measured(points, &[(effect, 1.0)]);
@@ -72,7 +72,8 @@ fn presliding_turns_over_a_distance_at_any_frequency() {
     let distances: Vec<f64> = traces(&points, "presliding_friction:maxwell_slip")
         .iter()
         .map(|(record, trace)| {
-            // Start at the outer reversal and continue until the force difference has fallen to half of its peak.
+            // Start at the reversal at full extension, and continue until the force difference has fallen to half of
+            // its peak.
             let from = record.time_s.len() / 3;
             let x = &record.displacement_m;
             let turn = (from..x.len() - 1).find(|i| x[*i] >= x[i - 1] && x[*i] > x[i + 1]).unwrap();
@@ -136,7 +137,7 @@ fn drift_follows_the_clock_and_gas_the_position() {
     assert!(slopes.iter().all(|slope| (slope / slopes[0] - 1.0).abs() < 1e-6), "{slopes:?} N/s");
     for (record, trace) in traces(&points, "gas_spring:van_der_waals") {
         for (x, trace) in record.displacement_m.iter().zip(&trace) {
-            // The force is larger in compression and smaller in extension than the constant preload.
+            // Compared with the constant preload, the gas force is larger in compression and smaller in extension.
             assert!(x.abs() < 1e-4 || trace * x > 0.0, "{trace} N at {x} m");
         }
     }

@@ -11,10 +11,10 @@ pub(super) struct Stop {
     side: f64,
     /// Displacement toward the stop at which it makes contact, m.
     touched_m: f64,
-    /// F1 of the rubber force `F1 (exp(d / d1) - 1)`, N.
+    /// F1 of the rubber force `F1 (exp(d / d1) - 1)` at the depth d, N. `growth_m` is d1, m.
     force_n: f64,
     growth_m: f64,
-    /// Fraction and time constant (s) of a relaxing branch (Zener).
+    /// Ratio of the relaxing force to the static force, and time constant (s), of a Maxwell element (Zener).
     relaxing: f64,
     relaxation_s: f64,
     /// Hydraulic stop: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
@@ -34,7 +34,7 @@ impl Stop {
 
 impl Hidden for Stop {
     fn tolerances(&self) -> &[f64] {
-        // The state is the relaxed part of the relaxing branch's compression, m.
+        // The state is the relaxed part of the Maxwell element's compression, m.
         if self.form == 0 { &[1e-7] } else { &[] }
     }
 
@@ -56,7 +56,7 @@ impl Hidden for Stop {
             return 0.0;
         }
         let force = if self.form == 0 {
-            // The relaxing branch has the same curve. Rubber can push but not pull.
+            // The Maxwell element has the force curve of the rubber. Rubber can push but not pull.
             (self.rubber_n(depth) + self.relaxing * (self.rubber_n(depth) - self.rubber_n(states[0]))).max(0.0)
         } else {
             let speed = (self.side * here.line.velocity_m_s).max(0.0);

@@ -1,4 +1,4 @@
-//! Friction peaks near standstill and falls with velocity.
+//! Friction with a peak near standstill that falls with velocity.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

@@ -10,7 +10,7 @@ const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
 /// Thermal expansion of oil, 1/K.
 const EXPANSION: f64 = 7e-4;
-/// Bounds of the viscosity relative to the reference.
+/// Smallest viscosity relative to the reference. [`MOST_VISCOSITY`] is the largest.
 const LEAST_VISCOSITY: f64 = 0.02;
 const MOST_VISCOSITY: f64 = 50.0;
 
@@ -19,9 +19,10 @@ struct Fade {
     strength: f64,
     /// B, K, and C, °C, of Vogel's law `ln mu = B / (T + C)`.
     vogel: (f64, f64),
-    /// A and M of Walther's law (ASTM D341), `lg lg (nu + 0.7) = A - M lg T`.
+    /// A and M of Walther's law (ASTM D341), `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the
+    /// temperature T in K.
     ///
-    /// They follow from the viscosities at 40 and 100 °C, mm²/s.
+    /// They follow from the viscosities at 40 and 100 °C.
     walther: (f64, f64),
     /// Force at which half of the pressure drop is laminar, N.
     half_n: f64,

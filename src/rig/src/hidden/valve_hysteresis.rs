@@ -30,8 +30,8 @@ impl Hidden for ValveHysteresis {
         states.fill(0.0);
     }
 
-    /// Computes the rate of the valve position, expressed as a force, N. In the first form, also computes the rate of
-    /// its velocity.
+    /// Computes the rate of the valve position, N/s; the position is expressed as a force. In the form `spool`, also
+    /// computes the rate of the valve's velocity.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let lag = here.oil_n - states[0];
         if self.form == 0 {

@@ -19,7 +19,7 @@ pub struct InjectedCase {
     /// Strength 0 gives exactly the neutral damper, and 1 is a typical strong case. The effect on the force grows
     /// monotonically with the strength.
     pub effects: Vec<(String, f64)>,
-    /// The tests.
+    /// Plan of the tests.
     pub plan: Plan,
     /// Seed, noise and channels. The seed determines the damper, the shapes of the effects, the order of the tests and
     /// the noise, each by a separate stream. The damper does not depend on the injected effects.
@@ -31,7 +31,7 @@ pub struct InjectedCase {
 pub struct InjectedCampaign {
     /// Records on the campaign clock, in the order of measurement.
     pub campaign: Campaign,
-    /// The correct diagnosis.
+    /// Injected effects, which are the correct diagnosis.
     pub truth: Truth,
 }
 
@@ -52,9 +52,9 @@ pub struct Truth {
 pub struct InjectedEffect {
     /// Name, as in [`crate::EFFECTS`] or [`crate::UNKNOWN_EFFECTS`].
     pub name: String,
-    /// Physical form.
+    /// Physical form of the effect.
     pub form: String,
-    /// Strength.
+    /// Strength of the effect: 0 means absent, 1 a typical strong case.
     pub strength: f64,
     /// Shape parameters drawn from the seed, at strength 1. The names end with the unit, except those of pure numbers.
     pub shapes: BTreeMap<String, f64>,

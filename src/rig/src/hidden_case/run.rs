@@ -15,9 +15,10 @@ use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
 
-/// Number of samples per cycle at which the sample rate aims.
+/// Smallest number of samples per cycle at the default sample rate, unless the highest of [`RATES_HZ`] limits this
+/// rate.
 ///
-/// It is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
+/// This number is lower than on a common rig, so that files are short, but sufficient for 25 Hz.
 const SAMPLES_PER_CYCLE: f64 = 100.0;
 /// Sample rates with sample times in whole microseconds, Hz.
 const RATES_HZ: [f64; 22] = [
@@ -28,8 +29,8 @@ const RATES_HZ: [f64; 22] = [
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals of the motion, in samples. Without it, the velocity of a sample at a
-/// reversal would be exactly zero.
+/// Offset of the samples from the reversals of the motion, in samples. Without the offset, the velocity of a sample at
+/// a reversal would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
@@ -59,7 +60,7 @@ impl InjectedCase {
     /// of completed tests and of all tests.
     ///
     /// # Errors
-    /// The errors of [`InjectedCase::run`].
+    /// Returns the errors of [`InjectedCase::run`].
     pub fn run_matrix(&self, matrix: &Matrix, progress: impl Fn(usize, usize)) -> Result<InjectedCampaign, RigError> {
         let seed = self.options.seed;
         check(matrix, &self.options)?;
@@ -106,7 +107,7 @@ fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
 }
 
 fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
-    // If a name is drawn several times, such as the fraction of each element, a number is added.
+    // If a name is drawn several times, such as the fraction of each element, a number is appended to the name.
     let named = |drawn: &[(String, f64)]| {
         let mut named = BTreeMap::new();
         for (name, value) in drawn {
@@ -135,12 +136,12 @@ fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
     }
 }
 
-/// A test with its time on the clock.
+/// A test with its start on the campaign clock.
 struct Scheduled<'a> {
     point: &'a TestPoint,
     drive: Drive,
     rate_hz: f64,
-    /// Clock at the first sample, s.
+    /// Campaign clock at the first sample, s.
     clock_s: f64,
     /// Pause before the test, s.
     pause_s: f64,
@@ -176,7 +177,7 @@ struct Rig<'a> {
     options: &'a Options,
 }
 
-/// States that continue from test to test.
+/// States that continue from one test to the next.
 struct Lasting {
     temperatures: Temperatures,
     states: Vec<Vec<f64>>,
@@ -201,7 +202,7 @@ impl Rig<'_> {
             for (hidden, states) in self.hidden.iter().zip(&mut lasting.states) {
                 hidden.pause(test.pause_s, states);
             }
-            // The number of states is a compile-time constant; surplus states stay at zero.
+            // The number of states is a compile-time constant, so it is rounded up. Surplus states stay at zero.
             let record = match states {
                 0..=3 => self.measure::<3>(test, with_side_force, &mut lasting),
                 4 => self.measure::<4>(test, with_side_force, &mut lasting),
@@ -318,7 +319,7 @@ mod tests {
         ideal(seed, effects).run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
     }
 
-    /// Computes the rms difference of two campaigns, N.
+    /// Computes the root mean square difference of the forces of two campaigns, N.
     fn distance(a: &[Record], b: &[Record]) -> f64 {
         let squares = |f: &dyn Fn(&Record, &Record, usize) -> f64| -> f64 {
             a.iter().zip(b).map(|(a, b)| (0..a.time_s.len()).map(|i| f(a, b, i)).sum::<f64>()).sum()
@@ -354,7 +355,8 @@ mod tests {
 
     #[test]
     fn a_passive_damper_takes_energy_in_every_cycle() {
-        // Exclude errors of the rig. A mass returns the energy that it stores.
+        // Exclude the measurement errors of the rig. A mass need not be excluded, because it returns the energy that it
+        // stores.
         let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
         for name in physical {
             for record in measured(4, &[(name, 1.0)]) {

@@ -8,11 +8,11 @@ use super::{InjectedCampaign, Truth};
 use crate::RigError;
 use crate::files::replace_file;
 
-/// Subfolder of the truth.
+/// Name of the subfolder that contains the truth.
 pub const SEALED_FOLDER: &str = "sealed";
-/// File of the injected effects.
+/// Name of the file with the injected effects.
 pub const TRUTH_FILE: &str = "truth.toml";
-/// File of the forces without noise: one line per sample, records in the order of measurement.
+/// Name of the file with the forces without noise: one line per sample, records in the order of measurement.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";
 
 impl InjectedCampaign {
@@ -22,7 +22,7 @@ impl InjectedCampaign {
     /// `clean_force.csv` (header `test,force_N`; only the first line of a test contains its name).
     ///
     /// # Errors
-    /// The errors of [`crate::Campaign::write`].
+    /// Returns the errors of [`crate::Campaign::write`].
     pub fn write(&self, folder: &Path) -> Result<(), RigError> {
         self.campaign.write(folder)?;
         let sealed = folder.join(SEALED_FOLDER);

@@ -47,7 +47,7 @@ pub struct TestPoint {
     pub road_seed: Option<u64>,
 }
 
-/// Reason for the rejection of a test point: the field and the problem.
+/// Reason why the rig cannot run a test: the field and the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
     /// The field, by its column name in a matrix file.
@@ -72,7 +72,7 @@ impl TestPoint {
         }
     }
 
-    /// Verifies that the rig can run this test. Otherwise, returns the first fault.
+    /// Checks that the rig can run this test. Otherwise, returns the first fault.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         let fault = |column, problem: String| Err(Fault { column, problem });
         if let Some(problem) = name_problem(&self.name) {
@@ -96,7 +96,7 @@ impl TestPoint {
             );
         }
         let travel = self.amplitude_m + self.mean_displacement_m.abs();
-        // The small term allows for rounding of a value on the limit.
+        // The term 1e-9 allows for rounding of a value on the limit.
         if travel > TRAVEL_LIMIT_M * (1.0 + 1e-9) {
             let column = if self.amplitude_m > TRAVEL_LIMIT_M { "amplitude_mm" } else { "mean_displacement_mm" };
             return fault(
@@ -152,7 +152,7 @@ impl TestPoint {
     }
 }
 
-/// Returns the default number of whole measured cycles.
+/// Returns the default number of whole measured cycles at a frequency, Hz.
 pub fn default_cycles(frequency_hz: f64) -> u32 {
     if frequency_hz > FAST_FREQUENCY_HZ { DEFAULT_CYCLES_FAST } else { DEFAULT_CYCLES_SLOW }
 }

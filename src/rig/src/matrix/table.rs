@@ -134,7 +134,7 @@ fn parse(file: &Path, text: &str) -> Result<Matrix, RigError> {
     Matrix::new(points)
 }
 
-/// Positions of the known columns in the file, and the number of its columns.
+/// Positions of the known columns in the file, and the number of all columns in the file.
 struct Header {
     places: [Option<usize>; COLUMNS.len()],
     width: usize,

@@ -10,7 +10,7 @@ use super::point::sine_name;
 use super::{Matrix, TestPoint};
 use crate::RigError;
 
-/// Frequency limit of the thesis's rig, Hz; the matrix omits points above it.
+/// Highest frequency of the thesis's rig, Hz. The matrix omits tests above it.
 pub const RIG_FREQUENCY_LIMIT_HZ: f64 = 25.03;
 
 /// Amplitudes of tests 1 to 8, m.
@@ -20,12 +20,13 @@ const AMPLITUDES_M: [f64; 8] = [0.050, 0.040, 0.030, 0.025, 0.015, 0.005, 0.002,
 const STANDARD_FREQUENCIES_HZ: [f64; 7] = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0];
 const STANDARD_AMPLITUDE_M: f64 = 0.050;
 
-/// Amplitude of test 9, m. Its frequencies are a geometric sequence from the first to the last.
+/// Amplitude of test 9 of the thesis, m. The frequencies of this test are a geometric sequence between
+/// [`SLOW_FREQUENCIES_HZ`].
 const SLOW_AMPLITUDE_M: f64 = 0.010;
 const SLOW_FREQUENCIES_HZ: (f64, f64) = (0.041, 0.006369);
 const SLOW_POINTS: usize = 10;
 
-/// Parameters of the matrix. The default is the thesis's own matrix.
+/// Parameters of the matrix. The default gives the matrix of the thesis (Jonnalagadda & Vyas 2020).
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatrixOptions {
     /// Amplitudes, m; one for each row of the matrix.
@@ -96,7 +97,7 @@ impl Matrix {
 }
 
 impl Default for Matrix {
-    /// Makes the thesis's matrix: 45 sines and 10 slow cycles.
+    /// Makes the matrix of the thesis (Jonnalagadda & Vyas 2020): 45 sines and 10 slow cycles.
     fn default() -> Self {
         Self::thesis(&MatrixOptions::default()).expect("the thesis's matrix is within the rig's limits")
     }
@@ -145,8 +146,8 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
     Ok(())
 }
 
-/// Returns the smallest number of decimals (in mm/s) that gives distinct names. Six decimals distinguish all values
-/// that differ on a rig.
+/// Returns the smallest number of decimals of velocities in mm/s that gives distinct names. Six decimals distinguish
+/// all values that differ on a rig.
 fn decimals_needed(velocities: &[f64]) -> usize {
     (0..6)
         .find(|&decimals| {

@@ -3,27 +3,28 @@
 use super::instant::{Here, Rest};
 use super::{Mount, ValveLaw};
 
-/// An injected effect. The default methods have no influence. An effect overrides the methods for its quantities.
+/// An injected effect. The default methods have no influence. An effect overrides the methods for the quantities that
+/// it changes.
 pub(crate) trait Hidden: Send + Sync {
     /// Returns the error tolerance of each state per step, in the unit of the state.
     fn tolerances(&self) -> &[f64] {
         &[]
     }
-    /// Initializes the states before a test. Before the call, they have their values from the end of the last test, or
-    /// zero before the first test.
+    /// Initializes the states before a test. Before the call, the states have their values from the end of the
+    /// preceding test, or zero before the first test.
     fn begin(&self, _rest: &Rest, states: &mut [f64]) {
         states.fill(0.0);
     }
     /// Advances the lasting states over a pause between tests.
     fn pause(&self, _seconds: f64, _states: &mut [f64]) {}
-    /// Computes the rates of the states.
+    /// Computes the rates of the effect's states.
     fn rates(&self, _here: &Here, _states: &[f64], _rates: &mut [f64]) {}
 
     /// Returns additional friction, N.
     fn friction_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a replacement of the smooth sign of friction, -1..1, or `None` to keep that sign.
+    /// Returns a replacement of the smooth sign of friction, -1..1, or `None` to keep the smooth sign.
     fn friction_direction(&self, _here: &Here, _states: &[f64]) -> Option<f64> {
         None
     }
@@ -36,7 +37,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn gap(&self, _deflection_m: f64) -> Option<(f64, f64)> {
         None
     }
-    /// Returns a replacement of the series spring's force, N.
+    /// Returns a replacement of the series spring's force, N, or `None` to keep the series spring.
     fn mount_n(&self, _mount: &Mount, _deflection_m: f64, _here: &Here, _states: &[f64]) -> Option<f64> {
         None
     }
@@ -44,7 +45,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn compliance_m_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns the ratio of the force at a given flow to that of the neutral damper.
+    /// Returns the ratio of the force at a given valve flow to the force of the neutral damper at this flow.
     fn resistance(&self, _here: &Here, _states: &[f64]) -> f64 {
         1.0
     }
@@ -52,7 +53,7 @@ pub(crate) trait Hidden: Send + Sync {
     fn bypass_m_s(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a replacement of the flow through the valves, m/s.
+    /// Returns a replacement of the flow through the valves, m/s, or `None` to keep the valve law.
     fn valve_flow_m_s(&self, _valves: &ValveLaw, _force_n: f64, _states: &[f64]) -> Option<f64> {
         None
     }

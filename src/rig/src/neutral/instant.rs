@@ -23,12 +23,13 @@ pub(crate) struct Here {
     /// Position of the mass (m) and its velocity (m/s).
     pub position_m: f64,
     pub velocity_m_s: f64,
-    /// Deflection of the series spring (m) and its rate.
+    /// Deflection of the series spring (m) and its rate (m/s).
     pub deflection_m: f64,
     pub deflection_m_s: f64,
     /// Force of the oil on the mass, N.
     pub oil_n: f64,
-    /// Force on the rod at the moving end, N. It is zero in the methods of an effect from which it is computed.
+    /// Force on the rod at the moving end, N. It is zero in the methods for mount, friction and parallel forces,
+    /// because it is computed from their results.
     pub rod_n: f64,
 }
 

@@ -17,7 +17,7 @@ pub(crate) use valve_law::ValveLaw;
 
 use crate::draw::Draw;
 
-/// A damper of the thesis's topology.
+/// A damper with the topology of the thesis (Jonnalagadda & Vyas 2020).
 #[derive(Debug, Clone)]
 pub(crate) struct Neutral {
     pub valves: ValveLaw,
@@ -39,13 +39,13 @@ pub(crate) struct Mount {
     pub damping_n_s_m: f64,
 }
 
-/// Friction with a smooth sign, `v / sqrt(v² + eps²)`.
+/// Friction with a smooth sign of the velocity v, `v / sqrt(v² + eps²)`; eps is `smooth_m_s`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Friction {
     pub sliding_n: f64,
     /// Velocity scale of the sign change, m/s.
     pub smooth_m_s: f64,
-    /// Additional friction per side force.
+    /// Ratio of the additional friction to the side force.
     pub side_force_ratio: f64,
 }
 

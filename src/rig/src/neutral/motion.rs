@@ -26,7 +26,7 @@ pub(crate) struct System<'a, const N: usize> {
     pub effects: &'a [Box<dyn Hidden>],
     /// Index of the first state of each injected effect.
     pub first: Vec<usize>,
-    /// Oil temperature, °C. It is constant within a sample. The caller updates it.
+    /// Oil temperature, °C. The caller updates it after each sample, and it is constant within a sample.
     pub oil_c: &'a RefCell<f64>,
 }
 
@@ -40,7 +40,7 @@ impl<const N: usize> System<'_, N> {
         self.effects.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
     }
 
-    /// Returns the error tolerance per step.
+    /// Returns the error tolerance of each state per step.
     pub fn tolerance(&self) -> Tolerance<N> {
         let mut absolute = [1.0; N];
         absolute[DEFLECTION] = 1e-9;
@@ -69,7 +69,7 @@ impl<const N: usize> System<'_, N> {
         state
     }
 
-    /// Returns the quantities at one instant, and the force of the series element.
+    /// Returns the quantities at one instant, and the force of the series element, N.
     fn here(&self, line: &Line, state: &[f64; N]) -> (Here, f64) {
         let mut here = Here {
             line: Line { oil_c: *self.oil_c.borrow(), ..*line },
@@ -103,7 +103,7 @@ impl<const N: usize> System<'_, N> {
         elastic + damped * mount.damping_n_s_m * here.deflection_m_s
     }
 
-    /// Computes the friction, and the other forces in parallel with the damper.
+    /// Computes the friction, and the sum of the other forces in parallel with the damper, N.
     fn beside_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
         let friction = &self.neutral.friction;
         let v = here.line.velocity_m_s;

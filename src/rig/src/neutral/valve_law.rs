@@ -7,7 +7,7 @@ use crate::draw::Draw;
 /// Velocity near the last knot of a drawn curve, m/s.
 const TOP_M_S: f64 = 1.6;
 
-/// The law of both directions.
+/// Flow law of both directions.
 #[derive(Debug, Clone)]
 pub(crate) struct ValveLaw {
     pub rebound: OneWay,
@@ -30,7 +30,7 @@ pub(crate) enum OneWay {
 pub(crate) struct Knots {
     force_n: Vec<f64>,
     flow_m_s: Vec<f64>,
-    /// Slopes at the knots, m/(s N).
+    /// Derivatives of flow with respect to force at the knots, m/(s N).
     slope: Vec<f64>,
 }
 
@@ -68,7 +68,7 @@ impl ValveLaw {
         (0.5 * (low + high)).copysign(flow_m_s)
     }
 
-    /// Draws a law: force at 1 m/s, style, and form of the curve.
+    /// Draws a law: force at 1 m/s in each direction, style, and form of the curve.
     pub fn draw(draw: &mut Draw) -> Self {
         let rebound_n = draw.ratio("rebound_at_1_m_s_n", 1300.0, 3600.0);
         let compression_n = rebound_n * draw.between("compression_share", 0.35, 0.75);
@@ -101,7 +101,7 @@ impl ValveLaw {
 
 impl OneWay {
     fn passages(draw: &mut Draw, at_1_m_s_n: f64, style: Style) -> Self {
-        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s: it is 0.1 for a straight line.
+        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s. For a straight line it is 0.1.
         let (share, laminar_share, knee) = match style {
             Style::Digressive => (draw.between("share", 0.32, 0.55), draw.between("laminar", 0.25, 0.7), 0.12),
             Style::Linear => (draw.between("share", 0.13, 0.20), draw.between("laminar", 0.6, 0.9), 0.5),
@@ -121,7 +121,7 @@ impl OneWay {
         Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n }
     }
 
-    /// Computes the flow at a force, m/s.
+    /// Computes the flow at a force, m/s. Both are magnitudes.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         match self {
             Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n } => {
@@ -144,8 +144,8 @@ fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
 }
 
 impl Knots {
-    /// Draws knots near a curve: velocities with nearly equal ratios from about 12 mm/s, forces with deviations of some
-    /// percent.
+    /// Draws knots near a curve. The velocities have nearly equal ratios, from about 12 mm/s to [`TOP_M_S`]. The forces
+    /// deviate by some percent from the curve.
     fn on(draw: &mut Draw, curve: &OneWay, count: usize) -> Self {
         let law = ValveLaw { rebound: curve.clone(), compression: curve.clone() };
         let (mut force_n, mut flow_m_s) = (vec![0.0], vec![0.0]);
@@ -162,7 +162,7 @@ impl Knots {
             (1..n).map(|i| (flow_m_s[i] - flow_m_s[i - 1]) / (force_n[i] - force_n[i - 1])).collect();
         let mut slope = vec![secant[0]; n];
         for i in 1..n - 1 {
-            // The harmonic mean is at most twice the smaller secant slope, which keeps the curve monotone.
+            // The harmonic mean is at most twice the smaller secant slope. This keeps the curve monotone.
             slope[i] = 2.0 / (1.0 / secant[i - 1] + 1.0 / secant[i]);
         }
         slope[n - 1] = secant[n - 2];

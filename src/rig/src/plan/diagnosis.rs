@@ -6,11 +6,11 @@ use super::CHECK_PREFIX;
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Prefix of the names of the repeated test.
+/// Prefix of the names of the test that is repeated to show drift.
 pub(super) const REFERENCE: &str = "reference";
 const REFERENCES: usize = 3;
 
-/// Amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
+/// Row of a plan: amplitude (mm), frequency (Hz), mean displacement (mm), side force (N).
 type Row = (f64, f64, f64, f64);
 
 const TRAINING: [Row; 31] = [
@@ -42,7 +42,7 @@ const TRAINING: [Row; 31] = [
     (50.0, 0.4, 0.0, 0.0),
     (50.0, 1.5, 0.0, 0.0),
     (50.0, 5.0, 0.0, 0.0),
-    // The mean position is off center, or side force acts.
+    // In the following tests, the mean position is off center, or side force acts.
     (10.0, 2.0, 25.0, 0.0),
     (10.0, 2.0, -25.0, 0.0),
     (25.0, 2.0, 25.0, 0.0),
@@ -51,7 +51,7 @@ const TRAINING: [Row; 31] = [
     (25.0, 0.5, 0.0, 1000.0),
 ];
 
-/// Tests with strokes and velocities between those of the training tests.
+/// Check tests, with amplitudes and velocities between those of the training tests.
 const CHECKS: [Row; 11] = [
     (0.6, 2.0, 0.0, 0.0),
     (1.5, 18.0, 0.0, 0.0),

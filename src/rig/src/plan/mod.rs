@@ -22,17 +22,17 @@ pub enum Plan {
     /// Three of the 34 tests are one reference test, at start, middle and end.
     #[default]
     Diagnosis,
-    /// The thesis's matrix, in the order of the thesis.
+    /// The matrix of the thesis (Jonnalagadda & Vyas 2020), in the order of the thesis.
     Thesis,
-    /// Poor: sines at 25 mm only.
+    /// Poor plan: sines at 25 mm only.
     OneAmplitude,
-    /// Poor: sines at 2 Hz only.
+    /// Poor plan: sines at 2 Hz only.
     OneFrequency,
-    /// Poor: the diagnosis plan without tests below 50 mm/s.
+    /// Poor plan: the diagnosis plan without tests below 50 mm/s.
     NoSlowTests,
-    /// Poor: the diagnosis plan about mid-stroke only.
+    /// Poor plan: the diagnosis plan about mid-stroke only.
     Centred,
-    /// Poor: the diagnosis plan without side force.
+    /// Poor plan: the diagnosis plan without side force.
     NoSideForce,
 }
 

@@ -1,4 +1,4 @@
-//! Error of the kernel's fixed step relative to a converged solution, over a matrix of sine tests.
+//! Error of the model's fixed step (`dashpot_core::step`) relative to a converged solution, over a matrix of sine tests.
 
 pub mod radau;
 
@@ -16,7 +16,7 @@ pub struct Sine {
 }
 
 impl Sine {
-    /// Returns displacement and velocity over time. The motion starts at rest at the lower end.
+    /// Returns displacement, m, and velocity, m/s, over time, s. The motion starts at rest at the lower end of the stroke.
     pub fn motion(self) -> impl Fn(f64) -> (f64, f64) {
         let (a, w) = (self.amplitude, TAU * self.frequency);
         move |t| (-a * libm::cos(w * t), a * w * libm::sin(w * t))
@@ -32,7 +32,7 @@ pub enum HostInput {
     Velocity,
 }
 
-/// Force errors of one test, relative to its largest force.
+/// Force errors of one test, relative to the largest force of this test.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
     /// Root mean square error.
@@ -41,7 +41,8 @@ pub struct Errors {
     pub largest: f64,
 }
 
-/// Computes the forces, N, of the kernel's fixed step at each multiple of `dt`, s: `steps + 1` values.
+/// Computes the forces, N, of the model's fixed step at each multiple of `dt`, s: `steps + 1` values. The simulation starts in the steady
+/// state.
 pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.evaluate(t);
@@ -93,8 +94,8 @@ impl References {
             .par_iter()
             .map(|sine| {
                 let steps = ((CYCLES / sine.frequency).min(LONGEST) / dt).ceil() as usize;
-                // The number of reference steps is a multiple of 40, the coarsest host step of a comparison. So every host step that
-                // divides 40 ends at the end of the test.
+                // The coarsest host step of a comparison is 40 steps of the reference grid. The number of grid steps is a multiple of 40.
+                // So every host step whose number of grid steps divides 40 ends at the end of the test.
                 let steps = steps.div_ceil(40) * 40;
                 (*sine, radau::reference_forces(model, &sine.motion(), dt, steps, PARTS))
             })
@@ -107,7 +108,7 @@ impl References {
         self.tests.iter().map(|(sine, exact)| (*sine, exact.as_slice()))
     }
 
-    /// Computes the errors of the kernel's step at the host step `dt`, s, for each test. `dt` must be a multiple of the reference step.
+    /// Computes the errors of the model's step at the host step `dt`, s, for each test. `dt` must be a multiple of the reference step.
     pub fn compare(&self, model: &Model, dt: f64, given: HostInput) -> Vec<(Sine, Errors)> {
         let every = (dt / self.dt).round() as usize;
         self.tests

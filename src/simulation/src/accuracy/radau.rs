@@ -1,8 +1,8 @@
 //! Independent integrator for reference solutions: Radau IIA of order 5 on the continuous equations of the model.
 //!
-//! The integrator shares only [`dashpot_core::evaluate()`] and its derivatives with the kernel's step. The motion is evaluated exactly, and
-//! Newton's method solves all three stages together to rounding. Callers must choose steps so short that halving them does not change the
-//! result.
+//! The integrator shares only [`dashpot_core::evaluate()`] and its derivatives with the fixed step `dashpot_core::step`. The motion is
+//! evaluated exactly, and Newton's method solves all three Radau stages together to rounding. Callers must choose steps so short that
+//! halving them does not change the result.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Input, Model, State, evaluate};

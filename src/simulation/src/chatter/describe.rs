@@ -9,17 +9,18 @@ use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
-    /// Returns whether a disturbance changes sign from step to step, according to the derivatives or the host loop.
+    /// Returns whether a disturbance changes sign from step to step, according to the gain or to the simulated host
+    /// loop.
     pub fn rings(&self) -> bool {
         self.gain >= RINGS || self.turning.is_some()
     }
 
-    /// Returns whether a disturbance that changes sign from step to step persists.
+    /// Returns whether a disturbance that changes sign from step to step does not decay.
     pub fn swings(&self) -> bool {
         self.gain >= GROWS || self.turning.is_some()
     }
 
-    /// Describes the chatter. `softened` states whether `--for-step` was given.
+    /// Describes the chatter in sentences for the user. `softened` states whether `--for-step` was given.
     pub fn describe(&self, host: Host, softened: bool) -> String {
         let Host { step, mass } = host;
         let head = format!(

@@ -1,5 +1,5 @@
-//! Largest gain of a disturbance in one step of a host. It is searched over typical sines, at their reversals, and on every segment of the
-//! FV curve.
+//! Largest gain of a disturbance in one step of a host: (h/m)(∂F/∂v + h ∂F/∂x), with the host's step h and mass m. The gain is searched
+//! over typical sines, at the reversals of these sines, and on every segment of the FV curve.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -20,10 +20,11 @@ const LONG: (f64, f64) = (0.05, 1.0);
 pub(super) const STEPS: usize = 4000;
 /// Velocities that are evaluated at a reversal of a motion, m/s.
 const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
-/// Positions on a segment of the FV curve, as fractions of its length. A monotone cubic is steepest in its middle or at an end.
+/// Positions on a segment of the FV curve, as fractions of its length. The ends and the middle suffice, because a monotone cubic is
+/// steepest there.
 const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
 
-/// Evaluated motion: a sine that starts at its middle.
+/// Evaluated motion: a sine that starts at its mean displacement with the peak velocity.
 #[derive(Clone, Copy)]
 pub(super) struct Sine {
     situation: Situation,
@@ -42,7 +43,7 @@ impl Sine {
     }
 }
 
-/// Returns the motions whose phase advances by at most 0.5 rad in a step of the host.
+/// Returns the motions that the host resolves: their phase advances by at most 0.5 rad in a step of the host.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;
@@ -61,7 +62,7 @@ pub(super) struct Largest {
     pub situation: Situation,
 }
 
-/// Returns the largest gain over all motions in a situation.
+/// Returns the largest gain at rest, over all motions in a situation, and at the reversals of these motions.
 pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Largest {
     let gain = |o: &Output| host.step / host.mass * (o.d_force_d_velocity + host.step * o.d_force_d_displacement);
     let rest = situation.input();
@@ -94,8 +95,8 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
     most
 }
 
-/// Returns the largest gain at constant velocities on all segments of the FV curve. This check is needed, because a motion may have no
-/// sample on a narrow steep segment.
+/// Returns the largest gain at constant velocities: at zero velocity and on all segments of the FV curve. The segments are checked because
+/// a motion may have no sample on a narrow steep segment.
 pub(super) fn on_the_curve(params: &Params, model: &Model, host: Host) -> Largest {
     let knots = if params.number(number!("fv_form")) == 0.0 {
         params.list(list!("fv_velocity")).to_vec()

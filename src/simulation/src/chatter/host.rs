@@ -1,6 +1,6 @@
 //! Properties of a host that determine chatter.
 
-/// Step and mass of a host, which determine chatter.
+/// Step and mass of a host: a program that simulates a vehicle and computes the damper force in each of its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Host {
     /// Step of the host, s.
@@ -10,7 +10,7 @@ pub struct Host {
 }
 
 impl Host {
-    /// Real-time host with the lightest mass that a car damper moves.
+    /// Real-time host with a step of 1 ms and the lightest mass that a car damper moves.
     ///
     /// The mass consists of wheel, hub and half the links of a small car's front corner.
     pub const TYPICAL: Host = Host { step: 1e-3, mass: 40.0 };

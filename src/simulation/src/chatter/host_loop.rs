@@ -17,7 +17,7 @@ const FOLLOWS: f64 = 0.3;
 const BEYOND: f64 = 100.0;
 /// Initial velocity of the mass in the loop, m/s. An acceleration of 10 m/s² reaches this velocity in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Smallest alternating part of the force, N, that counts as a reversal. It is visible in a vehicle's signals.
+/// Smallest alternating part of the force, N, that counts as a reversal, because a smaller one is not visible in a vehicle's signals.
 const SEEN: f64 = 5.0;
 /// Smallest number of reversals of the force in the last 24 steps that counts as chatter.
 ///
@@ -30,7 +30,8 @@ const WINDOW: u32 = (1 << 24) - 1;
 const LOOP: usize = 3000;
 /// Heights of the roads, m. Situations other than the reference use the first height only.
 const ROADS: [f64; 3] = [0.005, 0.02, 0.05];
-/// Waves of a road. Each has a fraction of the height and a frequency, Hz, near those of the body, between body and axle, and of the axle.
+/// Sines that form a road: fraction of the road's height, and frequency, Hz. The frequencies are near those of the body, between body and
+/// axle, and near those of the axle.
 const WAVES: [(f64, f64); 4] = [(0.5, 1.3), (0.25, 3.1), (0.12, 9.7), (0.06, 14.0)];
 /// Ratio of the mass of the body to that of the wheel.
 const BODY: f64 = 10.0;
@@ -50,7 +51,7 @@ pub struct Turning {
     pub steps: usize,
     /// Height of the road, m.
     pub height: f64,
-    /// Situation in which the force reverses.
+    /// Situation in which the loop chatters.
     pub situation: Situation,
 }
 
@@ -77,7 +78,8 @@ impl Turning {
     }
 }
 
-/// Simulates the loop on the roads of a situation. Returns `None` if it does not chatter.
+/// Simulates the loop on the roads of a situation. Returns the result with the largest alternating force, or `None` if the loop chatters on
+/// no road.
 pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option<Turning> {
     // A high road in a stop, for example, would cause unrealistic forces. So situations other than the reference have the lowest road.
     let roads = if situation == Situation::REFERENCE { &ROADS[..] } else { &ROADS[..1] };
@@ -93,7 +95,7 @@ fn road(height: f64, time: f64) -> f64 {
 /// Simulates the loop on one road. Returns `None` if it does not chatter.
 pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f64, host: Host) -> Option<Turning> {
     let Host { step: h, mass } = host;
-    // The damper moves the effective mass of wheel and body in series.
+    // The damper acts between wheel and body, so it moves their reduced mass.
     let mass = mass * BODY / (1.0 + BODY);
     let tyre = TYRE.min(mass * (FOLLOWS / h).powi(2));
     let rest = situation.input();
@@ -140,7 +142,7 @@ pub(super) fn quiet_loop(model: &Model, situation: Situation, host: Host) -> Opt
 /// Returns a series damping, N s/m, with which the loop does not chatter. Returns `None` if the series path is damped or absent, or if no
 /// tried damping suffices.
 ///
-/// The reason for the search is that the internal mass oscillates on an undamped series spring.
+/// The search is needed because the internal mass oscillates on an undamped series spring.
 pub(super) fn calming(params: &Params, turning: &Turning, host: Host) -> Option<f64> {
     let [stiffness, mass, damping] =
         [number!("series_stiffness"), number!("internal_mass"), number!("series_damping")].map(|n| params.number(n));

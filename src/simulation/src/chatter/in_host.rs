@@ -8,18 +8,18 @@ use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Fault, Model, Params};
 
-/// Gain from which on a disturbance changes sign at every step.
+/// Gain from which on a disturbance of the velocity changes sign at every step of the host.
 pub const RINGS: f64 = 1.0;
-/// Gain from which on a disturbance does not decay.
+/// Gain from which on a disturbance of the velocity does not decay.
 pub const GROWS: f64 = 2.0;
 
-/// Smallest fraction of the gain that must disappear without an element for this element to count as the cause.
+/// Smallest fraction of the gain that must disappear if an element is disabled, for this element to count as the cause of the chatter.
 pub(super) const ITS_DOING: f64 = 0.3;
 
 /// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
-    /// Largest gain over all situations and motions.
+    /// Largest gain (h/m)(∂F/∂v + h ∂F/∂x) over all situations and motions, with the host's step h and mass m.
     pub gain: f64,
     /// Velocity at the largest gain, m/s.
     pub velocity: f64,
@@ -31,8 +31,8 @@ pub struct Chatter {
     pub situation: Situation,
     /// Longest step found without chatter, s, or `None` if none was found.
     pub quiet_step: Option<f64>,
-    /// Element that causes the chatter, and the gain without this element. It causes most of the gain, or the host loop is quiet without
-    /// it. `None` if no single element is the cause.
+    /// Element that causes the chatter, and the gain without this element. Without it, the gain is smaller by at least 30 %, or the host
+    /// loop does not chatter. `None` if no single element is the cause.
     pub element: Option<(Element, f64)>,
     /// Result of the host loop if the loop chatters.
     pub turning: Option<Turning>,
@@ -40,11 +40,11 @@ pub struct Chatter {
     pub calming: Option<f64>,
 }
 
-/// Checks a damper in a host about the middle of its stroke. Also checks it at other positions, in its stops, under side force and in the
-/// cold, if these affect the damper.
+/// Checks a damper in a host for chatter, about the middle of its stroke. Also checks it at other positions, in its stops, under side force
+/// and in the cold, if these conditions affect the damper.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
     let model = Model::new(params)?;
     let usual = largest(&model, Situation::REFERENCE, host);
@@ -82,7 +82,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
             };
             on.filter(is_quiet).find_map(without)
         });
-    // Solve g = (h c + h² k)/m = 1 for h.
+    // Solve g = (h c + h² k)/m = 1 for the step h. Here c = ∂F/∂v, k = ∂F/∂x, and m is the mass of the host.
     let (c, k) = (output.d_force_d_velocity.max(0.0), output.d_force_d_displacement.max(0.0));
     let quiet_step =
         if k > 0.0 { 2.0 * host.mass / (c + (c * c + 4.0 * k * host.mass).sqrt()) } else { host.mass / c.max(1e-9) };

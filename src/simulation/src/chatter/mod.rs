@@ -8,8 +8,8 @@
 //!
 //! multiplies a small disturbance of the velocity by 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). For g below 1 the disturbance decays smoothly.
 //! For g from 1 to 2 it changes sign at every step and decays. Beyond 2 it grows until a nonlinearity limits it. Friction, for example,
-//! then alternates between its two levels forever. The derivatives are those of the kernel's step of length h. Thus, a series spring and
-//! presliding friction reduce them.
+//! then alternates between its two levels forever. The derivatives are those of one step of length h of the model (`dashpot_core::step`).
+//! Thus, a series spring and presliding friction reduce them.
 //!
 //! | module | what |
 //! |---|---|
@@ -20,7 +20,7 @@
 //! | [`chatter`] | full check of one damper, and the element that causes chatter |
 //! | [`mod@softened`] | replacement of friction that chatters |
 //! | [`Ready`] | damper checked in a host and prepared for it |
-//! | `told` | messages |
+//! | `describe` | messages |
 
 mod describe;
 mod gain;
@@ -42,10 +42,10 @@ pub use softened::{Softened, Softer, softened};
 
 use dashpot_core::Params;
 
-/// Returns the remarks for an export of a damper.
+/// Returns the remarks for the export of a damper to a host.
 ///
-/// They report chatter in this host, and an internal mass whose oscillation the step does not resolve. There are none if the damper cannot
-/// be checked.
+/// The remarks report chatter in this host, and an internal mass whose oscillation the host's step does not resolve. There are no remarks
+/// if the damper cannot be checked.
 pub fn remarks(params: &Params, host: Host) -> Vec<String> {
     Ready::prepare(params, host.step, host.mass, None).map(|ready| ready.remarks()).unwrap_or_default()
 }

@@ -29,7 +29,7 @@ pub enum HostError {
     /// The kernel rejects the parameters.
     #[error("{0}")]
     Rejected(&'static str),
-    /// In a damper over a setting, friction chatters.
+    /// The damper depends on a setting, and its friction chatters at one of the settings.
     #[error(
         "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
     )]
@@ -49,9 +49,9 @@ pub struct Ready {
     pub host: Host,
     /// Chatter of the damper in this host.
     pub chatter: Chatter,
-    /// Replacements of friction for this host, or `None` without a replacement.
+    /// Replacements of friction for this host. `None` if no friction was replaced.
     pub softened: Option<Softened>,
-    /// Whether the user requested the replacement.
+    /// Whether the user requested that friction be replaced.
     asked: bool,
 }
 
@@ -85,10 +85,11 @@ pub struct Figures {
 }
 
 impl Ready {
-    /// Checks the damper in a host with this step, s, and mass, kg. With `for_step`, replaces friction that chatters at that step.
+    /// Checks the damper in a host with this step, s, and mass, kg. If `for_step`, s, is given, it is the step of the host, and friction
+    /// that chatters at this step is replaced.
     ///
     /// # Errors
-    /// The damper cannot be checked: [`HostError`].
+    /// Returns a [`HostError`] if the damper cannot be checked.
     pub fn prepare(
         params: &Params,
         host_step: f64,
@@ -114,8 +115,8 @@ impl Ready {
     /// Checks the damper at each value of its setting, or once if it is an ordinary damper.
     ///
     /// # Errors
-    /// The errors of [`Ready::prepare`], and [`HostError::OverSetting`] if friction would have to be replaced at a setting. A replacement
-    /// would lose the numbers of the friction at the other settings.
+    /// Returns the errors of [`Ready::prepare`]. Also returns [`HostError::OverSetting`] if friction would have to be replaced at a
+    /// setting, because a replacement would lose the friction parameters at the other settings.
     pub fn prepare_at_settings(
         definition: &Definition,
         host_step: f64,
@@ -137,7 +138,7 @@ impl Ready {
         }
     }
 
-    /// Describes the replacements and the chatter.
+    /// Describes the replacements of friction, the chatter, and an internal mass whose oscillation the step does not resolve.
     pub fn messages(&self) -> Vec<String> {
         let mut lines = self.replaced();
         lines.push(self.chatter.describe(self.host, self.asked));
@@ -145,7 +146,7 @@ impl Ready {
         lines
     }
 
-    /// Describes the replacements.
+    /// Describes the replacements of friction.
     pub fn replaced(&self) -> Vec<String> {
         self.softened.iter().map(Softened::describe).collect()
     }
@@ -164,23 +165,25 @@ impl Ready {
         }
     }
 
-    /// Describes an internal mass whose oscillation the step does not resolve.
+    /// Describes an internal mass whose oscillation the step does not resolve. Returns `None` if there is none, or if the step resolves the
+    /// oscillation.
     fn unfollowed(&self) -> Option<String> {
         prepared(&self.params).ok().and_then(|model| followed::remark(&model, self.host.step))
     }
 
-    /// Describes the stiffness of the states for hosts that integrate them. Returns `None` if explicit steps of 1 ms are stable.
+    /// Describes the stiffness of the damper's states for hosts that integrate the states. Returns `None` if explicit steps of 1 ms are
+    /// stable.
     ///
     /// # Errors
-    /// The parameters do not form a valid model.
+    /// Returns an error if the parameters do not form a valid model.
     pub fn stiffness(&self) -> Result<Option<String>, NoModel> {
         Ok(stiffness::remark(&prepared(&self.params)?))
     }
 
-    /// Returns the figures of the check.
+    /// Returns the results of the check as numbers.
     ///
     /// # Errors
-    /// The parameters do not form a valid model.
+    /// Returns an error if the parameters do not form a valid model.
     pub fn figures(&self) -> Result<Figures, NoModel> {
         let (chatter, softened) = (&self.chatter, self.softened.as_ref());
         let model = prepared(&self.params)?;

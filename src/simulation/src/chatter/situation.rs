@@ -19,7 +19,7 @@ const FURTHEST: f64 = 0.3;
 /// Operating conditions of a damper: position in the stroke, side force and temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Situation {
-    /// Middle of the motion, m.
+    /// Displacement in the middle of the motion, m.
     pub place: f64,
     /// Side force, N.
     pub side_force: f64,
@@ -31,7 +31,7 @@ impl Situation {
     /// Middle of the stroke, without side force, at the typical temperature of a rig.
     pub const REFERENCE: Situation = Situation { place: 0.0, side_force: 0.0, temperature: 20.0 };
 
-    /// Returns the reference, and all other conditions that change the derivatives of this damper.
+    /// Returns the reference situation, and all other situations that change the derivatives of this damper.
     pub(super) fn all(params: &Params, model: &Model) -> Vec<Situation> {
         let mut all = vec![Situation::REFERENCE];
         if params.is_on(element!("side_force_friction")) {
@@ -73,7 +73,8 @@ impl Situation {
     }
 }
 
-/// Returns the displacement, m, at which the stop of one side reaches [`STOP_FORCE`], at most [`FURTHEST`] from the middle.
+/// Returns the displacement, m, at which the stop of one side reaches [`STOP_FORCE`], at most [`FURTHEST`] from the middle of the stroke.
+/// `side` is 1 for rebound and −1 for compression.
 fn in_the_stop(model: &Model, side: f64) -> f64 {
     let force = |depth: f64| model.static_output(&Input::motion(side * depth, 0.0)).stop_force.abs();
     let (mut low, mut high) = (0.0, FURTHEST);

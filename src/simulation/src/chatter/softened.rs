@@ -20,7 +20,7 @@ pub(super) const FRICTION: [(Element, Number); 2] = [
 pub struct Softened {
     /// Parameters of the damper after the replacement.
     pub params: Params,
-    /// Replacement of each friction that chattered.
+    /// Change of each friction element that chattered.
     pub softer: Vec<Softer>,
     /// Root mean square difference of the force over the compared motions, N.
     pub rms_error: f64,
@@ -30,30 +30,30 @@ pub struct Softened {
     pub gain: f64,
 }
 
-/// Replacement of one friction.
+/// Change of one friction element.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Softer {
     /// Presliding friction replaces the element.
     Replaced {
-        /// The element.
+        /// The replaced element.
         element: Element,
         /// Force of the presliding friction, N. It covers all elements that the presliding friction replaces.
         force: f64,
         /// Length over which the presliding friction reverses, m.
         length: f64,
     },
-    /// Smaller steepness of the side-force friction at the change of its sign, s/m. Presliding friction cannot replace this friction,
-    /// because its force depends on the side force from the host.
+    /// The steepness of the side-force friction at zero velocity is reduced, s/m. Presliding friction cannot replace this friction, because
+    /// its force depends on the side force from the host.
     LessSteep {
-        /// Steepness before.
+        /// Steepness before the reduction.
         before: f64,
-        /// Steepness after.
+        /// Steepness after the reduction.
         after: f64,
     },
 }
 
 impl Softer {
-    /// Returns the differences between a damper and its softened version.
+    /// Returns the friction elements in which a damper and its softened version differ.
     fn all(before: &Params, soft: &Params) -> Vec<Softer> {
         let (force, length) = (soft.number(number!("presliding_force")), soft.number(number!("presliding_length")));
         let replaced = FRICTION.iter().filter(|(element, _)| before.is_on(*element) && !soft.is_on(*element));
@@ -80,11 +80,13 @@ impl Softer {
 /// It is the longest tried length. Shorter lengths are closer to friction that reverses instantaneously. So the length is halved while the
 /// gain stays below [`QUIET`] or does not rise.
 const LENGTH: f64 = 2e-4;
-/// Largest gain at which presliding friction counts as safely free of chatter.
+/// Largest gain at which presliding friction counts as safely free of chatter. Below this gain, a shorter length is tried even if the gain
+/// rises.
 const QUIET: f64 = 0.3;
-/// Longest step for the comparison of the dampers before and after the replacement, s.
+/// Longest step for the comparison of the dampers before and after the replacement, s. Slow motions use longer steps, so that no motion has
+/// more than 24 000 steps.
 const FINE: f64 = 1e-4;
-/// Largest number of elements that are replaced: those whose friction reverses instantaneously.
+/// Largest number of friction elements that are replaced or made less steep: those whose force changes its sign steeply.
 const MOST: usize = FRICTION.len() + 1;
 
 /// Replaces steep friction that chatters by presliding friction, and reduces the steepness of side-force friction that chatters.
@@ -93,7 +95,7 @@ const MOST: usize = FRICTION.len() + 1;
 /// while the replaced friction jumps.
 ///
 /// # Errors
-/// The parameters do not form a valid model.
+/// Returns an error if the parameters do not form a valid model.
 pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> {
     let mut soft = *params;
     for _ in 0..MOST {
@@ -192,8 +194,8 @@ fn presliding_instead(
     Ok(())
 }
 
-/// Halves the steepness of side-force friction until it causes no chatter in a situation. Returns `false` if the lower bound of the
-/// steepness prevents this.
+/// Halves the steepness of side-force friction until it causes no chatter in a situation. Returns `false` if the steepness reaches its
+/// lower bound before.
 fn less_steep(soft: &mut Params, situation: Situation, host: Host) -> Result<bool, Fault> {
     let steepness = number!("side_force_steepness");
     let mut without = *soft;

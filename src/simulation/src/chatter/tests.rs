@@ -7,7 +7,7 @@ use dashpot_core::{element, list, number};
 
 fn steep() -> Params {
     let mut params = Params::new();
-    // Without gas force, the equilibrium of the host's mass depends only on the spring of the host.
+    // Without gas force, the equilibrium position of the host's mass depends only on the host's spring.
     for off in [element!("stribeck_friction"), element!("series_compliance"), element!("gas_preload")] {
         params.enable(off, false);
     }

@@ -32,14 +32,14 @@ pub struct Car {
     pub motion_ratio: f64,
 }
 
-/// Number of a vehicle with its name and unit, for files and reports.
+/// Parameter of a vehicle with its name and unit, for files and reports.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarValue {
     /// Name of the number in a file.
     pub name: &'static str,
     /// Value of the number, in `unit`.
     pub value: f64,
-    /// Unit.
+    /// Unit of `value`.
     pub unit: &'static str,
 }
 
@@ -74,7 +74,8 @@ pub enum CarError {
 }
 
 impl Car {
-    /// Reads a vehicle from a file of `name = number` lines in SI units. The passenger car supplies the numbers that the file omits.
+    /// Reads a vehicle from a file of `name = number` lines in SI units. The passenger car ([`Car::default`]) supplies the numbers that the
+    /// file omits.
     ///
     /// # Errors
     /// Returns a [`CarError`] with the line.
@@ -225,7 +226,7 @@ impl Car {
         let mut wheel = [0.0; 4];
         for i in 0..4 {
             let ([x, y], axle, other) = (self.place(i), i / 2, i ^ 1);
-            // This force lifts the body and presses the wheel down.
+            // The force `lift` lifts the body and presses the wheel down.
             let lift = -self.spring[axle] * stroke[i] - self.anti_roll[axle] * (stroke[i] - stroke[other]) - damper[i];
             let load = (self.load(i) + self.tyre * (road[i] - body.wheel[i])).max(0.0);
             wheel[i] = (load - self.load(i) - lift) / self.unsprung_mass;
@@ -283,7 +284,7 @@ impl Car {
 mod tests {
     use super::*;
 
-    /// Free oscillations lose the energy that the dampers absorb, up to an error of the order of the step.
+    /// Checks that free oscillations lose the energy that the dampers absorb, up to an error of the order of the step.
     #[test]
     fn energy_goes_where_the_dampers_take_it() {
         let car = Car::default();
@@ -314,7 +315,7 @@ mod tests {
         assert!(body.position.iter().chain(&body.wheel).all(|x| x.abs() < 1e-12), "{body:?}");
     }
 
-    /// In steady cornering, the yaw rate is that of the linear single-track model, and the body rolls outward.
+    /// Checks that the yaw rate in steady cornering is that of the linear single-track model, and that the body rolls outward.
     #[test]
     fn steady_cornering_is_that_of_the_single_track_model() {
         let (car, mut body) = (Car::default(), Body::default());

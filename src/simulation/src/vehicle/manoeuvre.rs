@@ -116,7 +116,7 @@ impl Manoeuvre {
                 }
             }
             Manoeuvre::Track => {
-                // The height of the road increases gradually, so that the vehicle starts at rest.
+                // The height of the road increases over 2 s, so that the vehicle starts at rest.
                 road.height(distance, side) * (time / 2.0).min(1.0)
             }
             Manoeuvre::StepSteer | Manoeuvre::SineSteer => 0.0,

@@ -61,8 +61,8 @@ pub enum VehicleError {
     Unstable(f64, TooFast),
 }
 
-/// Four dampers behind the interface of a simulator, which receives a motion and returns a force at each step. Extension and tension are
-/// positive.
+/// Four dampers behind the interface of a simulator. At each step, the interface receives a motion and returns a force. Extension and
+/// tension are positive.
 pub trait Dampers {
     /// Sets all dampers to equilibrium at displacement 0. Returns their static forces, N.
     fn rest(&mut self) -> [f64; 4];
@@ -73,7 +73,7 @@ pub trait Dampers {
     fn step(&mut self, dt: f64, motion: [[f64; 2]; 4]) -> [[f64; 2]; 4];
 }
 
-/// Dampers that the kernel simulates.
+/// Dampers that `dashpot_core` simulates.
 struct Kernels<'a> {
     models: [&'a Model; 4],
     states: [State; 4],
@@ -106,7 +106,7 @@ impl Dampers for Kernels<'_> {
 /// Simulates a maneuver at a fixed step with the dampers L1, R1, L2, R2 of these models.
 ///
 /// # Errors
-/// The step is out of range, or the vehicle becomes unstable.
+/// Returns an error if the step is out of range, or if the vehicle becomes unstable.
 pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Result<Run, VehicleError> {
     run_with(car, manoeuvre, &mut Kernels::new(models), dt)
 }
@@ -114,7 +114,7 @@ pub fn run(car: &Car, manoeuvre: Manoeuvre, models: [&Model; 4], dt: f64) -> Res
 /// Simulates a maneuver with dampers of any kind, such as the dampers behind the simulator bridge.
 ///
 /// # Errors
-/// The step is out of range, or the vehicle becomes unstable.
+/// Returns an error if the step is out of range, or if the vehicle becomes unstable.
 pub fn run_with(car: &Car, manoeuvre: Manoeuvre, dampers: &mut impl Dampers, dt: f64) -> Result<Run, VehicleError> {
     if !(SHORTEST_STEP..=5e-3).contains(&dt) {
         return Err(VehicleError::Step(dt));
@@ -145,7 +145,8 @@ fn told_every(
         car.step(&mut body, dt, manoeuvre.speed(), manoeuvre.steer(time), heights, held);
         let motion: [[f64; 2]; 4] = std::array::from_fn(|i| car.stroke(&body, i).map(|stroke| ratio * stroke));
         if !motion.iter().all(|[displacement, velocity]| velocity.abs() < 50.0 && displacement.abs() < 1.0) {
-            // Use the slope of moving dampers. The slope of friction is steeper, but the friction force is bounded.
+            // Use the slope of moving dampers. The slope of friction is steeper, but cannot cause instability, because the friction force
+            // is bounded.
             let slope = coupling_moving * car.unsprung_mass / dt;
             return Err(VehicleError::Unstable(time, too_fast(car, slope, dt)));
         }
@@ -178,9 +179,10 @@ pub struct Quiet {
     pub runs: [Run; 2],
 }
 
-/// Target of the coupling ratio c h/m for the shorter step. With this ratio, an oscillation decays within a few steps.
+/// Coupling ratio c h/m at which the shorter step is chosen. With this ratio, an oscillation decays within a few steps.
 const QUIET: f64 = 0.5;
-/// Largest number of substeps of a host step. A curve that still chatters contains a jump, for which no step is short enough.
+/// Largest number of substeps of a host step. A damper that still chatters with these substeps has a jump in its FV curve, for which no
+/// step is short enough.
 const MOST_PARTS: f64 = 64.0;
 
 /// Simulates both sets of dampers again in shorter steps if one of the `runs` at `dt` chatters. Returns `None` if neither run chatters.
@@ -188,7 +190,7 @@ const MOST_PARTS: f64 = 64.0;
 /// The difference between the new runs comes from the dampers and not from the step of the coupling.
 ///
 /// # Errors
-/// The vehicle becomes unstable.
+/// Returns an error if the vehicle becomes unstable.
 pub fn without_chatter(
     car: &Car,
     manoeuvre: Manoeuvre,
@@ -227,7 +229,7 @@ mod tests {
         a.iter().zip(&b).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs())) / peak
     }
 
-    /// Runs with steps from 2 to 0.25 ms agree. Shorter steps agree better.
+    /// Checks that runs with steps of 2 and 0.25 ms converge toward a run with a finer step.
     #[test]
     fn runs_converge_with_the_step() {
         for manoeuvre in [Manoeuvre::Bump, Manoeuvre::Track] {
@@ -258,8 +260,8 @@ mod tests {
         assert!(last.corner[0].displacement > 0.005 && last.corner[1].displacement < -0.005);
     }
 
-    /// Friction determines the largest slope. The curve determines the slope in motion: its steepest slope times the step divided by the
-    /// wheel mass.
+    /// Checks that the FV curve determines the coupling ratio in motion: its slope at the wheel times the step divided by the wheel mass.
+    /// The largest coupling ratio is larger, because friction determines it.
     #[test]
     fn the_slope_in_motion_is_that_of_the_curve() {
         let run = drive(Manoeuvre::Track, 1e-3);
@@ -277,9 +279,9 @@ mod tests {
         }
     }
 
-    /// A curve with a friction jump chatters in steps of a millisecond.
+    /// A curve with a friction jump chatters in steps of 1 ms.
     ///
-    /// In short steps, the damper does not chatter, and both runs have samples at the same instants.
+    /// Checks that the damper does not chatter in the shorter steps, and that both runs have samples at the same instants.
     #[test]
     fn a_steep_curve_is_driven_without_its_chatter() {
         let mut steep = Params::new();

@@ -2,7 +2,8 @@
 //!
 //! The cause is a part of the vehicle with too high a frequency for the step, or a damper whose FV curve is too steep.
 //!
-//! Consider a mass m on a stiffness k in semi-implicit steps h. The force of its damper with slope c is the force of the preceding step.
+//! Consider a mass m on a stiffness k in semi-implicit steps h. In each step, its damper with the slope c has the force of the preceding
+//! step.
 //! The motion
 //!
 //! ```text
@@ -73,9 +74,10 @@ impl Way {
 }
 
 impl Car {
-    /// Returns whether a disturbance grows in steps of this length.
+    /// Returns whether a disturbance of the vehicle grows in steps of `step`, s.
     ///
-    /// `slope` is the derivative of the damper forces with respect to velocity at the wheel, N s/m. The forces are constant over a step.
+    /// `slope` is the derivative of the damper forces with respect to velocity at the wheel, N s/m. The damper forces are constant over a
+    /// step.
     fn swings_up(&self, slope: f64, step: f64) -> bool {
         // The disturbance excites all modes. It is so small that every tire stays on the road.
         let mut body = Body { position: [1e-9, 2e-9, 3e-9], wheel: [1e-9, -2e-9, 3e-9, -5e-9], ..Body::default() };
@@ -92,7 +94,7 @@ impl Car {
         false
     }
 
-    /// Returns all oscillation modes for dampers with this slope at the wheel, N s/m.
+    /// Returns all oscillation modes for dampers with the derivative `slope` at the wheel, N s/m.
     fn ways(&self, slope: f64) -> Vec<Way> {
         const SPRING: [&str; 2] = ["front_spring", "rear_spring"];
         const ANTI_ROLL: [&str; 2] = ["front_anti_roll", "rear_anti_roll"];
@@ -137,7 +139,7 @@ impl Car {
     }
 }
 
-/// Finds the cause if a vehicle becomes unstable in steps of this length.
+/// Finds the cause if a vehicle becomes unstable in steps of `step`, s.
 ///
 /// `slope` is the largest derivative of the damper forces with respect to velocity at the wheel, N s/m.
 pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
@@ -162,7 +164,7 @@ pub fn too_fast(car: &Car, slope: f64, step: f64) -> TooFast {
     TooFast { blame, step, longest: ROOM * quiet }
 }
 
-/// Rounds a step down to two digits.
+/// Rounds a step down to two significant digits.
 fn shorter(step: f64) -> f64 {
     let digit = libm::pow(10f64, libm::log10(step).floor() - 1.0);
     (step / digit).floor() * digit
@@ -228,9 +230,9 @@ mod tests {
         }
     }
 
-    /// Checks that the reported part is the part that the test made too fast.
+    /// Checks that the reported part is the part that the test made too fast for the step.
     ///
-    /// The vehicle is stable with the reported step. With a slightly longer step, a disturbance grows.
+    /// The vehicle must be stable with the reported step. With a step slightly above the stability limit, a disturbance must grow.
     #[test]
     fn the_part_that_is_too_fast_is_named_with_the_longest_step() {
         let usual = Car::default();

@@ -4,7 +4,7 @@ use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "wear_step", laws: &[("cracked_disc", cracked_disc as Make)] };
 
-/// Increased flow through the valves of one stroke after some time.
+/// Increased flow through the valves of one stroke, from a random time of the campaign on.
 struct CrackedDisc {
     more: f64,
     from: f64,

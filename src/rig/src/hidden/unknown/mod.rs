@@ -1,5 +1,5 @@
 //! Effects outside of all catalogs of damper models. They occur on real rigs or in dampers, and the correct diagnosis
-//! is "none of these".
+//! is an unnamed missing effect.
 
 mod crosshead_tilt;
 mod hose_resonance;

@@ -4,7 +4,7 @@ use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["bursts"];
-/// Length of a time slot, s. The clock determines the bursts, so their rate does not depend on the test.
+/// Length of a time slot, s. The campaign clock determines the bursts, so their rate does not depend on the test.
 const SLOT_S: f64 = 0.25;
 
 struct Bursts {
