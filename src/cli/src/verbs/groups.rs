@@ -11,10 +11,11 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
-/// Largest number of listed changes of a group.
+/// Largest number of changes that the text lists for a group.
 const TOLD: usize = 3;
 
-/// Returns the changes with the largest force, which are the first in the list. The report and --json contain all changes.
+/// Returns at most [`TOLD`] changes with the largest force. `changed` is sorted by force, largest first. The report and --json contain all
+/// changes.
 fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }

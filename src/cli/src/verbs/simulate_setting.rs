@@ -70,7 +70,7 @@ impl Commands {
     /// Chooses between the option `--setting`, the motion's own setting, and the start setting of the model file.
     ///
     /// # Errors
-    /// Both the option and a column of the motion have a setting, or the column has another unit than the model.
+    /// Both the option and a column of the motion have a setting, or the setting that applies has another unit than the model.
     pub fn choose(
         (model, axis): (&Path, &Axis),
         (motion, own): (&Path, Option<&MotionSetting>),
