@@ -24,7 +24,7 @@ fn computed(harness: &mut Harness<'_, App>) {
     });
 }
 
-/// Returns the error of a test, %.
+/// Returns the mean error of the model on screen over a test, in percent of the test's largest force.
 fn error(harness: &Harness<'_, App>, name: &str) -> f64 {
     let session = &harness.state().session;
     let records = &session.campaign.as_ref().unwrap().campaign.records;

@@ -71,10 +71,11 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Largest number of points of all lines, so that a frame is drawn quickly (`POINTS`). A single line has at most `MOST` points, and the
-/// limit never falls below `LEAST`.
+/// Number of points that three lines of each selected test share, so that a frame is drawn quickly. A line is thinned to its part of them.
 const POINTS: usize = 24_000;
+/// Largest number of points of a line, however few tests are selected.
 const MOST: usize = 600;
+/// Number of points that a line may have, however many tests are selected.
 const LEAST: usize = 60;
 /// Largest number of tests for which the loop with an additional effect is drawn. The loops are computed within a frame, and each takes a
 /// millisecond.

@@ -83,7 +83,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
-/// Formats a number for the edge of a small table.
+/// Formats an amplitude, a velocity or a frequency as the heading of a row or column, with three digits.
 fn short(value: f64, w: &Words) -> String {
     w.of.words().number(&dashpot_report::numbers::digits(value, 3))
 }
