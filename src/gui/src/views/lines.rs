@@ -71,7 +71,7 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Number of points that three lines of each selected test share, so that a frame is drawn quickly. A line is thinned to its part of them.
+/// Number of points of all lines together, so that a frame is drawn quickly. Lines are thinned for three lines of each selected test.
 const POINTS: usize = 24_000;
 /// Largest number of points of a line, however few tests are selected.
 const MOST: usize = 600;
