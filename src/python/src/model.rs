@@ -181,7 +181,7 @@ impl Model {
         Ok(PyArray1::from_vec(py, forces))
     }
 
-    /// Simulates a motion, resampled at `step`, s, if it is given. Returns times, displacements, velocities and forces.
+    /// Simulates a motion, resampled at `step`, s, if it is given. Returns times, s, displacements, m, velocities, m/s, and forces, N.
     #[pyo3(signature = (time, displacement, velocity, side_force, temperature, initial_position, step, progress=None))]
     #[allow(clippy::too_many_arguments, clippy::type_complexity)]
     fn simulate<'py>(

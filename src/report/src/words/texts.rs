@@ -10,7 +10,7 @@ dashpot_messages::interface! {
         pub code: &'static str,
         pub(super) catalog: &'static Catalog,
         ;
-        // The page.
+        // Controls and help of the HTML page.
         decimal_sign,
         note,
         all_tests_shown,
@@ -23,7 +23,7 @@ dashpot_messages::interface! {
         save_about,
         sort_help,
         printed_brief,
-        // Figures.
+        // Titles, axes and legends of figures.
         measured,
         model,
         fv_curve,
@@ -88,7 +88,7 @@ dashpot_messages::interface! {
         parameters_section,
         parameters_range,
         made_section,
-        // Tables.
+        // Columns, rows and captions of tables.
         col_tests,
         col_number,
         col_force_of,
@@ -141,7 +141,7 @@ dashpot_messages::interface! {
         assumed_dimensions(source),
         assumed_default,
         assumed_held,
-        // Single tests.
+        // Sentences about single tests.
         notes_of_test,
         motion_periodic(amplitude frequency velocity cycles),
         motion_other(velocity),
@@ -224,7 +224,7 @@ dashpot_messages::interface! {
         against_caption,
         col_model,
         col_meaning,
-        // Limits.
+        // Limits, and the certificate.
         certificate_title,
         certificate_subtitle(data limits),
         certificate_section,
@@ -270,7 +270,7 @@ dashpot_messages::interface! {
         col_bytes,
         made_all(count hash),
         made_files,
-        // Manoeuvres.
+        // The report of a manoeuvre.
         manoeuvre_title(name),
         manoeuvre_subtitle(model step),
         manoeuvre_answer(force curve corner difference share),
@@ -459,7 +459,7 @@ dashpot_messages::interface! {
         changed_caption,
         col_change,
         shifts_caption,
-        // Loops.
+        // Loops before and after a diagnosis.
         loops_section,
         more_loops_section,
         loops_about,
@@ -472,7 +472,7 @@ dashpot_messages::interface! {
         map_before_caption,
         map_after_caption,
         mean_cycles_rule,
-        // Tested hypotheses.
+        // Hypotheses that a diagnosis tested.
         tried_section,
         tried_about,
         col_form,
@@ -499,7 +499,7 @@ dashpot_messages::interface! {
         // Parameters of the improved model.
         source_refitted,
         source_added(effect),
-        // Many dampers.
+        // The report on groups of dampers.
         groups_title,
         groups_subtitle(model reference),
         groups_section,
