@@ -25,8 +25,8 @@ pub struct Diagnosed {
     /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
     /// errors.
     pub over_whole_records: OfDiagnosis,
-    /// Note on the measurement errors that the model's fit found in its own records. It states whether these records
-    /// were corrected.
+    /// Note on the measurement errors that the model's fit found in its own records. It states whether the diagnosed
+    /// records were corrected.
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,

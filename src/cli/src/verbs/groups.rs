@@ -1,4 +1,4 @@
-//! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with its reference.
+//! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with a reference.
 
 use crate::plural::count_tests;
 use dashpot_diagnosis::Change;

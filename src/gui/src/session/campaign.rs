@@ -12,8 +12,8 @@ use std::path::PathBuf;
 pub struct Loaded {
     /// Files and folders that the user opened.
     pub paths: Vec<PathBuf>,
-    /// The common folder of the records, or `None` if they have none. It is determined during reading, because the folder may disappear
-    /// later.
+    /// The common folder of the records, or `None` if they lie in several folders. It is determined during reading, because the folder
+    /// may disappear later.
     pub folder: Option<PathBuf>,
     /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,

@@ -368,7 +368,7 @@ impl Session {
         changed
     }
 
-    /// Requests the forces of the current model. If `quick` is set, one cycle of each test is simulated.
+    /// Requests the forces of the current model. If `quick` is set, one cycle of each test is simulated, otherwise the whole test.
     pub fn order(&mut self, quick: bool) {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
         let dampers = model.dampers(model.params(), self.own_settings);

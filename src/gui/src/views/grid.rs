@@ -19,7 +19,7 @@ const UPWARDS: f64 = 4.0;
 
 /// Width of a digit in the font of the axes, px, slightly above the width of the widest digit.
 const DIGIT: f64 = 7.5;
-/// Largest number of decimals of a label. A double of magnitude one has this precision.
+/// Largest number of decimals of a label, because an `f64` of magnitude one has no more significant decimals.
 const MOST_DECIMALS: usize = 15;
 
 /// Gives a plot its two axes, with labels and grid lines. Every number has the decimals that the distance of two numbers on its axis
