@@ -93,11 +93,11 @@ class FitResult(Result):
         names the command that does the same.
 
         :param model: name of the model file, which the workbook mentions.
-        :param language: of the workbook: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: fit again.
+        :param language: language of the workbook: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the workbook. By default it is the date of ``SOURCE_DATE_EPOCH``, or none.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was pickled or made from a dictionary. In the latter case, fit again.
         """
         if self._made_from is None:
             raise figures_alone("dashpot.fit", "was pickled or made from a dictionary; fit again")
@@ -106,7 +106,7 @@ class FitResult(Result):
             _native.write_fit(os.fspath(path), page("fit", origin, None, language=language, date=date, force=force, name=os.fspath(model)), found)
 
     def __getstate__(self) -> dict[str, Any]:
-        # What the compiled part holds of a fit stays in its process.
+        # The extension module's data of the fit cannot be pickled.
         return {**self.__dict__, "_made_from": None}
 
     def __str__(self) -> str:

@@ -52,7 +52,7 @@ class GroupsDiagnosis(Tables, Result):
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used, of the reference too."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     groups: tuple[Group, ...] = ()
     """Every group but the reference, in the order of their names, or of their numbers where all are."""
     notes: tuple[Note, ...] = field(default=(), metadata={"hidden": True}, compare=False, repr=False)
@@ -78,11 +78,11 @@ class GroupsDiagnosis(Tables, Result):
         Nothing is fitted again; the records are read once more for the hashes that the report says of them. It names the command that makes the
         same, where there is one: of paths or all records of a campaign, and a model that was read from a file or written.
 
-        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
+        :param language: language of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the report. By default it is the date of ``SOURCE_DATE_EPOCH``, or none, so that equal input gives an equal report.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was pickled or made from a dictionary. In the latter case, diagnose again.
         """
         self._write("report", path, language, date, force)
 
@@ -96,7 +96,7 @@ class GroupsDiagnosis(Tables, Result):
         return []
 
     def __getstate__(self) -> dict[str, Any]:
-        # What the compiled part holds of the answers stays in its process.
+        # The extension module's data of the diagnoses cannot be pickled.
         return {**self.__dict__, "_made_from": None}
 
     def _title(self) -> str:

@@ -55,7 +55,7 @@ class HostCheck(Result, Generic[_Model]):
     def ready(self) -> _Model:
         """The damper as the host gets it: with ``for_step_s`` without the friction that would chatter, else as it was.
 
-        :raises ValueError: of a result that was made from a dictionary, which holds no model.
+        :raises ValueError: if this result was made from a dictionary, which contains no model.
         """
         if self._ready is None:
             raise ValueError("the damper is kept by Model.check alone, not by a result made from a dictionary")

@@ -76,10 +76,10 @@ def fit(
     :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,
         which no host runs, are identified by :func:`fit_literature`.
     :param elements: elements that the fit may use; all of the model's if not given.
-    :param hold_out: tests to leave out, by name; ``*`` stands for anything.
+    :param hold_out: names of tests to leave out; ``*`` matches any text.
     :param dimensions: path of a TOML file with the dimensions of the damper, which make priors of what follows from them; the command's ``--dimensions``.
-    :param progress: is told the share done and what is being done.
-    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
     :raises FitError: where no model can be fitted to these records.
     """
     wanted = None if elements is None else words(elements)
@@ -152,8 +152,8 @@ def diagnose(
     :param candidates: effects that may be named; all if not given.
     :param seed: chooses which tests are left out.
     :param dimensions: path of a TOML file with the dimensions of the damper, which narrow the priors; the command's ``--dimensions``.
-    :param progress: is told the share done and what is being done.
-    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
     :raises DiagnosisError: where there is nothing to look at.
     """
     own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
@@ -204,7 +204,7 @@ def diagnose_groups(
     :param max_effects: most effects to add.
     :param candidates: effects that may be named; all if not given.
     :param seed: chooses which tests no refit sees.
-    :param progress: is told the share done and what is being done.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
     :param reading: how paths are read: arguments of :meth:`Campaign.read`.
     :raises RecordError: for the first file that cannot be read or trusted.
     :raises DiagnosisError: where the data are not split so, or a group cannot be diagnosed.

@@ -43,7 +43,7 @@ class LiteratureModel(Result):
     def text(self) -> str:
         """Its file, which is no model file of dashpot.
 
-        :raises ValueError: of a result that was made from a dictionary.
+        :raises ValueError: if this result was made from a dictionary.
         """
         if self._text is None:
             raise figures_alone("dashpot.fit_literature", "was made from a dictionary; fit again")
@@ -52,10 +52,10 @@ class LiteratureModel(Result):
     def write(self, path: Path, *, force: bool = False) -> None:
         """Writes its file, whole or not at all, to the bytes of ``dashpot fit --model``.
 
-        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
-        :raises OutputError: where it cannot.
-        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
-        :raises ValueError: of a result that was made from a dictionary.
+        :param force: replaces an existing file, even one of another kind or a write-protected file.
+        :raises OutputError: if the file cannot be written.
+        :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
+        :raises ValueError: if this result was made from a dictionary.
         """
         write_new(path, self.text, force)
 
@@ -71,8 +71,8 @@ def fit_literature(
     :param campaign: a :class:`Campaign`, or some of its records.
     :param name: ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"`` or ``"network"``. Those that a host can run (``"fv"``,
         ``"piecewise"``, ``"lag"``) are families of :func:`fit`.
-    :param hold_out: tests to leave out, by name; ``*`` stands for anything.
-    :param progress: is told the share done and what is being done.
+    :param hold_out: names of tests to leave out; ``*`` matches any text.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
     :raises FitError: where there is no such model, or none can be fitted to these records.
     """
     with watched(progress) as told:

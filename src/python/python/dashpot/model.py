@@ -78,7 +78,7 @@ class Response(Result):
         return frame(self._columns())
 
     def to_xarray(self) -> xarray.Dataset:
-        """The channels over time, with their units. Needs xarray."""
+        """Returns the channels over time, with their units. Requires xarray."""
         return dataset(
             "time", {"time": (self.time, "s")},
             {"displacement": (self.displacement, "m"), "velocity": (self.velocity, "m/s"), "force": (self.force, "N")},
@@ -187,9 +187,9 @@ class Model:
     def write(self, path: Path, *, force: bool = False) -> None:
         """Writes the model file, whole or not at all. Reports and FMUs call the model by this name from then on.
 
-        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
-        :raises OutputError: where it cannot.
-        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
+        :param force: replaces an existing file, even one of another kind or a write-protected file.
+        :raises OutputError: if the file cannot be written.
+        :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
         """
         write_new(path, self.text, force)
         self._file = self._name = os.fspath(path)
@@ -332,7 +332,7 @@ class Model:
 
         :param time_s: times, s, increasing.
         :param step_s: fixed step, s; the times given if not.
-        :param progress: is told the share done and what is being done.
+        :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
         :raises MotionError: where a number overflows, or position or step cannot be.
         :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
         """
@@ -355,7 +355,7 @@ class Model:
         """Whether the damper chatters in a host that holds its force over a step; as ``dashpot check``.
 
         :param host_step_s: step of the host, s.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
         :param for_step_s: step of a host, s, in place of ``host_step_s``: friction that chatters there is replaced by presliding friction, and
             :attr:`HostCheck.ready` is the damper for that host, to be written or exported.
         :raises ModelError: where step or mass cannot be.
@@ -386,12 +386,12 @@ class Model:
             if not given, 0.4 m, and a note says so.
         :param library: the library to hand out; if not given, those that this package was built with.
         :param host_step_s: step, s, of a program that Adams is coupled to, at which chatter is judged.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
         :param for_step_s: step, s, of such a program: friction that chatters there is replaced by presliding friction.
-        :param force: also over files of another kind, or write-protected ones; the command's ``--force``.
+        :param force: also replaces files of another kind and write-protected files, like the command's ``--force``.
         :returns: what is to be known of it, in sentences.
         :raises ExportError: for a length that no damper has, a step or mass that cannot be, or a library without the routines.
-        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises OutputError: if the output cannot be written, or would replace another file.
         """
         for name, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(name, value)
@@ -411,10 +411,10 @@ class Model:
 
         :param path: where to write; a name that ends in ``.xml`` gets the XML form, which holds the gas preload too.
         :param model_curve: the model's own curve, which is that of its valves without friction, also where there is a plain one of a fit.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
         :returns: whose curve it is, and what is left out, in sentences; the file has them as comments.
         :raises ExportError: where the model has no curve.
-        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises OutputError: if the output cannot be written, or would replace another file.
         """
         _, remarks = _native.export_dpr(self._native, os.fspath(path), os.path.basename(self._name), model_curve, force)
         return _said_of(remarks)
@@ -465,13 +465,13 @@ class Model:
             needs neither compiler nor library.
         :param binaries: library files for further platforms, compiled from this FMU's own sources: ``{"darwin64": "dashpot_damper.dylib"}``.
         :param host_step_s: step of the host, s, at which chatter is judged; what is to be known of it stands on the FMU's page.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
         :param for_step_s: step of a host, s: friction that chatters there is replaced by presliding friction (:meth:`check` says what that changes).
         :param name: name of the model in the FMU.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
         :returns: the platforms that it runs on.
         :raises ExportError: where there is no runtime, the compiler refuses, or a length, step or mass cannot be.
-        :raises OutputError: where it cannot be written, or would take another file's place.
+        :raises OutputError: if the output cannot be written, or would replace another file.
         :raises ValueError: where ``carmaker_length_m``, which sets signs and zero, stands beside what sets them too, or ``model_curve`` stands without it.
         """
         if carmaker_length_m is not None and (four or motion_scale is not None or force_scale is not None or position_offset_m != 0.0):

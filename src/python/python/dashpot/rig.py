@@ -114,11 +114,11 @@ def write_test_matrix(
     :param peak_velocities_m_s: peak velocities, m/s.
     :param frequency_limit_hz: highest frequency that the rig can run, Hz.
     :param slow_tests: whether slow cycles for friction and gas force come last.
-    :param force: overwrite a file that is there, also one of another kind or a write-protected one.
+    :param force: replaces an existing file, even one of another kind or a write-protected file.
     :returns: the number of tests.
     :raises RigError: where a number is none of a rig, or no test is left.
-    :raises OutputError: where it cannot be written.
-    :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
+    :raises OutputError: if the file cannot be written.
+    :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
     """
     text, count = _native.test_matrix(_tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests))
     write_new(path, text, force)

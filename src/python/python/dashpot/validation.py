@@ -158,7 +158,7 @@ class PeakForce(Result):
 class TestValidation(Errors):
     """Every figure of one test."""
 
-    __test__ = False  # no test case of pytest's
+    __test__ = False  # pytest must not collect this class as a test case.
 
     name: str
     amplitude_m: float
@@ -300,7 +300,7 @@ class Validation(Papers, Result):
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
     """The model and those of the literature that it was compared with, where some were named."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
     campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
@@ -330,12 +330,12 @@ class Validation(Papers, Result):
         made, with their hashes, so the records are read once more; of files that are no longer there it says nothing. It names the command that
         makes the same, where there is one: of all records of a campaign, a model that was read from a file or written, and limits of a table.
 
-        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
-        :param full: print all of the report, not its first two pages alone.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was made from a dictionary.
+        :param language: language of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the report. By default it is the date of ``SOURCE_DATE_EPOCH``, or none, so that equal input gives an equal report.
+        :param full: prints the whole report. By default, only its first two pages are printed.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was made from a dictionary.
         """
         self._write("report", path, language, date, force, full)
 
@@ -357,7 +357,7 @@ class Validation(Papers, Result):
         return [held(t)[0] for t in self.tests]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row a test, indexed by its name."""
+        """Returns one row for each test, with the test's name as index."""
         return by_test(self._rows())
 
     def _repr_html_(self) -> str:
