@@ -70,7 +70,7 @@ class SettingReport(Result):
     """Error of an ordinary damper that was fitted to this setting alone."""
     family: SettingError
     left_out: SettingError | None = field(default=None, metadata={"omitted": True})
-    """Error of a family that was fitted to all other settings; None at the ends of the grid."""
+    """Error of a family that was fitted to all other settings; None at the ends of the grid, and if that fit fails."""
     left_out_ratio: float | None = field(default=None, metadata={"omitted": True})
     """Ratio of the error ``left_out`` to the error ``own_fit``."""
 
