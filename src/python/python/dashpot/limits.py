@@ -9,7 +9,7 @@ Velocities are in m/s, extension positive.
 | ``force`` | force at peak velocity, of the largest amplitude that reaches the velocity, interpolated between two near tests of one amplitude |
 | ``gas_force`` | force that pushes the rod out in tests below 6 mm/s |
 | ``friction`` | half the difference between the forces in extension and compression in tests below 6 mm/s |
-| ``hysteresis`` | mean force difference between rising and falling velocity of the test with this peak velocity, or the largest of all tests without a velocity |
+| ``hysteresis`` | mean force difference between rising and falling velocity of the test with this peak velocity; without a velocity, the largest of all tests |
 | ``response_time_up``, ``response_time_down`` | time from a step of the setting until 63 % of the force change, s |
 | ``rise_time_up``, ``rise_time_down`` | time from 10 to 90 % of the force change after a step of the setting, s |
 

@@ -73,7 +73,10 @@ def folders_in(folder: Path) -> list[Path]:
 
 
 def _records(folder: Path, deep: int) -> Iterator[Path]:
-    """Yields the files with the extension of a record in a folder and its subfolders down to depth ``deep``, and each ``campaign.toml`` of a subfolder."""
+    """Yields the files with the extension of a record in a folder and its subfolders down to depth ``deep``.
+
+    Also yields each ``campaign.toml`` in the subfolders.
+    """
     for entry in _entries(folder):
         if entry.is_dir():
             if deep > 0:
