@@ -141,7 +141,7 @@ impl Tuned {
         }
         *at = setting;
         let params = damper.params_at(setting);
-        // The new values come from the same file, so there is no undo step and nothing to save.
+        // The values at the other setting come from the same model file, so there is no undo step and nothing to save.
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
         self.history = History::new(params);

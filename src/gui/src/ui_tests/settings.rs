@@ -85,7 +85,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     computed(&mut harness);
     assert!(error(&harness, "hard") > 5.0 && error(&harness, "soft") < 1.0);
     harness.state_mut().session.tune(crate::session::model::Tuned::reset);
-    // If the user unchecks the box, all tests are simulated at the setting of the slider.
+    // If the user unchecks "Each test at its own setting", all tests are simulated at the setting of the slider.
     harness.state_mut().view.side = crate::views::Side::Tune;
     harness.step();
     for (_, language) in Language::ALL.iter().rev() {

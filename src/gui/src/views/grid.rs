@@ -11,8 +11,8 @@ use std::rc::Rc;
 /// Smallest distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in egui_plot). It
 /// suffices for five characters. Longer numbers have a larger distance.
 const ACROSS: f64 = 5.5;
-/// Distances, px, over which the numbers of the lower axis fade in. With the 60 to 80 px of `egui_plot`, a window of 1280 px shows only
-/// zeros.
+/// Distances of neighboring numbers, px, over which the numbers of the lower axis fade in. With the default of `egui_plot`, 60 to 80 px,
+/// the plots in a window of 1280 px would show only the number zero.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
 /// Smallest distance of two numbers along the vertical axis, in units of 8 px. At less than 30 px, the numbers would fade.
 const UPWARDS: f64 = 4.0;

@@ -71,11 +71,12 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Number of points of all lines together, so that a frame is drawn quickly. Lines are thinned for three lines of each selected test.
+/// Number of points to which all lines together are thinned, so that a frame is drawn quickly. The limit of a line follows from three lines
+/// for each selected test.
 const POINTS: usize = 24_000;
-/// Largest number of points of a line, however few tests are selected.
+/// Upper bound of the limit of points of a line, for few selected tests.
 const MOST: usize = 600;
-/// Number of points that a line may have, however many tests are selected.
+/// Lower bound of the limit of points of a line, for many selected tests.
 const LEAST: usize = 60;
 /// Largest number of tests for which the loop with an additional effect is drawn. The loops are computed within a frame, and each takes a
 /// millisecond.

@@ -466,7 +466,7 @@ dashpot_messages::interface! {
         loop_heading(test kind),
         loop_errors(before after noise closed),
         loop_closed(gap),
-        // Errors by amplitude and peak velocity, before and after.
+        // Errors by amplitude and peak velocity, before and after the diagnosis.
         map_before,
         map_after,
         map_before_caption,
