@@ -23,11 +23,11 @@ use std::path::Path;
 
 /// Paths of the output files.
 pub struct Outputs<'a> {
-    /// The model file.
+    /// Path of the model file.
     pub model: &'a Path,
-    /// The figures.
+    /// Path of the JSON output, if requested.
     pub json: Option<&'a Path>,
-    /// The report, with its language and date.
+    /// Path of the report, with its language and date, if requested.
     pub report: Option<(&'a Path, &'a TextArgs)>,
 }
 

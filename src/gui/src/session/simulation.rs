@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 pub struct Wanted {
     /// The damper of each test.
     pub dampers: Dampers,
-    /// The tests.
+    /// The campaign whose tests are simulated.
     pub loaded: Arc<Loaded>,
     /// Whether one cycle of each test suffices, because a slider is moving.
     pub quick: bool,
@@ -24,7 +24,7 @@ pub struct Wanted {
 pub struct Simulated {
     /// The damper of each test.
     pub dampers: Dampers,
-    /// The tests.
+    /// The campaign of the simulated tests.
     pub loaded: Arc<Loaded>,
     /// Forces and errors of each test.
     pub tests: Vec<OfTest>,

@@ -137,7 +137,7 @@ mod tests {
         let shown = |bounds, pixels| numbers(bounds, pixels, ACROSS, 43.0);
         assert_eq!(shown((-26.0, 26.0), 320.0), [-20.0, -10.0, 0.0, 10.0, 20.0]);
         assert_eq!(shown((0.0, 100.0), 800.0)[..4], [0.0, 10.0, 20.0, 30.0]);
-        // Peak velocities in a window of 1280 px.
+        // The axis of peak velocities, m/s, in a window of 1280 px.
         assert_eq!(shown((-1.9, 1.9), 277.0), [-1.0, 0.0, 1.0]);
     }
 

@@ -7,7 +7,7 @@ use crate::words::Words;
 use dashpot_report::plot::palette::heat;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 
-/// Draws the matrix.
+/// Draws the error matrix.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let Some(loaded) = session.campaign.clone() else { return };

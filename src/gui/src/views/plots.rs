@@ -484,7 +484,7 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Returns the displayed text.
+    /// Returns the text that explains to the user why the point stopped.
     pub fn text(self, words: &Words) -> &'static str {
         match self {
             Stop::AtRest => words.stop_at_rest,

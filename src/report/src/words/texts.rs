@@ -54,7 +54,7 @@ dashpot_messages::interface! {
         measured_peaks,
         model_peaks,
         window,
-        // Validation: title and answer.
+        // Title and result of a validation.
         title_validation,
         subtitle_validation(model data),
         answer,
@@ -351,7 +351,7 @@ dashpot_messages::interface! {
         range(low high),
         before,
         after,
-        // Figures before and after.
+        // Figures before and after a diagnosis.
         axis_residual,
         axis_residual_rms,
         axis_resistance,
@@ -367,7 +367,7 @@ dashpot_messages::interface! {
         fitted_tests,
         left_out,
         stretch(test place count),
-        // Diagnosis: title and answer.
+        // Title and result of a diagnosis.
         diagnosis_title,
         errors_caption,
         error_unseen(tests before after),
