@@ -102,9 +102,9 @@ impl Family {
         Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
     }
 
-    /// Compares the family with records like `dashpot validate`, and with limits if they are given. If a test states no setting, the `given`
-    /// setting applies. Returns the figures as JSON, the simulated forces of every test, the compared records, and warnings about doubtful
-    /// settings.
+    /// Compares the family with records like `dashpot validate`, and with limits if they are given. If a test states no setting, the
+    /// `given` setting applies. Returns the figures as JSON, the simulated forces of every test, the compared records, and warnings about
+    /// doubtful settings.
     #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
     fn validate<'py>(
         &self,

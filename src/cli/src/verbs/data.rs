@@ -220,8 +220,8 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans the records at `paths` with these options. Does not warn about an uncertain sign. Call [`print_sign`] once the signs
-    /// of all campaigns agree.
+    /// Reads and cleans the records at `paths` with these options. Does not warn about an uncertain sign. Call [`print_sign`] once the
+    /// signs of all campaigns agree.
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }

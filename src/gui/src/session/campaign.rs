@@ -52,9 +52,9 @@ impl Seen {
         let motion = smooth(record);
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
-        // The sample after the cycle lets the simulation run the cycle once before it computes the shown forces. So the model reaches steady
-        // state, as on whole records. A motion without cycles, such as a road, is not thinned, because its direction may change at any
-        // sample.
+        // The sample after the cycle lets the simulation run the cycle once before it computes the shown forces. So the model reaches
+        // steady state, as on whole records. A motion without cycles, such as a road, is not thinned, because its direction may change at
+        // any sample.
         let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
         let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
         let cycle_samples = taken.len();

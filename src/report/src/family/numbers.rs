@@ -35,7 +35,8 @@ pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
     parameter::table().filter_map(|row| wanted(&row)).map(|number| figure(model, number, words)).collect()
 }
 
-/// Returns the 95 % interval of a parameter at the grid setting with index `place`, or `None` if the fit has no interval.
+/// Returns the 95 % interval of a parameter at the grid setting with index `place`, or `None` if the fit has no
+/// interval.
 fn interval(model: &ModelFile, number: Number, place: usize) -> Option<[f64; 2]> {
     let known = &model.identification;
     let found = match known.intervals_over_setting.get(number.name()) {
