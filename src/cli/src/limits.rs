@@ -1,9 +1,9 @@
-//! Text output of `--limits`. The comparison is in `dashpot_identification::limits`.
+//! Text output of `dashpot validate --limits`. `dashpot_identification::limits` compares the damper with its limits.
 
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
 use dashpot_report::numbers::digits;
 
-/// Formats the results of the limits as text: a row for every limit, and the verdict.
+/// Formats the checked limits of a damper as text: a row for every limit, and the overall verdict.
 pub fn table(found: &Certificate) -> String {
     let names: Vec<String> = found.limits.iter().map(|one| name_of(&one.limit)).collect();
     let width = names.iter().map(|name| name.chars().count()).fold(0, usize::max).max(LEAST);
@@ -48,8 +48,8 @@ pub fn table(found: &Certificate) -> String {
     out
 }
 
-/// Smallest width of the column of names, characters. Longer names widen the column, because their end, the setting,
-/// must not be truncated.
+/// Smallest width of the column of the limits' names, characters. Longer names widen the column, so that the setting at
+/// the end of a name is not truncated.
 const LEAST: usize = 28;
 
 /// Formats the name of a limit with its unit and its setting.

@@ -63,7 +63,7 @@ fn command() -> clap::Command {
 }
 
 fn main() -> ExitCode {
-    // A user without a terminal has double-clicked the command if it has no arguments and its own console.
+    // A command without arguments whose console belongs to it alone was started by a double click.
     if std::env::args_os().len() == 1 && verbs::open::was_double_clicked() {
         let code = ended(verbs::open::start());
         if code != ExitCode::SUCCESS {
@@ -108,8 +108,8 @@ fn main() -> ExitCode {
     ended(done)
 }
 
-/// Returns the exit code of a verdict: 1 if a damper violates its limits or chatters, or if a limit could not be
-/// tested.
+/// Returns the exit code of a verb with a verdict: 1 if the verdict is [`verbs::Verdict::Failed`], 2 for an error, else
+/// 0. `validate` fails if a limit is violated or could not be tested. `check --strict` fails if the damper chatters.
 fn judged(found: anyhow::Result<verbs::Verdict>) -> ExitCode {
     match found {
         Ok(verbs::Verdict::Failed) => ExitCode::FAILURE,
@@ -130,12 +130,13 @@ fn ended(done: anyhow::Result<()>) -> ExitCode {
     }
 }
 
-/// Prints requested help, the version, or an error of the command line.
+/// Prints requested help, the version, or an error of the command line. Returns the exit code.
 fn tell_usage(told: &clap::Error) -> ExitCode {
     let text = told.render().to_string();
     let shown = dashpot_output::printable(&text);
     if shown != text {
-        // The message quotes the user's input, so it is printed without colors.
+        // The message quotes characters of the user's input that affect the terminal. clap would print them unescaped,
+        // so the escaped text is printed instead, without colors.
         dashpot_output::warn(&shown);
         return ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2));
     }

@@ -1,4 +1,4 @@
-//! Options of every report, and the origin of a report.
+//! Command-line options that all reports share, and the origin of a report: date, command line and hashes of its files.
 
 use crate::inputs::OUTPUTS;
 use dashpot_report::words::{Language, Words};

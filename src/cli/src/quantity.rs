@@ -5,7 +5,7 @@ use dashpot_core::family::Axis;
 use dashpot_records::{Dimension, Unit, setting_factor, split_unit};
 use std::str::FromStr;
 
-/// Parses seconds, from `0.005`, `5ms` or `5 ms`.
+/// Parses a time such as `0.005`, `5ms` or `5 ms`. Returns seconds.
 ///
 /// # Errors
 /// The text is not a time.
@@ -13,7 +13,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     read(text, Dimension::Time, "a time in s, or with its unit, such as 5ms")
 }
 
-/// Parses meters, from `0.005`, `5mm` or `0.2in`.
+/// Parses a length such as `0.005`, `5mm` or `0.2in`. Returns meters.
 ///
 /// # Errors
 /// The text is not a length.
@@ -21,7 +21,7 @@ pub fn metres(text: &str) -> Result<f64, String> {
     read(text, Dimension::Length, "a length in m, or with its unit, such as 5mm")
 }
 
-/// Parses newtons, from `120`, `0.12kN` or `27lbf`.
+/// Parses a force such as `120`, `0.12kN` or `27lbf`. Returns newtons.
 ///
 /// # Errors
 /// The text is not a force.
@@ -41,7 +41,7 @@ fn read(text: &str, dimension: Dimension, expected: &str) -> Result<f64, String>
     }
 }
 
-/// A value of the setting of a damper, from `0.6`, `0.6A` or `600mA`.
+/// Value of a damper's setting as written on the command line, with or without a unit: `0.6`, `0.6A` or `600mA`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SettingText {
     value: f64,

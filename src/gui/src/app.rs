@@ -36,7 +36,8 @@ pub struct App {
     drawn: Option<Layout>,
 }
 
-/// Inputs of the plot layout. A change of one of them triggers a second frame.
+/// Inputs of the plot layout: counter of the plotted data, number of selected tests, language, lower right view, and units. A change of
+/// one of them triggers a second frame.
 type Layout = (u64, usize, words::Language, Corner, Units);
 
 /// A screenshot of the whole window, with the part of it to save and the path of the file.

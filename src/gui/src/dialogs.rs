@@ -81,8 +81,8 @@ pub trait Dialogs {
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// Shortest time after which an empty reply means that the user cancelled. No user is faster, but a desktop portal that is missing or has
-/// no backend fails within this time.
+/// Shortest time after which an empty reply means that the user cancelled. An earlier empty reply counts as [`Reply::NoDialog`], because a
+/// desktop portal that is missing or has no backend fails within this time, and no user is as fast.
 const SHOWN: Duration = Duration::from_millis(800);
 
 /// Returns whether the system may be able to show dialogs: over the desktop portal (D-Bus) or by zenity. Returns `true` on Windows and

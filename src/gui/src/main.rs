@@ -1,4 +1,4 @@
-//! `dashpot-window [CAMPAIGN] [MODEL]`: the program that `dashpot open` starts.
+//! `dashpot-window [CAMPAIGN] [MODEL] [D.toml]`: the program that `dashpot open` starts.
 
 // Without this attribute, Windows opens a console window.
 #![cfg_attr(windows, windows_subsystem = "windows")]

@@ -56,7 +56,7 @@ pub fn adams_library_name(content: &[u8]) -> anyhow::Result<&'static str> {
 pub struct PropertyFile {
     /// Text of the file.
     pub text: String,
-    /// Number of points of its curve.
+    /// Number of points of the curve in the file.
     pub points: usize,
     /// Elements of the model that the file cannot represent.
     pub left_out: Vec<&'static str>,
@@ -214,11 +214,11 @@ impl RunFolder {
 
 /// Input for a run folder.
 pub struct RunFolderInput<'a> {
-    /// The parameters.
+    /// Parameters of the damper.
     pub params: &'a Params,
-    /// The prepared model.
+    /// Model prepared from the parameters.
     pub model: &'a Model,
-    /// The text of the model file.
+    /// Text of the model file.
     pub text: &'a [u8],
     /// Distance between the damper's markers at zero displacement, mm. `None` selects [`ASSUMED_LENGTH`] and adds a note.
     pub length: Option<f64>,

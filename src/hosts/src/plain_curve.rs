@@ -152,7 +152,7 @@ mod tests {
             assert_eq!(plain.curve().unwrap().velocities, plain.params.list(list!("fv_velocity")));
             assert!(plain.curve().unwrap().forces.len() == 3 && plain.note().contains("own fv_curve"));
         }
-        // A change of a parameter within its uncertainty interval does not count.
+        // After a change of a parameter within its uncertainty interval, the plain FV curve of the fit is still used.
         assert_eq!(of(&format!("{DAMPER}{FIT}").replace("1300.0]", "1305.0]"), false).source, Source::Fitted);
     }
 

@@ -1,4 +1,4 @@
-"""How many campaigns a minute a fleet gets through with one worker and with two, and how much memory it takes.
+"""Benchmark of a fleet run: campaigns per minute with one worker and with two workers, and memory of the processes.
 
 python src/python/benchmarks/fleet.py [CAMPAIGNS] [FAMILY] [LIMITS.csv]
 """
@@ -18,7 +18,7 @@ from fleets import fleet  # noqa: E402
 
 
 def processes(group: int) -> list[int]:
-    """Processes of a group that run now."""
+    """Returns the ids of the running processes of a process group."""
     out = []
     for entry in Path("/proc").iterdir():
         if entry.name.isdigit():
@@ -31,7 +31,7 @@ def processes(group: int) -> list[int]:
 
 
 def resident(pid: int) -> float:
-    """Resident memory, MiB; 0 where the process has ended."""
+    """Returns the resident memory of a process, MiB, or 0 if it has ended."""
     try:
         return int((Path("/proc") / str(pid) / "statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
     except (OSError, IndexError):
@@ -39,7 +39,7 @@ def resident(pid: int) -> float:
 
 
 def measured(listed: Path, out: Path, family: str, workers: int, limits: str | None = None) -> tuple[float, list[float]]:
-    """Seconds of a run, and the largest memory of its processes, most first."""
+    """Returns the duration of a run, s, and the largest memory of each of its processes, MiB, in decreasing order."""
     command = [sys.executable, "-m", "dashpot.fleet", listed, "--family", family, "--workers", workers, "--out", out, "--quiet"]
     command += ["--limits", limits] if limits else []
     started = time.monotonic()
@@ -55,7 +55,7 @@ def measured(listed: Path, out: Path, family: str, workers: int, limits: str | N
 
 
 def main() -> None:
-    """Measures and prints."""
+    """Runs the benchmark and prints its results."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 100
     family = sys.argv[2] if len(sys.argv) > 2 else "thesis"
     limits = sys.argv[3] if len(sys.argv) > 3 else None

@@ -15,16 +15,16 @@ use rayon::prelude::*;
 
 /// Number of values of a damper's state.
 const NUMBERS: usize = 14;
-/// Shortest and longest step, s, equal to the limits of the C interface.
+/// Shortest and longest accepted step, s, equal to the limits of the C interface.
 const STEP: std::ops::RangeInclusive<f64> = 1e-15..=100.0;
-/// Largest sum of |displacement|, m, and |velocity|, m/s, equal to the limit of the C interface.
+/// Largest accepted sum of |displacement|, m, and |velocity|, m/s, equal to the limit of the C interface.
 const LARGEST: f64 = 1e3;
-/// Largest |side force|, N, equal to the limit of the C interface.
+/// Largest accepted |side force|, N, equal to the limit of the C interface.
 const LARGEST_SIDE_FORCE: f64 = 1e9;
-/// Largest |temperature|, °C, equal to the limit of the C interface.
+/// Largest accepted |temperature|, °C, equal to the limit of the C interface.
 const LARGEST_TEMPERATURE: f64 = 1e5;
-/// Smallest number of dampers at which a step is distributed over threads. The distribution costs some microseconds, and the step of one
-/// damper about half a microsecond.
+/// Smallest number of dampers at which a step is distributed over threads. Fewer dampers are stepped by the calling thread, because the
+/// distribution costs some microseconds and the step of one damper about half a microsecond.
 const SHARED: usize = 256;
 /// Number of dampers in each unit of work of a thread.
 const CHUNK: usize = 64;

@@ -102,8 +102,9 @@ impl Family {
         Ok(PyArray1::from_vec(py, forces.map_err(raise::<ModelError>)?))
     }
 
-    /// Compares the family with records like `dashpot validate`. If a test states no setting, the `given` setting applies. Returns the
-    /// figures as JSON, the simulated forces of every test, and the compared records.
+    /// Compares the family with records like `dashpot validate`, and with limits if they are given. If a test states no setting, the
+    /// `given` setting applies. Returns the figures as JSON, the simulated forces of every test, the compared records, and warnings about
+    /// doubtful settings.
     #[pyo3(signature = (campaign, given=None, progress=None, limits=None))]
     fn validate<'py>(
         &self,
@@ -144,8 +145,8 @@ impl Family {
         Ok((json, forces, Campaign { read }, doubts))
     }
 
-    /// Simulates a motion with a setting at each time. Returns times, displacements, velocities and forces. The setting at a sample is the
-    /// command during the step that ends at this sample.
+    /// Simulates a motion with a setting at each time. Returns times, s, displacements, m, velocities, m/s, and forces, N. The setting at a
+    /// sample is the command during the step that ends at this sample.
     #[allow(clippy::needless_pass_by_value, clippy::type_complexity)]
     fn simulate<'py>(
         &self,

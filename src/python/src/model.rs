@@ -181,7 +181,7 @@ impl Model {
         Ok(PyArray1::from_vec(py, forces))
     }
 
-    /// Simulates a motion, resampled at `step`, s, if it is given. Returns times, displacements, velocities and forces.
+    /// Simulates a motion, resampled at `step`, s, if it is given. Returns times, s, displacements, m, velocities, m/s, and forces, N.
     #[pyo3(signature = (time, displacement, velocity, side_force, temperature, initial_position, step, progress=None))]
     #[allow(clippy::too_many_arguments, clippy::type_complexity)]
     fn simulate<'py>(
@@ -271,7 +271,7 @@ fn long<T: Send>(
     work::run(py, progress, |progress| work(&|done, all| progress.say(done as f64 / all as f64, text)))
 }
 
-/// Writes a text to a file atomically. A file of another kind is replaced only with `force`.
+/// Writes a text to a file atomically. Without `force`, a device, an input of the run or a write-protected file is an error.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write(path: PathBuf, text: &str, force: bool) -> PyResult<()> {

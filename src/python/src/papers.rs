@@ -37,7 +37,7 @@ pub struct Page {
     model: String,
     /// Whether the model is stored in a file.
     is_file: bool,
-    /// Name of the records.
+    /// Files or folders of the records, as named in the subtitle.
     data: String,
     /// Words of the equivalent command, or empty if there is none.
     command: Vec<String>,

@@ -1,4 +1,4 @@
-"""Records of a virtual rig, and the command to compare with."""
+"""Fixtures: records of the virtual rig, a fitted model, and the command with which the package is compared."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ import pytest
 import dashpot
 from dashpot._arguments import loads
 
-#: The command of the same sources; tests that compare with it are skipped where it is not named.
+#: Path of the command, built from the same sources. Without it, tests that compare with the command are skipped.
 COMMAND = os.environ.get("DASHPOT_COMMAND")
 
 
 class Command:
-    """The command ``dashpot`` in a folder."""
+    """The command ``dashpot``, which runs in a folder."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
 
     def __call__(self, *arguments: str) -> str:
-        """Standard output of a run that must succeed."""
+        """Runs the command, which must succeed, and returns its standard output."""
         ran = self.run(*arguments)
         assert ran.returncode == 0, ran.stderr
         return ran.stdout
@@ -33,7 +33,7 @@ class Command:
         return subprocess.run([COMMAND, *arguments], cwd=self.folder, capture_output=True, text=True, check=False)
 
     def json(self, name: str) -> Any:
-        """What it wrote, with arguments where its sentences name options."""
+        """Reads a JSON file of the command. Options in its messages are replaced by arguments of the package."""
         return loads((self.folder / name).read_text())
 
 
@@ -46,7 +46,7 @@ def command(tmp_path_factory: pytest.TempPathFactory) -> Command:
 
 @pytest.fixture(scope="session")
 def records(command: Command) -> Path:
-    """A small campaign of the virtual rig."""
+    """Makes a small campaign of the virtual rig and returns its folder."""
     command("matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv")
     command("rig", "-o", "records", "--matrix", "small.csv", "--seed", "3")
     return command.folder / "records"

@@ -1,4 +1,4 @@
-"""Small campaigns of many dampers, made by the kernel itself with noise on the force."""
+"""Small campaigns of many dampers, simulated by the kernel with noise on the force."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import numpy as np
 
 import dashpot
 
-#: Amplitude, m, and peak velocity, m/s, of the tests; without the slow one no fit can tell friction from the curve.
+#: Amplitude, m, and peak velocity, m/s, of the tests. Without the slow test, no fit can distinguish friction from the FV curve.
 TESTS = ((0.025, 0.003), (0.025, 0.05), (0.025, 0.26), (0.025, 0.52), (0.005, 0.13))
-#: Samples of a cycle, and cycles of a test.
+#: Number of samples in a cycle, and number of cycles in a test.
 SAMPLES, CYCLES = 100, 3
 
 
 def damper(scale: float = 1.0, friction: float = 30.0, gas: float = 140.0) -> dashpot.Model:
-    """A digressive damper with friction and gas force."""
+    """Makes a digressive damper with friction, N, and gas force, N. ``scale`` is a factor of its FV curve."""
     velocity = [-1.0, -0.5, -0.25, -0.1, 0.0, 0.1, 0.25, 0.5, 1.0]
     force = [scale * f for f in (-1100, -800, -560, -330, 0, 600, 1150, 1500, 2000)]
     return dashpot.Model(
@@ -26,7 +26,7 @@ def damper(scale: float = 1.0, friction: float = 30.0, gas: float = 140.0) -> da
 
 
 def measure(model: dashpot.Model, folder: Path, seed: int, tests: Sequence[tuple[float, float]] = TESTS) -> None:
-    """Writes a campaign of the damper."""
+    """Simulates a campaign of the damper, adds 2 N rms of noise, and writes its records into a folder."""
     folder.mkdir(parents=True)
     noise = np.random.default_rng(seed)
     for amplitude, peak in tests:
@@ -40,7 +40,7 @@ def measure(model: dashpot.Model, folder: Path, seed: int, tests: Sequence[tuple
 
 
 def turn(folder: Path) -> None:
-    """Turns every test of a campaign round: what counted extension positive counts compression."""
+    """Reverses the signs of displacement, velocity and force in every test of a campaign."""
     for file in folder.iterdir():
         table = np.loadtxt(file, delimiter=",", skiprows=1)
         head = file.read_text().splitlines()[0]
@@ -48,7 +48,7 @@ def turn(folder: Path) -> None:
 
 
 def fleet(folder: Path, count: int) -> Path:
-    """Campaigns of so many dampers whose valves scatter by 3 %; returns the list of them."""
+    """Writes campaigns of ``count`` dampers whose FV curves scatter by 3 % and whose friction scatters by 5 %. Returns the path of their list."""
     scatter = np.random.default_rng(7)
     lines = ["campaign,serial,batch,date"]
     for k in range(count):

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A Slurm of one node on this computer, for tests/test_slurm.py: needs Debian's slurmctld, slurmd, slurm-client and munge, and root.
+# Starts Slurm with one node on this computer, for tests/test_slurm.py. Requires root, and Debian's slurmctld, slurmd, slurm-client and munge.
 #   apt-get install --no-install-recommends slurmctld slurmd slurm-client munge
 set -eu
 state=${1:-/tmp/slurm-of-one}

@@ -1,4 +1,4 @@
-"""Files of Adams, and models from them and from tables, to the bytes of the command."""
+"""Tests that exports to Adams, and models from Adams files and from tables, equal those of the command byte by byte."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ END
 
 @pytest.fixture
 def beside(command: Command, model: dashpot.FittedModel, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of the command, with the model in it, as the one where Python runs."""
+    """Makes the folder of the command, which contains the model, the working directory of Python."""
     monkeypatch.chdir(command.folder)
     Path("front.toml").write_text(model.text)
     return command.folder
 
 
 def told(out: str) -> list[str]:
-    """What the command says beside where it wrote, in arguments."""
+    """Returns the command's messages without the path of the output. Options are replaced by arguments of the package."""
     lines = [line.strip() for line in out.splitlines()]
     return [as_arguments(line.removeprefix("note: ").removeprefix("note, ")) for line in lines if " points in " not in line and "README.txt" not in line]
 
@@ -60,7 +60,7 @@ def test_a_run_folder(command: Command, beside: Path) -> None:
     notes = model.export_adams("p run", length_m="412.5mm", wheel_mass_kg=35, host_step_s=0.002)
     same_folder("p run", "c run")
     assert [line.split(": ", 1)[-1] for line in notes] == [line.split(": ", 1)[-1] for line in told(said)]
-    # A number is in m.
+    # A length without a unit is in m.
     model.export_adams("p run", length_m=0.4125, wheel_mass_kg=35, host_step_s=0.002)
     same_folder("p run", "c run")
     command("export", "adams", "front.toml", "-o", "c ready", "--for-step", "0.005")
@@ -139,7 +139,7 @@ def test_a_table_of_peaks(command: Command, beside: Path) -> None:
         )  # fmt: skip
     assert begun.text == Path("c.toml").read_text()
     assert begun["gas_force"] == 120 and begun["coulomb_force"] == 30 and begun.elements
-    # The force in compression is the greater one, which few dampers have.
+    # The table has a larger force in compression than in rebound, which few dampers have, so the import must warn.
     Path("signed.csv").write_text("velocity_m_s,force_N\n" + "".join(f"{s * v},{s * f}\n" for v, r, c in [(0.1, 200, 500), (0.3, 400, 900)] for s, f in ((1, r), (-1, c))))
     said = command("import", "peaks", "signed.csv", "-o", "c.toml")
     with pytest.warns(UserWarning, match='if the table counts compression positive, give positive="compression"') as warned:

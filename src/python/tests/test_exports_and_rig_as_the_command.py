@@ -1,4 +1,4 @@
-"""FMUs, campaigns of the virtual rig and test matrices, to the bytes of the command."""
+"""Tests that FMUs, campaigns of the virtual rig and test matrices equal those of the command byte by byte."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from dashpot._arguments import as_arguments
 
 @pytest.fixture
 def beside(command: Command, model: dashpot.FittedModel, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of the command, with two models in it, as the one where Python runs."""
+    """Makes the folder of the command, which contains two models, the working directory of Python."""
     monkeypatch.chdir(command.folder)
     Path("front.toml").write_text(model.text)
     Path("rear.toml").write_text(model.text.replace("\n[identification]", "\n# the rear one\n[identification]"))
@@ -46,12 +46,12 @@ def same_folder(mine: Path, theirs: Path) -> None:
 def test_an_fmu(command: Command, beside: Path, models: list[str], options: list[str], arguments: dict[str, Any]) -> None:
     first, *others = [dashpot.Model.read(name) for name in models]
     first.export_fmu("first.fmu", others=others, force=True)
-    # The package holds the binaries by itself; the command does where it was built with them.
+    # The package contains the binaries of FMUs. The command may have been built without them, and then the test is skipped.
     bare = command.run("export", "fmu", "front.toml", "-o", "bare.fmu")
     if bare.returncode != 0:
         assert "runtimes.sh" in bare.stderr
         pytest.skip(bare.stderr)
-    # What was compiled of an FMU's own sources; for which platform is not looked at.
+    # The library of an FMU serves as the binary for another platform, because the export does not check the platform of a library.
     with zipfile.ZipFile("first.fmu") as fmu:
         Path("mac.dylib").write_bytes(fmu.read(next(name for name in fmu.namelist() if name.endswith(".so"))))
     for folder in ("mine", "theirs"):

@@ -1,4 +1,4 @@
-"""A damper that depends on a setting."""
+"""Tests of dampers that depend on a setting."""
 
 import pickle
 from pathlib import Path
@@ -21,7 +21,8 @@ def test_a_family_at_a_setting_is_an_ordinary_damper() -> None:
     t = np.linspace(0.0, 1.0, 1001)
     x = 0.02 * np.sin(10.0 * t)
     constant = family.simulate(t, x, setting=0.8).force
-    # The hysteresis of the valve is nothing at a setting that was always there. A family takes its steps otherwise: 2 mN at 1 ms.
+    # At a constant setting, the hysteresis of the valve has no effect. The family divides its steps differently, which changes the force by
+    # 2 mN at steps of 1 ms.
     assert np.allclose(constant, family.at(0.8).simulate(t, x).force, rtol=0.0, atol=1e-5 * np.max(np.abs(constant)))
     stepped = family.simulate(t, x, setting=np.where(t < 0.5, 0.8, 1.6)).force
     assert np.array_equal(stepped[:500], constant[:500]) and np.max(np.abs(stepped[520:] - constant[520:])) > 100.0
@@ -63,7 +64,7 @@ def test_a_family_has_a_table_of_its_settings(tmp_path: Path) -> None:
 
 
 def write_records(folder: Path, family: dashpot.Family, settings: list[float]) -> None:
-    """Sines of a family, one file each, with the current in their names."""
+    """Writes one sine test of a family for each setting. The name of its file contains the current."""
     folder.mkdir()
     noise = np.random.default_rng(5)
     for setting in settings:

@@ -1,4 +1,4 @@
-"""Fleets: nothing is lost, nothing is done twice, nothing depends on the workers."""
+"""Tests of fleets: no result is lost, no campaign is evaluated twice, and the table does not depend on the workers."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ from dashpot.fleet.schedule import _kept, _rows  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
-#: Elements of the dampers made here: a fit with them takes a fifth of a second.
+#: Elements of the test dampers. A fit with these elements takes 0.2 s.
 ELEMENTS = "series_compliance,coulomb_friction,gas_preload"
 
 
@@ -55,13 +55,13 @@ def run(*arguments: str | Path) -> str:
     return out + err
 
 
-#: Dampers of the fleet.
+#: Number of dampers in the fleet.
 COUNT = 24
 
 
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[list[str]]:
-    """A Dask cluster that was there before; arguments that use it."""
+    """Starts a Dask cluster before the run, and yields the arguments that select it."""
     import distributed
 
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs="ERROR") as local:
@@ -70,7 +70,7 @@ def cluster() -> Iterator[list[str]]:
 
 @pytest.fixture(scope="module")
 def campaigns(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Dampers; one is not there, one is nonsense, one has much friction."""
+    """Makes the list of a fleet in which one campaign is missing, one is unreadable, and one damper has high friction."""
     folder = tmp_path_factory.mktemp("fleet")
     listed = fleet(folder, COUNT)
     shutil.rmtree(folder / "d00007")
@@ -112,7 +112,7 @@ def test_bad_campaigns_are_rows_and_the_others_have_their_numbers(campaigns: Pat
     for row in good:
         assert row["coulomb_force_low"] <= row["coulomb_force"] <= row["coulomb_force_high"]
         assert row["batch"] and row["date"].startswith("2026-")
-    # What a row says is what the package says of that campaign alone, and its model runs.
+    # A row equals the results of the package for this campaign alone, and its model can be simulated.
     campaign = dashpot.Campaign.read(campaigns.parent / "d00000")
     model = dashpot.fit(campaign, elements=ELEMENTS.split(","))
     assert table[0]["model"] == model.text
@@ -120,7 +120,7 @@ def test_bad_campaigns_are_rows_and_the_others_have_their_numbers(campaigns: Pat
     assert table[0]["force_at_+0.262_m_s"] == model.steady_force(0.262)[0]
     report = (tmp_path / "fleet.html").read_text()
     assert "SN00013" in report and "coulomb_force" in report and "d00011" in report and report.count("<img") > 5
-    # Counts first, then a row a damper with its verdict.
+    # The report begins with the numbers of verdicts. Then it has one row with the verdict for each damper.
     assert f"Limits: {COUNT - 3} PASS, 1 FAIL." in report
     listed = report[report.index("<h2>Dampers</h2>") :].split("</table>")[0].split("<tr>")[2:]
     assert [row.split("</td>")[0].removeprefix("<td>") for row in listed] == [f"SN{k:05d}" for k in range(COUNT)]
@@ -149,7 +149,7 @@ def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp
     assert row["verdict"] is not None and row["summary"]
     changed = {c["name"]: c for c in row["changes"]}
     friction = changed["coulomb_force"]
-    # The interval is of the change: an error of the reference's own value shifts both ends.
+    # The interval belongs to the change, so an error of the reference's value shifts both ends.
     assert friction["low"] <= friction["reference"] + 60 <= friction["high"]
     assert friction["reference"] == pytest.approx(30, abs=5)
     report = (tmp_path / "r.html").read_text()
@@ -158,7 +158,7 @@ def test_a_reference_names_what_changed(campaigns: Path, cluster: list[str], tmp
 
 
 def test_a_report_tells_a_drift(tmp_path: Path) -> None:
-    """A table as a run writes it, of dampers whose friction rises with their serial numbers, listed in another order."""
+    """The report shows a drift of friction that increases with the serial number. The list has another order than the serial numbers."""
     pytest.importorskip("matplotlib")
     noise = np.random.default_rng(5)
     store = Store(tmp_path / "t.parquet")
@@ -184,7 +184,7 @@ def test_a_report_tells_a_drift(tmp_path: Path) -> None:
 
 
 def kill(process: subprocess.Popen[str]) -> None:
-    """The run and its workers, all at once: no handler runs."""
+    """Kills a run and its workers at the same time, so that no handler can run."""
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
 
@@ -207,7 +207,7 @@ def test_a_run_that_is_killed_goes_on_where_it_was(campaigns: Path, cluster: lis
     kept = {p.name: p.stat().st_mtime_ns for p in parts.glob("part-*")}
     said = run(*arguments, "--out", out)
     assert "0 of them done before" not in said
-    # Finished parts were not touched, and the table is that of a run that nobody disturbed.
+    # Finished parts are unchanged, and the table equals that of an uninterrupted run.
     assert {n: (parts / n).stat().st_mtime_ns for n in kept} == kept
     assert out.read_bytes() == whole.read_bytes()
     assert f"{COUNT} of them done before" in run(*arguments, "--out", out)
@@ -230,7 +230,7 @@ def test_a_changed_record_is_done_again_and_nothing_else(campaigns: Path, cluste
 
 
 def test_a_campaign_that_ends_its_worker_is_a_row(campaigns: Path, tmp_path: Path) -> None:
-    """A fault that no exception catches: the worker's process dies whenever it reads one campaign."""
+    """A campaign at which the worker's process always dies becomes a failed row, although no exception reports it."""
     script = tmp_path / "dies.py"
     script.write_text(
         "import os, dashpot\n"
@@ -254,10 +254,10 @@ def test_a_campaign_that_ends_its_worker_is_a_row(campaigns: Path, tmp_path: Pat
 
 
 def test_rows_that_are_lost_with_their_worker_are_done_again() -> None:
-    """A job that ends when its work is done and what came out was not fetched yet."""
+    """Rows are computed again if their worker ends after the work, before the rows are fetched."""
 
     class Lost:
-        """A task that was done, and whose worker is gone when its rows are asked for."""
+        """A finished task whose worker is gone when its rows are fetched."""
 
         def __init__(self, status: str) -> None:
             self.status = "finished"
@@ -348,13 +348,14 @@ def test_limits_are_judged_by_what_the_rig_measured(tmp_path: Path) -> None:
         (found,) = json.loads(measured.judge(rows_of([Limit(quantity, velocity, 0, 1e9, amplitude)])))["limits"]
         return None if found["measured"] is None else float(found["measured"]["value_n"])
 
-    # The curve at a quarter of a metre per second with friction and the gas that pushes the rod out; of the longest stroke.
+    # The expected force at 0.26 m/s is that of the FV curve at 0.25 m/s, plus friction, minus gas force. The largest amplitude supplies it.
     assert value("force", 0.26) == pytest.approx(1150 + 30 - 140, rel=0.03)
     assert value("force", 0.26, 0.005) == pytest.approx(1.2 * 1150 + 30 - 140, rel=0.03)
-    # Between two tests of one stroke that lie within a factor of two; beyond, and beyond the fastest, nothing is known.
+    # The force is interpolated between two tests of one amplitude if their velocities differ by a factor of at most 2. Between tests farther
+    # apart, and above the fastest test, there is no force.
     assert value("force", 0.45) == pytest.approx(1150 + 0.8 * 350 + 30 - 140, rel=0.03)
     assert value("force", 0.1) is None and value("force", 1.5) is None
-    # At the speeds above half of 3 mm/s, 2.4 in the middle, the valves add a little to the friction.
+    # The friction is evaluated above half of the peak velocity of 3 mm/s. At the mean velocity of 2.4 mm/s, the valves add a small force.
     assert value("friction") == pytest.approx(30 + 0.0024 * 0.5 * (600 + 330) / 0.1, abs=2)
     assert value("gas_force") == pytest.approx(140, abs=5)
     own = next(t for t in validation.tests if t.name == "a25_v260")
@@ -392,7 +393,7 @@ def test_lists_and_limits_tell_their_mistakes_alike(tmp_path: Path) -> None:
             (tmp_path / name).write_text(f"# ours\n{first.format(column)}\n{row}\n")
             with pytest.raises(dashpot.DashpotError, match=words.format(column)):
                 read(tmp_path / name)
-    # Headings in capitals and words are those of both.
+    # Headings in capitals and with spaces are accepted in tables of limits and in lists of campaigns.
     (tmp_path / "l.csv").write_text("Quantity,Velocity m-s,LOW,high\nGas Force,,1,2\n")
     assert read_limits(tmp_path / "l.csv") == (Limit("gas_force", None, 1, 2),)
     (tmp_path / "f.csv").write_text(" Campaign , SERIAL\nx,S1\n")
@@ -417,7 +418,7 @@ def test_a_limit_that_nothing_can_keep_is_refused_before_the_work(tmp_path: Path
 
 
 class TestStatistics:
-    """Figures with known answers."""
+    """Tests of statistics with known results."""
 
     NOISE = np.random.default_rng(3).normal(0, 1, 400)
 
@@ -427,13 +428,13 @@ class TestStatistics:
         off = np.abs(far_off(values))
         assert off.argmax() == 17 and (off > 3.5).sum() <= 2
         assert (far_off(np.full(9, 5.0)) == 0).all()
-        # Numbers that were taken from what dampers show agree to many digits; the one that differs is far off, and not by 1e10.
+        # Values that come from a prior agree to many digits. A different value must be an outlier, but not at a distance of 1e10.
         held = np.array([2.5e6 * (1 + 1e-12 * k) for k in range(20)])
         held[3] = 2.6e6
         assert far_off(held)[3] == pytest.approx(40, rel=1e-6) and np.abs(np.delete(far_off(held), 3)).max() < 1e-6
-        # What lies within what each is known to is no outlier.
+        # A difference within the uncertainty of the values is no outlier.
         assert np.abs(far_off(np.array([1.0] * 5 + [1.2]), least=0.1)).max() < 3.5
-        # More than half are the same: one that is far off is an outlier still, and one that is hardly off is none.
+        # More than half of the values are equal. A very different value must still be an outlier, and a slightly different value must not.
         few = far_off(np.array([0.0] * 13 + [12.0, 50000.0, np.nan]))
         assert few[14] > 3.5 > abs(few[13]) and few[0] == 0 and np.isnan(few[15])
 
@@ -461,7 +462,7 @@ class TestStatistics:
         assert found[0].high < found[1].low
 
 
-#: Memory, MiB, by which a fivefold fleet may raise what the run or a worker needs at most.
+#: Largest allowed increase of the peak memory of the run or of a worker, MiB, for a fleet that is five times larger.
 GROWTH = 30
 
 
@@ -526,7 +527,7 @@ def test_workers_that_stay_up_see_a_reference_that_was_put_right(tmp_path: Path)
 
 
 class TestJobs:
-    """Which campaigns there are, and when one has changed."""
+    """Tests of the search for campaigns, and of the detection of changed campaigns."""
 
     @pytest.fixture
     def two(self, tmp_path: Path) -> Path:
@@ -552,7 +553,7 @@ class TestJobs:
         assert single.key("") != before
 
     def test_records_in_subfolders_are_read_where_the_plan_says_so(self, two: Path) -> None:
-        """As where campaign.toml says it; and a change down there is seen."""
+        """The plan's option acts like the entry in campaign.toml, and a change of a file in a subfolder is detected."""
         deep = two / "d0"
         (deep / "slow").mkdir()
         (deep / "a25_v3.csv").rename(deep / "slow" / "a25_v3.csv")
@@ -588,7 +589,7 @@ class TestJobs:
         (two / "fleet.csv").write_text("campaign,serial\nd0,S0\n")
         (two / "notes.txt").write_text("measured on 2026-03-02\n12 34\n")
         assert [Path(j.campaign).name for j in find_jobs([two])] == ["d0", "d1"]
-        # Records of its own beside a folder of older ones are a campaign still.
+        # A folder with records of its own is a campaign, even if its subfolders also contain records.
         shutil.copy(two / "d0" / "a25_v3.csv", two)
         assert [j.campaign for j in find_jobs([two])] == [str(two)]
 
@@ -615,18 +616,18 @@ class TestJobs:
         (two / "other.csv").write_text("campaign,serial\nd0,S9\n")
         with pytest.raises(dashpot.RecordError, match="listed already"):
             find_jobs([two / "list.csv", two / "other.csv"])
-        # A folder says nothing of its damper that a list could contradict.
+        # A folder has no serial number, so it cannot contradict a list.
         both: tuple[list[str | Path], ...] = ([two / "list.csv", two / "d0", f"{two}/d0/"], [two / "d0", two / "list.csv"])
         for paths in both:
             assert [j.serial for j in find_jobs(paths)] == ["S0"]
 
 
 class TestRuns:
-    """What is asked of a run, and what it keeps."""
+    """Tests of the arguments of a run, and of the results that it keeps."""
 
     @pytest.fixture(scope="class")
     def cheap(self, cluster: list[str], tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Place]:
-        """Campaigns that a plain curve is fitted to at once, and where."""
+        """Makes campaigns for quick fits of a plain FV curve. Returns their folder and the place of the workers."""
         folder = tmp_path_factory.mktemp("cheap")
         for k in range(3):
             measure(damper(1 + 0.1 * k), folder / f"d{k}", seed=k)
@@ -706,7 +707,7 @@ class TestRuns:
         pytest.importorskip("matplotlib")
         write_report(tmp_path / "a.parquet", tmp_path / "a.html")
         assert words in (tmp_path / "a.html").read_text()
-        # Where it was said, nobody found anything.
+        # If the plan states the direction, none is determined from the records, so there is no message.
         run_jobs(jobs, tmp_path / "b.parquet", Plan(family="fv", mapping={"positive": "rebound"}), place, tell=told.append)
         assert "read 1 as" not in told[-1]
 
@@ -776,11 +777,11 @@ class TestRuns:
 
 
 class TestReport:
-    """The page: what it may replace, and what may stand in it."""
+    """Tests of the report: files that it may replace, and unusual names in its content."""
 
     @pytest.fixture
     def table(self, tmp_path: Path) -> Path:
-        """A small table whose names have a meaning to matplotlib and to Python's digits."""
+        """Makes a small table with names that matplotlib would format, and with digits that only Python accepts as digits."""
         pytest.importorskip("matplotlib")
         store = Store(tmp_path / "t.parquet")
         number = {"name": "spring_linear", "index": None, "unit": "N/m", "standing": "identified"}

@@ -1,4 +1,4 @@
-"""Many dampers against one reference, to the bytes of the command."""
+"""Tests that diagnoses of many dampers against one reference equal those of the command byte by byte."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from fleets import damper, measure
 import dashpot
 from dashpot._arguments import as_arguments
 
-#: What a diagnosis may do here, so that it is quick, in the words of the command and as arguments.
+#: Restrictions that make a diagnosis quick, as options of the command and as arguments.
 FEW = ["--candidates", "free_play", "--max-effects", "1"]
 few: dict[str, Any] = {"candidates": "free_play", "max_effects": 1}
 
 
 @pytest.fixture
 def fleet(command: Command, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with dampers as folders, as files of one campaign, a good one, and a model of it; Python runs there."""
+    """Makes records of dampers in separate folders and in one campaign, a good damper, and its model. Python runs in their folder."""
     root = command.folder / "of groups"
     if not root.exists():
         measure(damper(), root / "good", seed=1)
@@ -46,7 +46,7 @@ def fleet(command: Command, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def same(command: Command, found: dashpot.GroupsDiagnosis, *arguments: str, language: str = "en") -> None:
-    """JSON, report and workbook are those of the command."""
+    """Checks that JSON, report and workbook equal those of the command."""
     beside = copy.copy(command)
     beside.folder = command.folder / "of groups"
     chosen = [] if language == "en" else ["--language", language]
@@ -66,7 +66,7 @@ def test_folders_against_a_reference(command: Command, fleet: Path) -> None:
     assert told == sorted(told) and told[-1] == 1.0
     assert list(found) == ["sn10", "sn11", "sn9"] and found.reference == "good" and len(found) == 3
     assert "coulomb_force" in {c.name for c in found["sn11"].changes} and not found["sn9"].changes
-    # What one of them says is what the diagnosis of it alone says.
+    # The result for one group equals the diagnosis of this damper alone.
     alone = dashpot.diagnose(model, dashpot.Campaign.read("fleet/sn11"), dashpot.Campaign.read("good"), **few).to_dict()
     assert {key: alone[key] for key in found["sn11"].to_dict()} == found["sn11"].to_dict()
     test = found["sn11"].tests[0]
@@ -78,7 +78,7 @@ def test_folders_against_a_reference(command: Command, fleet: Path) -> None:
 
 def test_tests_of_a_campaign_by_their_names(command: Command, fleet: Path) -> None:
     model = dashpot.Model.read("good.toml")
-    # Read here, by the function itself, or earlier: the first group is what the others are compared with, and 9 comes before 10.
+    # The records are read by the function, or before its call. The first group is the reference, and 9 precedes 10.
     how: dict[str, Any] = {"exclude": "*v3", "gain": 1.01}
     for data, reading in (("together", how), (dashpot.Campaign.read("together", **how), {})):
         found = dashpot.diagnose_groups(model, data, "c{}_*", **few, **reading)

@@ -1,4 +1,4 @@
-"""What an analyst may hand over where numbers, names, records and models are asked for, and the sentences where not."""
+"""Tests of the accepted forms of numbers, names, records and models in arguments, and of the messages for all other forms."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def test_a_file_of_another_kind_is_replaced_where_that_is_asked_for(tmp_path: Pa
     assert "--force" not in str(refused.value) and (tmp_path / "notes.txt").read_text() == "mine"
     damper().write(tmp_path / "notes.txt", force=True)
     assert (tmp_path / "notes.txt").read_text() == damper().text
-    # The leave was for that one file.
+    # `force` applies only to the file of its call.
     (tmp_path / "more.txt").write_text("mine")
     with pytest.raises(dashpot.OutputError, match="more.txt is there already"):
         damper().write(tmp_path / "more.txt")
@@ -180,7 +180,7 @@ def test_no_sentence_about_records_speaks_of_an_option_that_is_an_argument() -> 
 def test_a_model_may_be_written_where_it_was_read(tmp_path: Path) -> None:
     damper().write(tmp_path / "Modell ä.toml")
     again = dashpot.Model.read(tmp_path / "Modell ä.toml")
-    # The same bytes: nothing is overwritten.
+    # The file already contains the same bytes, so nothing is overwritten.
     again.write(tmp_path / "Modell ä.toml")
     assert dashpot.Model.read(tmp_path / "Modell ä.toml") == damper()
 

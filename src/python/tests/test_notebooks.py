@@ -1,4 +1,4 @@
-"""The notebooks run from the first cell to the last, and are kept without outputs."""
+"""Tests that the notebooks run from the first to the last cell, and that their files contain no outputs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the package is beside its numbers: typed, picklable, shown in a notebook, one process with others."""
+"""Tests of properties of the package: types, pickling, display in notebooks, and other threads and processes."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ def test_stubs_say_what_is_there() -> None:
 def test_types_agree() -> None:
     pytest.importorskip("mypy")
     command = [sys.executable, "-m", "mypy", "--config-file", str(SOURCES / "pyproject.toml")]
-    # What the tests write is what an analyst writes.
+    # The tests are checked too, because their code is like that of users.
     for folder in (SOURCES / "python" / "dashpot", SOURCES / "tests"):
         ran = subprocess.run([*command, str(folder)], capture_output=True, text=True, check=False)
         assert ran.returncode == 0, ran.stdout + ran.stderr
 
 
-#: What an analyst writes, with the types that a checker must see without a cast.
+#: Code of a user of the package. A type checker must infer its types without casts.
 ANALYST = """
 from pathlib import Path
 from typing_extensions import assert_type
@@ -127,7 +127,7 @@ def test_everything_is_a_dictionary_a_table_and_a_view(own: dashpot.Campaign) ->
 
 
 def leaves(said: Any) -> set[Any]:
-    """Every word and number in a dictionary."""
+    """Returns all texts and numbers in a nested dictionary."""
     if isinstance(said, dict):
         return set().union(*map(leaves, said.values()))
     if isinstance(said, (list, tuple)):
@@ -137,7 +137,7 @@ def leaves(said: Any) -> set[Any]:
 
 @pytest.fixture(scope="module")
 def worn(own: dashpot.Campaign, tmp_path_factory: pytest.TempPathFactory) -> tuple[dashpot.FittedModel, dashpot.Campaign]:
-    """A model of the good damper, and the records of one with more friction and a file that is none."""
+    """Makes a model of the good damper, and a campaign of a damper with more friction and with a file that is no record."""
     folder = tmp_path_factory.mktemp("worn") / "campaign"
     measure(damper(friction=80), folder, seed=2)
     (folder / "notes.csv").write_text("what,when\nnothing,never\n")
@@ -169,10 +169,10 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
                 continue
             assert value in in_tables, (type(result), value)
             if isinstance(value, str):
-                # Longer tables say how many rows more there are.
+                # A long table is truncated and states the number of omitted rows.
                 assert html.escape(value) in view or "more rows" in view, (type(result), value)
     assert list(validation.tables()) == list(dict.fromkeys(validation.tables())) and len(validation.to_pandas()) == len(campaign)
-    # What the table of a result shows without a word more.
+    # The main table of a result contains these values.
     found = compared.to_pandas()
     assert set(found["what"]) >= {"changed"}
     assert set(found["parameter"]) >= {c.name for c in compared.changes}
@@ -218,7 +218,7 @@ def test_a_campaign_and_a_reference_that_were_read_in_opposite_directions_are_to
     measure(damper(), tmp_path / "turned", seed=2)
     turn(tmp_path / "turned")
     turned = dashpot.Campaign.read(tmp_path / "turned")
-    # Made as the reader may take them wrongly: what was measured in rebound stands where compression should.
+    # This campaign is read with the wrong direction, so that rebound and compression are exchanged.
     wrong = dashpot.Campaign.read(tmp_path / "turned", positive="rebound")
     assert (own.sign.positive, turned.sign.positive) == ("rebound", "compression")
     model = dashpot.fit(own, family="fv")
@@ -229,7 +229,7 @@ def test_a_campaign_and_a_reference_that_were_read_in_opposite_directions_are_to
         assert not any("counting" in note for note in dashpot.diagnose(model, campaign, own, **few).notes)  # type: ignore[arg-type]
     both = dashpot.Campaign.read(tmp_path / "turned", positive="compression"), dashpot.Campaign.read(own.paths[0], positive="rebound")
     assert not any("counting" in note for note in dashpot.diagnose(model, *both, **few).notes)  # type: ignore[arg-type]
-    # A reference without a like motion is compared with all the same; both are told, in arguments.
+    # A diagnosis with a reference that has no similar motion does not fail. Notes report the missing motion and the opposite directions.
     notes = dashpot.diagnose(model, turned[3:4], own[:1], **few).notes  # type: ignore[arg-type]
     assert any("the reference has no motion like these" in note for note in notes)
     assert any('read both with positive="rebound", or both with positive="compression"' in note for note in notes)
@@ -253,7 +253,7 @@ def test_a_model_lists_the_numbers_that_are_in_use() -> None:
     listed = list(model)
     assert [name for name in listed if name.startswith(("fv_", "spring_"))] == table + spring
     assert "substeps" in model and model["substeps"] == 4 and "gas_force" not in model
-    # That the file gives a number of an element that is off is told.
+    # A note reports a parameter of an inactive element in the file.
     assert any("gas_force" in note and "off" in note for note in model.notes)
     with pytest.raises(KeyError, match="no parameter 'fv_rebound_c1' in use here"):
         model["fv_rebound_c1"]
@@ -264,7 +264,7 @@ def test_a_model_lists_the_numbers_that_are_in_use() -> None:
 
 
 def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
-    """Another thread of Python goes on while a fit runs."""
+    """Another Python thread continues while a fit runs."""
     ticks, gaps, stop = 0, [0.0], threading.Event()
 
     def tick() -> None:
@@ -283,7 +283,7 @@ def test_work_gives_the_lock_back(own: dashpot.Campaign) -> None:
     spent = time.perf_counter() - started
     stop.set()
     thread.join()
-    # Held, the lock would stop the other thread for nearly all of that time.
+    # If the fit did not release the lock, the other thread would stop for most of the time of the fit.
     assert max(gaps) < 0.5 * spent, (max(gaps), spent, ticks)
 
 
@@ -315,7 +315,7 @@ def test_what_cannot_be_simulated_is_refused() -> None:
 
 
 class TestDampers:
-    """Stepped dampers."""
+    """Tests of dampers that are simulated step by step."""
 
     T = np.arange(2001) * 1e-3
     X = 0.02 * np.sin(20 * T)
@@ -323,7 +323,7 @@ class TestDampers:
 
     def test_one_is_what_simulate_says(self) -> None:
         model = damper()
-        # simulate() starts settled in the first motion, which is one at rest here.
+        # simulate() starts in equilibrium with the first velocity, which this offset makes zero.
         v = self.V - self.V[0]
         expected = model.simulate(self.T, velocity_m_s=v, initial_position_m=0.01).force
         one = dashpot.Damper(model, 0.01)
@@ -370,12 +370,12 @@ class TestDampers:
         with pytest.raises(ValueError, match="models"):
             dashpot.Damper([damper(), damper()], [0.0, 0.0, 0.0])
 
-    #: A damper that remembers: a spring in series, presliding friction, a gas that cools, and friction that rises with the side force.
+    #: A damper with internal states: a series spring, presliding friction and a gas that cools. Its friction also depends on the side force.
     REMEMBERS = (
         damper().text.replace('"gas_preload"', '"gas_preload", "gas_spring", "presliding_friction", "side_force_friction"')
         + "gas_length = 0.3\ngas_adiabatic_index = 1.4\ngas_thermal_time = 1.0\n"
     )
-    #: The same in C: reads a model file, starts in motion, goes on in the same manner, and prints every number.
+    #: C program of the same simulation. It reads a model file, starts in steady motion, continues it, and prints all states and forces.
     IN_C = """
     #include "dashpot.h"
     #include <stdio.h>
@@ -442,7 +442,8 @@ class TestDampers:
         one = dashpot.Damper(model, self.X[0], initial_velocity_m_s=self.V[0])
         motion = zip(self.V[1:].tolist(), np.diff(self.T).tolist(), self.X[1:].tolist(), strict=True)
         assert [one.step(v, dt, x) for v, dt, x in motion] == expected[1:].tolist()
-        # Moving steadily on shows no jump: the force is that of the curve, but for the gas, which cools less than it is compressed.
+        # The continued steady motion has no jump. The force differs from the FV curve only by the gas force, because the gas is compressed
+        # faster than it cools.
         steady = dashpot.Damper(damper(), 0.0, initial_velocity_m_s=0.5)
         assert steady.step(0.5, 1e-4) == pytest.approx(damper().steady_force(0.5)[0], abs=0.1)
         assert dashpot.Damper(damper(), 0.0).step(0.5, 1e-4) < 0.8 * damper().steady_force(0.5)[0]
@@ -483,7 +484,7 @@ class TestDampers:
 def test_export_fmu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import zipfile
 
-    # From the wheel as installed: no compiler can be run, and no library is named.
+    # The FMU must come from the binaries in the installed wheel, because no compiler can run and no library is given.
     monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
     monkeypatch.delenv("CC", raising=False)
     path = tmp_path / "car.fmu"
@@ -515,7 +516,7 @@ def test_a_motion_that_is_none_of_a_damper_is_warned_of() -> None:
         with pytest.warns(UserWarning, match=words) as warned:
             call()
         assert len(warned) == 1 and warned[0].filename == __file__
-    # A long stroke of a real damper, and one that sits far from the zero of its displacement.
+    # Neither a long stroke of a real damper nor a large offset of its displacement causes a warning.
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         model.simulate(t, displacement_m=3.0 + 0.2 * np.sin(10 * t))
@@ -527,7 +528,7 @@ def test_a_part_of_a_campaign_is_a_campaign(own: dashpot.Campaign) -> None:
     assert isinstance(part, dashpot.Campaign) and part.names == own.names[1:3] and len(own[5:2]) == 0
     assert part.sign == own.sign and part[0] == own[1] and part[-1:].names == own.names[2:3]
     assert np.array_equal(part[0].force, own[1].force) and part[0].fingerprint == own[1].fingerprint
-    # What takes records takes parts of a campaign, and records of several parts together.
+    # Functions that accept records also accept parts of a campaign, and combined records of several parts.
     assert dashpot.fit(own[:], family="fv").text == dashpot.fit(list(own), family="fv").text
     assert dashpot.fit([*own[:2], *own[2:]], family="fv").text == dashpot.fit(list(own), family="fv").text
     assert pickle.loads(pickle.dumps(part)).names == part.names
@@ -608,7 +609,7 @@ def test_the_interface_alone_is_listed() -> None:
 
 
 def test_every_number_of_an_argument_has_its_unit_in_its_name() -> None:
-    """Arguments that are floats have a unit in their names, but for pure numbers."""
+    """Every argument of type float has a unit in its name, except dimensionless numbers."""
     pure = {
         "gain", "setting", "clicks", "motion_scale", "force_scale", "noise_percent", "noise_colour", "hide", "seed", "max_effects",
     }  # fmt: skip
@@ -620,7 +621,7 @@ def test_every_number_of_an_argument_has_its_unit_in_its_name() -> None:
         function = call.__func__ if isinstance(call, (classmethod, staticmethod)) else call
         if not inspect.isfunction(function) or dataclasses.is_dataclass(getattr(function, "__self__", None)):
             continue
-        # A result has the keys of the command's JSON.
+        # Constructors of results are skipped, because their arguments are the keys of the command's JSON.
         if function.__name__ == "__init__" and any(function is vars(k).get("__init__") for k in calls if dataclasses.is_dataclass(k)):
             continue
         for name, parameter in inspect.signature(function).parameters.items():
@@ -637,6 +638,6 @@ def test_views_of_notebooks_fit_a_page(own: dashpot.Campaign) -> None:
         view = shown._repr_html_()
         for cell in re.findall(r"<td[^>]*>(.*?)</td>", view):
             assert len(html.unescape(cell)) <= 48, cell
-        # A table scrolls by itself, and remarks beyond a few are folded.
+        # Every table scrolls in its own box, and all but a few remarks are folded.
         assert view.count("<table>") == view.count("max-height")
         assert all(listed.count("<li>") <= 8 for listed in re.findall(r"</h4><ul>(.*?)</ul>", view))

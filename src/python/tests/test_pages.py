@@ -1,4 +1,4 @@
-"""The Python of the pages: every block passes mypy --strict and runs as it stands."""
+"""Tests of the Python code in documents: every block passes mypy --strict and runs without changes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import pytest
 from fleets import TESTS, damper, measure
 
 ROOT = Path(__file__).parents[3]
-#: Pages with how many blocks of Python each has; a page that loses them all is noticed.
+#: Expected number of Python blocks in each document. The test fails if a document loses its blocks.
 PAGES = {"README.md": 1, "src/python/README.md": 1, "docs/book/src/python.md": 8, "docs/book/src/fleet.md": 0}
 
 
@@ -34,7 +34,7 @@ def test_there_are_blocks() -> None:
 def test_a_block_passes_the_strict_type_checker(block: tuple[str, int, str], tmp_path: Path) -> None:
     pytest.importorskip("mypy")
     (tmp_path / "page.py").write_text(block[2])
-    # FMPy has no types; whoever uses it says the same to mypy.
+    # FMPy has no type annotations, so its users also need this option of mypy.
     (tmp_path / "mypy.ini").write_text("[mypy]\nstrict = true\n[mypy-fmpy.*]\nignore_missing_imports = true\n")
     ran = subprocess.run(
         [sys.executable, "-m", "mypy", "page.py"], cwd=tmp_path, capture_output=True, text=True, check=False,
@@ -45,7 +45,7 @@ def test_a_block_passes_the_strict_type_checker(block: tuple[str, int, str], tmp
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the pages take for granted, beside each other."""
+    """Makes a folder with the files that the documents assume."""
     folder = tmp_path_factory.mktemp("pages")
     measure(damper(), folder / "campaign", seed=1, tests=(*TESTS, (0.04, 0.3)))
     measure(damper(friction=80), folder / "other", seed=2, tests=(*TESTS, (0.04, 0.3)))
@@ -71,12 +71,12 @@ def test_a_block_runs(block: tuple[str, int, str], folder: Path) -> None:
     if "libdashpot.so" in text and not (folder / "libdashpot.so").exists():
         pytest.skip("DASHPOT_LIBRARY names no library with a libdashpot.so beside it")
     if 'model.write("damper.toml")' in text:
-        # The page writes it where none is yet.
+        # The document's code writes a new file, and would fail if another one existed.
         (folder / "damper.toml").unlink(missing_ok=True)
     ran = subprocess.run(
         [sys.executable, "-c", text], cwd=folder, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(ROOT / "examples")}
     )
     if "export_fmu" in text and "runtimes.sh" in ran.stderr:
-        # What stands before it has run.
+        # The code before the export has run.
         pytest.skip("this package was built without the runtimes of an FMU")
     assert ran.returncode == 0, ran.stdout + ran.stderr

@@ -1,4 +1,4 @@
-"""The package and the command say the same digits and the same sentences."""
+"""Tests that the package and the command give the same digits and the same messages."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_validate(command: Command, campaign: dashpot.Campaign, model: dashpot.F
     assert validation.to_dict() == command.json("errors.json")
     test = validation.tests[0]
     simulated, fv_only = validation.forces(test.name)
-    # Without what the fit found the records to be off by.
+    # The errors are relative to the records after correction of the measurement errors that the fit found.
     assert validation.campaign is not None
     measured = validation.campaign[test.name].force
     assert np.abs(simulated - measured).mean() == pytest.approx(test.mean_error_n, rel=1e-12)
@@ -88,7 +88,7 @@ def test_the_file_of_a_model_of_the_literature(command: Command, campaign: dashp
     compared = model.validate(campaign, against=path).against
     assert compared[1] == model.validate(campaign, against="kwok").against[1] and compared[1].numbers == kwok.numbers
     model.write(command.folder / "of a damper.toml")
-    # Whatever lies there, it is replaced where that is asked for alone.
+    # An existing file of any kind is replaced only with `force`.
     with pytest.raises(dashpot.OutputError, match="of a damper.toml is there already"):
         kwok.write(command.folder / "of a damper.toml")
     with pytest.raises(FileExistsError, match="kwok.toml is there already"):
@@ -139,7 +139,7 @@ def test_explain(command: Command) -> None:
     said = command.json("explained.json")
     del said["model"], said["dimensions"]
     assert found.to_dict() == said and list(found.lines) == told.splitlines()
-    # 140 N on the rod of 11 mm are 14.7 bar.
+    # A gas force of 140 N on a rod of 11 mm diameter is a pressure of 14.7 bar.
     pressure = found["gas_pressure"]
     assert pressure.value == pytest.approx(14.7, abs=0.1) and pressure.unit == "bar gauge" and "gas_force" in pressure.sources
     assert [one.parameter for one in found.contradictions] == ["gas_force"] and found.unknown
@@ -179,7 +179,10 @@ def test_diagnose_against_a_reference(command: Command) -> None:
 
 @pytest.fixture
 def beside(command: Command, campaign: dashpot.Campaign, model: dashpot.FittedModel, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of the command, with the model and a table of limits in it, as the one where Python runs: papers name files as they were given."""
+    """Makes the folder of the command, with the model and a table of limits, the working directory of Python.
+
+    Reports name files by the paths that were given, so both must use the same relative paths.
+    """
     monkeypatch.chdir(command.folder)
     monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
     Path("front.toml").write_text(model.text)
@@ -205,7 +208,7 @@ def test_papers_of_a_validation(command: Command, beside: Path) -> None:
     limits = pickle.loads(pickle.dumps(dashpot.read_limits("windows.csv")))
     assert limits == dashpot.read_limits("windows.csv") and limits.path == "windows.csv" and len(limits) == 3
     judged = pickle.loads(pickle.dumps(model)).validate(dashpot.Campaign.read("records"), against=["fv", "dahl"], limits=limits)
-    # In another process, or on another day, it writes the same.
+    # A pickled result writes the same files, for example in another process or on another day.
     for found in (judged, pickle.loads(pickle.dumps(judged))):
         found.write_report("p.html", language="de", date=datetime.date(2026, 3, 11))
         found.write_excel("p.xlsx", language="de", date="2026-03-11")
@@ -230,7 +233,7 @@ def test_papers_name_how_records_were_read(command: Command, beside: Path) -> No
     same_bytes(("p.html", "c.html"))
     model.validate(pickle.loads(pickle.dumps(read))).write_report("p.html")
     assert "dashpot validate front.toml records --exclude &#39;a50*&#39; --delay" in Path("p.html").read_text().replace("'", "&#39;")
-    # No command reads some of these records by their place, nor a model that is no file, nor limits of no table.
+    # The report names no command for part of a campaign, for a model without a file, or for limits without a table.
     for found in (
         model.validate(read[1:]),
         dashpot.Model(model.text).validate(read),
@@ -240,7 +243,7 @@ def test_papers_name_how_records_were_read(command: Command, beside: Path) -> No
         assert "Command:" not in Path("q.html").read_text() and "SHA-256" in Path("q.html").read_text()
     ready = model.check(for_step_s=0.005).ready
     ready.validate(read).write_report("q.html")
-    # Another damper than the one in the file, whose hash would be none of that file.
+    # This damper differs from that in the file, so the report must not list the file with its hash.
     assert "<td>front.toml</td>" not in Path("q.html").read_text() and "<td>front.toml</td>" in Path("p.html").read_text()
     first = read[0].name
     model.validate(read[:1]).write_report("q.html")
@@ -253,7 +256,7 @@ def test_papers_of_a_fit(command: Command, beside: Path, monkeypatch: pytest.Mon
     found.write_excel("p.xlsx", model="few.toml", language="fr", date="2026-03-11")
     same_bytes(("p.xlsx", "c.xlsx"))
     command("fit", "records", "--model", "fv", "-o", "few.toml", "--excel", "c.xlsx")
-    # A day of the environment stands for one that is not given.
+    # Without an argument `date`, the date comes from the environment variable, if it is set.
     fv = dashpot.fit(dashpot.Campaign.read("records"), family="fv").fit
     fv.write_excel("p.xlsx", model="few.toml")
     same_bytes(("p.xlsx", "c.xlsx"))
@@ -276,7 +279,7 @@ def test_papers_of_a_diagnosis(command: Command, beside: Path) -> None:
     found.write_excel("p.xlsx")
     same_bytes(("p.html", "c.html"), ("p.xlsx", "c.xlsx"))
     same_figures(found.write_svg("p loops", language="zh"), "c loops")
-    # There is none that a rig could be driven by.
+    # The diagnosis proposes no sine test, so there is no file.
     assert found.write_next_tests("p.csv") == 0 and not Path("p.csv").exists() and not Path("c.csv").exists()
     for kept in (pickle.loads(pickle.dumps(found)), dashpot.Diagnosis.from_dict(found.to_dict())):
         assert kept == found
@@ -357,7 +360,7 @@ def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model:
     def sentence(*arguments: str) -> str:
         ran = command.run(*arguments)
         assert ran.returncode == 2
-        # Before it, notes on the records may stand.
+        # The error is the last line, because notes on the records may precede it.
         return as_arguments(ran.stderr.rstrip("\n").splitlines()[-1].removeprefix("dashpot: "))
 
     with pytest.raises(dashpot.RecordError) as records:
@@ -387,7 +390,7 @@ def test_the_same_sentences(command: Command, campaign: dashpot.Campaign, model:
 
 
 def test_a_mapping_reads_as_the_options_of_the_command(command: Command, records: Path, campaign: dashpot.Campaign) -> None:
-    """The same records in kN, compression positive, under other headings."""
+    """Records in kN, with positive compression and other headings, give the same campaign as the original records."""
     folder = command.folder / "foreign"
     folder.mkdir()
     for file in sorted(records.glob("*.csv")):
@@ -441,7 +444,7 @@ def test_a_fleet_judges_limits_as_the_command_does(command: Command, records: Pa
     said = command.json("judged.json")["limits"]
     limits = dashpot.read_limits(command.folder / "limits.csv")
     assert len(limits) == len(said["limits"]) == len(lines) - 1
-    # The same digits, tests and verdicts, of damper and model.
+    # Numbers, tests and verdicts of damper and model equal those of the command.
     found = model.validate(campaign, limits=limits).limits
     assert found is not None
     lines_of_the_table = [{**one, "line": k + 1} for k, one in enumerate(said["limits"])]

@@ -1,4 +1,4 @@
-"""What reaches a user of the package speaks of arguments, and not of options of the command."""
+"""Tests that messages to users of the package name arguments, and not options of the command."""
 
 from __future__ import annotations
 
@@ -18,17 +18,18 @@ from dashpot._arguments import as_arguments, loads
 
 SOURCES = Path(__file__).parents[2]
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
-#: What is to be run as a command is told as one.
+#: Pattern of a whole command in a message. It may contain options, because the user runs it as a command.
 COMMAND = re.compile(r"dashpot [a-z-]+( [A-Z-]+)* --[a-z-]+")
-#: Words that stand at places of a sentence where it matters what stands there.
+#: Values for the placeholders of a message whose value affects the replacement of options.
 AT = {"channel": "force", "of_first": "force", "of_second": "displacement", "what": "rebound_force", "example": "force", "likely": "kN", "written": "N"}
 
 
 def sentences() -> Iterator[tuple[str, str]]:
-    """Every text in the sources of reading, fit and diagnosis that has an option, with something at its places."""
+    """Yields every text with an option in the sources of reading, fit and diagnosis. Values replace its placeholders."""
     for crate in ("records", "estimation", "identification", "diagnosis", "proving"):
         for file in sorted((SOURCES / crate / "src").rglob("*.rs")):
-            # The texts of tests come last, and what a model of the literature bears is read in its file.
+            # Unit tests are at the end of a file and are skipped. The file of literature models is skipped too, because its texts are part of
+            # those model files.
             code = file.read_text().split("#[cfg(test)]")[0]
             if file.stem == "tests" or file.parts[-2:] == ("literature", "file.rs"):
                 continue
@@ -40,7 +41,7 @@ def sentences() -> Iterator[tuple[str, str]]:
 
 def test_every_sentence_with_an_option_speaks_of_arguments() -> None:
     found = list(sentences())
-    # Of them 6 are in diagnosis and identification; far fewer means that this reads the sources no more.
+    # A much smaller number of texts would mean that the search in the sources no longer works. 6 texts are in diagnosis and identification.
     assert len(found) > 50 and {file.split("/")[0] for file, _ in found} >= {"records", "identification", "diagnosis"}
     for file, said in found:
         assert not OPTION.search(COMMAND.sub("", as_arguments(said))), (file, as_arguments(said))

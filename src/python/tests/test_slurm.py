@@ -1,4 +1,4 @@
-"""A fleet on a real Slurm; skipped where there is none (``slurm.sh`` beside this file starts one on Debian)."""
+"""Tests of a fleet on a real Slurm. They are skipped without Slurm; ``slurm.sh`` in this folder starts one on Debian."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import pytest
 from fleets import fleet
 
 pytest.importorskip("pyarrow.parquet")
-# Its import takes Ctrl-C from all tests of this process.
+# The module is searched but not imported, because its import installs a handler of Ctrl-C for all tests of this process.
 if importlib.util.find_spec("dask_jobqueue") is None:
     pytest.skip("dask-jobqueue is not installed", allow_module_level=True)
 
 
 def answers() -> bool:
-    """Whether a Slurm takes jobs here."""
+    """Returns whether Slurm accepts jobs on this computer."""
     if shutil.which("sinfo") is None:
         return False
     told = subprocess.run(["sinfo", "-h", "-o", "%T"], capture_output=True, text=True, check=False)
@@ -28,7 +28,7 @@ def answers() -> bool:
 
 pytestmark = pytest.mark.skipif(not answers(), reason="no Slurm here; tests/slurm.sh starts one")
 
-#: Elements of the dampers made here.
+#: Elements of the test dampers.
 ELEMENTS = "series_compliance,coulomb_friction,gas_preload"
 
 

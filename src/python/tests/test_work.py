@@ -1,4 +1,4 @@
-"""Long work beside other work: stopped by hand, in threads, in processes."""
+"""Tests of long work: interruption by Ctrl-C, work in threads, and work in processes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> dashpot.Campaign:
 
 
 def at_first_word(act: Callable[[], object]) -> tuple[Callable[[float, str], object], list[str]]:
-    """A progress function that acts once, and keeps what it was told."""
+    """Makes a progress function that calls ``act`` at its first call, and the list of the texts that it received."""
     told: list[str] = []
 
     def progress(done: float, text: str) -> None:
@@ -44,7 +44,7 @@ def at_first_word(act: Callable[[], object]) -> tuple[Callable[[float, str], obj
 @pytest.mark.parametrize("work", ["fit", "diagnose", "validate", "against", "read"])
 @pytest.mark.filterwarnings("ignore:the model file names no tests")
 def test_ctrl_c_stops_it(own: dashpot.Campaign, work: str) -> None:
-    """The signal comes while it runs; what was asked for is not made, and the same runs again afterwards."""
+    """A signal during the work stops it without a result, and the same work succeeds afterwards."""
     model = damper()
     begun = threading.Event()
     progress, told = at_first_word(begun.set)
@@ -52,7 +52,7 @@ def test_ctrl_c_stops_it(own: dashpot.Campaign, work: str) -> None:
         "fit": lambda: dashpot.fit(own, progress=progress),
         "diagnose": lambda: dashpot.diagnose(model, own, progress=progress),
         "validate": lambda: model.validate(own, progress=lambda d, t: (progress(d, t), stopped.wait(1.0))),
-        # At the first model to compare with, and not before.
+        # The signal comes at the first model for comparison, and not before.
         "against": lambda: model.validate(own, against=["spencer", "network"], progress=lambda d, t: progress(d, t) if t == "spencer" or told else None),
         "read": lambda: dashpot.Campaign.read(own.paths[0], progress=lambda d, t: (progress(d, t), stopped.wait(1.0))),
     }
@@ -114,7 +114,7 @@ def test_long_motions_and_curves_give_the_lock_back(work: str) -> None:
     while worker.is_alive():
         time.sleep(0.002)
         ticks += 1
-    # Ten a second where there should be hundreds: a machine may be busy, a lock that is held lets none through.
+    # Hundreds of ticks per second are expected. The limit is ten, because the machine may be busy. With a held lock, there would be none.
     assert ticks > 10 * (time.monotonic() - started)
 
 
@@ -147,10 +147,10 @@ def _stepped(model: dashpot.Model) -> list[float]:
     return list(np.asarray(forces))
 
 
-@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of Python: a process of several threads is forked
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # Python warns of a fork of a process with several threads
 @pytest.mark.parametrize("method", multiprocessing.get_all_start_methods())
 def test_processes_fit_and_step(own: dashpot.Campaign, method: str) -> None:
-    """Forked after threads were started here, which a child does not have."""
+    """Processes work even if they were forked after threads had been started, which a child process does not have."""
     model = damper()
     expected = _fitted(own), _stepped(model)
     with multiprocessing.get_context(method).Pool(2) as pool:
@@ -239,7 +239,7 @@ def test_results_are_short_at_a_prompt(own: dashpot.Campaign) -> None:
     "model.steady_force(np.full(10**8, 0.1))",
 ])
 def test_a_thread_that_works_when_the_program_ends_does_not_abort_it(own: dashpot.Campaign, work: str) -> None:
-    """Python does not wait for such a thread, and would be gone when the work comes back to it."""
+    """The process is not aborted, although Python does not wait for such a thread and ends before its work returns."""
     program = (
         "import threading, time, numpy as np, dashpot\n"
         "from fleets import damper\n"

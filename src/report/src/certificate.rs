@@ -14,13 +14,13 @@ use dashpot_records::Record;
 /// Input of a certificate.
 #[derive(Debug, Clone)]
 pub struct CertificateInput<'a> {
-    /// Results of the limits.
+    /// The checked limits and their overall verdict.
     pub certificate: &'a Certificate,
     /// The records from which the verdicts follow, with the test object, the date and the operator.
     pub records: &'a [&'a Record],
-    /// Name of the data.
+    /// Files or folders of the records, as named in the subtitle.
     pub data: String,
-    /// Name of the file of limits.
+    /// Path of the file of limits.
     pub limits: String,
     /// Force of the model at constant velocity, m/s and N; may be empty.
     pub curve: &'a [[f64; 2]],

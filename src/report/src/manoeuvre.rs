@@ -88,7 +88,7 @@ pub struct Figures {
 pub struct Covered {
     /// Displacement and velocity range of the tests.
     pub region: Region,
-    /// Loops of the tests: displacement and velocity.
+    /// Loops of the tests: points of displacement, m, and velocity, m/s.
     pub loops: Vec<Vec<[f64; 2]>>,
 }
 
@@ -433,8 +433,8 @@ impl ManoeuvreInput<'_> {
     }
 }
 
-/// Notes that model and curve were compared in shorter steps, and states the error of the host's step. Returns `None` if the comparison
-/// used the host's step.
+/// Formats a note that model and FV curve were compared in shorter steps, with the force error of the host's step. Returns `None` if the
+/// comparison used the host's step.
 pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     let most =
         |of: usize| f.corners.iter().filter_map(|c| c.rms_chatter_n).map(|chatter| chatter[of]).fold(0.0, f64::max);

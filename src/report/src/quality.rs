@@ -12,7 +12,7 @@ const GOOD: f64 = 2.0;
 /// Largest mean error that is rated as fair, percent of a test's largest force. With a larger error, the model probably lacks friction, gas
 /// or hysteresis.
 const FAIR: f64 = 5.0;
-/// Smallest ratio of the curve's error to the model's error at which the model counts as better.
+/// Smallest ratio of the FV curve's error to the model's error at which the model counts as better than the FV curve.
 const BETTER: f64 = 1.05;
 
 /// Formats the rating as a sentence.

@@ -7,7 +7,7 @@ use dashpot_records::{Record, TestMetadata, clock};
 
 /// Largest number of different values of an entry that are listed individually.
 const LISTED: usize = 3;
-/// Smallest start time of a record, s, that includes a date. A smaller value is a time on an unknown day.
+/// Smallest start time of a record, s since 1970, that includes a date. A smaller value is a time on an unknown day.
 const DAY: f64 = 86_400.0;
 
 /// Returns one line each for part, serial number, date and operator, which a certificate requires. Rig and temperature follow if they are

@@ -54,7 +54,7 @@ fn headline(validation: &Validation, words: &Words) -> String {
 }
 
 /// Describes the error of the model in the left-out tests, or states that all tests were used in the fit. Returns
-/// `None` if no test was.
+/// `None` if the fit used none of the tests.
 fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     let figures = |errors: &Errors| {
         let figures = [

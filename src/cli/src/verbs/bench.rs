@@ -50,7 +50,7 @@ const METHODS: [(&str, Method); 5] = [
 ];
 /// Step of the host in the comparison and in the timing, s.
 const STEP: f64 = 1e-3;
-/// Number of steps of all timing runs together.
+/// Number of steps over which one integration is timed, over its seven runs together.
 const TIMED: usize = 200_000;
 
 /// Runs the verb.
@@ -204,7 +204,8 @@ fn spin_for(words: &[String]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Counts the instructions of one step, from the difference of two runs under callgrind.
+/// Counts the instructions of one step, from the difference of two runs under callgrind. Returns `None` if Valgrind does
+/// not run.
 fn count(method: &str, substeps: u32) -> Option<u64> {
     let total = |steps: u32| -> Option<u64> {
         let out = Command::new("valgrind")

@@ -178,8 +178,8 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans other records of one damper at several settings, with these options. Does not warn about an uncertain sign. Call
-    /// [`print_sign`] once the signs of all campaigns agree.
+    /// Reads and cleans the records at `paths`, of one damper at several settings, with these options. Prints the notes on settings that
+    /// change during a record. Does not warn about an uncertain sign. Call [`print_sign`] once the signs of all campaigns agree.
     pub fn load_over_setting_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         let is_wanted = |note: &Note| !["settings", "changing_setting"].contains(&note.kind);
         let mut campaign = self.read_noting(paths, &self.options()?, &is_wanted)?;
@@ -199,7 +199,7 @@ impl DataArgs {
         let mut campaign = load(self)?;
         let knows = |campaign: &Campaign| campaign.records.iter().any(|record| model.identification.used(record));
         // The positive direction may be uncertain in a part of the fitted records, although the fit determined it from all of them. If only
-        // the opposite direction gives records that the fit knows, it applies.
+        // the opposite direction reproduces records that the fit used, the records are read again with the opposite direction.
         let is_open = self.positive.is_none() && !model.identification.fingerprints.is_empty();
         if is_open && !knows(&campaign) && campaign.notes.iter().any(|note| note.kind == "sign_unsure") {
             let positive = campaign.sign.positive.opposite();
@@ -220,28 +220,29 @@ impl DataArgs {
         Ok(campaign)
     }
 
-    /// Reads and cleans other records with these options. Does not warn about an uncertain sign. Call [`print_sign`] once the signs of all
-    /// campaigns agree.
+    /// Reads and cleans the records at `paths` with these options. Does not warn about an uncertain sign. Call [`print_sign`] once the
+    /// signs of all campaigns agree.
     pub fn load_like(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         Ok(self.read(paths, &self.options()?)?)
     }
 
-    /// Reads the records of the reference. Errors name the reference, because its file names often equal those of the other records.
+    /// Reads the records of the reference damper. Errors name the option `--reference`, because the reference's file names often equal
+    /// those of the diagnosed damper.
     pub fn load_reference(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads the records of a reference at several settings. Errors name the reference.
+    /// Reads the records of a reference damper at several settings. Errors name the option `--reference`.
     pub fn load_reference_over_setting(&self, paths: &[PathBuf]) -> anyhow::Result<Campaign> {
         self.load_over_setting_like(paths).map_err(|error| of_reference(error, paths))
     }
 
-    /// Reads records with the given options, and prints the notes on the selection of records.
+    /// Reads records with the given options, and prints the notes for which [`is_shown_first`] is true, except on an uncertain sign.
     pub fn read(&self, paths: &[PathBuf], options: &Options) -> Result<Campaign, RecordError> {
         self.read_noting(paths, options, &|_| true)
     }
 
-    /// Reads records, and prints those notes on the selection of records for which `is_wanted` is true.
+    /// Reads records, and prints the notes for which both [`is_shown_first`] and `is_wanted` are true, except on an uncertain sign.
     fn read_noting(
         &self,
         paths: &[PathBuf],
@@ -251,7 +252,7 @@ impl DataArgs {
         let progress = Progress::new("reading");
         let campaign = load(paths, options, &|p| progress.count(p.done, p.total))?;
         drop(progress);
-        // These notes affect the selection of records, so every verb prints them before its results.
+        // These notes state which samples and channels are used and how they are interpreted, so every verb prints them before its results.
         for note in campaign.notes.iter().filter(|n| is_shown_first(n) && n.kind != "sign_unsure" && is_wanted(n)) {
             let word = if note.is_loud() { "warning" } else { "note" };
             dashpot_output::warn(&format!("{word}: {}", note.text));
@@ -274,7 +275,7 @@ pub fn named(paths: &[PathBuf]) -> String {
     paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns whether a note of this kind is printed when the records are read.
+/// Returns whether a note of this kind is printed when the records are read, before the results of a verb.
 pub fn is_shown_first(note: &Note) -> bool {
     [
         "gap",

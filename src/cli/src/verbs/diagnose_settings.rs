@@ -25,7 +25,7 @@ use dashpot_report::{parameters, reading, write_workbook};
 use dashpot_simulation::comparison::settings_of;
 use std::path::{Path, PathBuf};
 
-/// The records at one setting, with the model at this setting.
+/// Records at one setting, with the model at this setting.
 struct Part {
     setting: f64,
     model: ModelFile,
@@ -45,7 +45,7 @@ struct Subject {
     files: Vec<PathBuf>,
 }
 
-/// Rejects options that do not apply to several settings. `what` is the first argument of the proposed command.
+/// Rejects options that do not apply to several settings. The error proposes `dashpot setting`, with `what` as its model.
 fn check(args: &Args, what: &str) -> anyhow::Result<()> {
     let one = format!("diagnose the damper at one setting: dashpot setting {what} VALUE -o one.toml");
     for (option, is_given, why) in [
@@ -186,7 +186,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Splits the records by setting. Each part contains the model at its setting. The lowest setting comes first.
+/// Splits the records by setting. Each part contains the model at the part's setting. The lowest setting comes first.
 fn split(
     args: &Args,
     model: &ModelFile,
@@ -296,7 +296,7 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
     lines
 }
 
-/// Returns each note once. If it does not apply to all settings, it begins with its settings.
+/// Returns each note of the diagnoses once. A note that does not apply to all settings begins with a list of its settings.
 fn notes_of_settings(unit: &str, found: &[(Part, Diagnosed)]) -> Vec<String> {
     let mut all: Vec<(String, Vec<String>)> = Vec::new();
     for (part, one) in found {

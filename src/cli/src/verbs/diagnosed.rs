@@ -25,8 +25,8 @@ pub struct Diagnosed {
     /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
     /// errors.
     pub over_whole_records: OfDiagnosis,
-    /// Note on the measurement errors that the model's fit found in its own records. It states whether these records
-    /// were corrected.
+    /// Note on the measurement errors that the model's fit found in its own records. It states whether the diagnosed
+    /// records were corrected.
     pub as_the_fit_saw: Option<Sentence>,
     /// Files and tests that could not be used, including those of the reference.
     pub unusable: Vec<Unusable>,
@@ -111,10 +111,11 @@ impl Diagnosed {
     }
 }
 
-/// Largest numbers of regions, of alternatives to a finding (`RIVALS`), and of proposed tests that the text lists. The
-/// report contains all of them.
+/// Largest number of regions of disagreement that the text lists. The report contains all of them.
 const REGIONS: usize = 5;
+/// Largest number of rejected alternatives to a finding that the text lists. The report contains all of them.
 const RIVALS: usize = 2;
+/// Largest number of proposed tests that the text lists. The report contains all of them.
 const NEXT: usize = 3;
 
 /// Formats the result of a diagnosis as lines of text.
@@ -183,7 +184,8 @@ fn one(finding: &Finding) -> Vec<String> {
     lines
 }
 
-/// Formats the errors before and after as a small table.
+/// Formats the rms errors and the noise, N, before and after the added effects as a table. The last line is the part of
+/// the gap that the effects close.
 fn errors(found: &Diagnosis) -> Vec<String> {
     let row = |name: &str, f: &Figures| {
         let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));

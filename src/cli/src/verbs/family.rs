@@ -23,11 +23,11 @@ use std::path::Path;
 
 /// Paths of the output files.
 pub struct Outputs<'a> {
-    /// The model file.
+    /// Path of the model file.
     pub model: &'a Path,
-    /// The figures.
+    /// Path of the JSON output, if requested.
     pub json: Option<&'a Path>,
-    /// The report, with its language and date.
+    /// Path of the report, with its language and date, if requested.
     pub report: Option<(&'a Path, &'a TextArgs)>,
 }
 
@@ -147,10 +147,11 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// Largest relative difference of the forces of an effect at all settings at which the text calls them alike.
+/// Largest difference between the forces of an effect at its settings, relative to the largest force, at which the text
+/// reports them as alike instead of listing them.
 const ALIKE: f64 = 0.02;
 
-/// Formats the force of an effect at each setting. If the forces are alike, states only that.
+/// Formats the rms force of an effect at each setting, N. If the forces are alike, states only that they are.
 fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     let forces = || of.settings.iter().map(|here| here.force_n_rms);
     let (low, high) = (forces().fold(f64::INFINITY, f64::min), forces().fold(0.0, f64::max));
@@ -161,7 +162,8 @@ fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }
 
-/// Probabilities of a component at which the text calls it undecided. The odds are then at most three to one.
+/// Probabilities at which the text calls the presence of an actuator's component undecided. The odds are then at most
+/// three to one.
 const UNDECIDED: std::ops::RangeInclusive<f64> = 0.25..=0.75;
 
 /// Formats the components and the parameters of the actuator.

@@ -1,4 +1,4 @@
-//! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with its reference.
+//! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with a reference.
 
 use crate::plural::count_tests;
 use dashpot_diagnosis::Change;
@@ -11,10 +11,11 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
-/// Largest number of listed changes of a group.
+/// Largest number of changes that the text lists for a group.
 const TOLD: usize = 3;
 
-/// Returns the changes with the largest force, which are the first in the list. The report and --json contain all changes.
+/// Returns at most [`TOLD`] changes with the largest force. `changed` is sorted by force, largest first. The report and --json contain all
+/// changes.
 fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }

@@ -20,11 +20,11 @@ pub struct HostArgs {
 }
 
 impl HostArgs {
-    /// Prepares the damper for the host, with remarks.
+    /// Checks the damper for chatter in the host. With `--for-step`, also replaces friction that chatters.
     pub fn ready(&self, params: &Params) -> Result<Ready, HostError> {
         Ready::prepare(params, self.host_step, self.wheel_mass, self.for_step)
     }
-    /// Prepares the damper for the host at each value of its setting, or once if it is an ordinary damper.
+    /// Applies [`HostArgs::ready`] at each setting of an adjustable damper, or once with the setting `None` to an ordinary damper.
     pub fn ready_at_settings(&self, damper: &Definition) -> Result<Vec<(Option<f64>, Ready)>, HostError> {
         Ready::prepare_at_settings(damper, self.host_step, self.wheel_mass, self.for_step)
     }

@@ -4,7 +4,7 @@ use super::data::is_shown_first;
 use dashpot_records::Campaign;
 use dashpot_report::words::TERMINAL;
 
-/// Largest number of listed lines, for channels and for repairs.
+/// Largest number of lines that are printed on the channels, and largest number on the repairs.
 const LISTED: usize = 10;
 /// Kinds of notes on the conversion of columns to channels. Most of these notes are equal in all files, so each is
 /// listed once.
@@ -41,7 +41,7 @@ fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     lines
 }
 
-/// Lists the repairs of the cleaning for each test.
+/// Formats one line for each test with damaged samples that the reader repaired, at most [`LISTED`] lines.
 fn repairs(campaign: &Campaign) -> Vec<String> {
     let lines = campaign
         .records

@@ -106,7 +106,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         campaign.records.len()
     } else {
         let numbers = if args.strength { Numbers::Strengths } else { Numbers::Severities };
-        // A test matrix of the user replaces the plan. Then [`strengths`] rejects severities, because it needs a plan.
+        // A test matrix of the user replaces the plan. Then [`strengths`] rejects severities, because the strength of a
+        // severity is searched over the tests of a plan.
         let searched = matrix.is_none().then(|| plan.unwrap_or_default());
         let effects = strengths(effects(&args.hide)?, numbers, searched, &options, &|_, _| ())?;
         let matrix = matrix.unwrap_or_else(|| plan.unwrap_or_default().matrix(order));

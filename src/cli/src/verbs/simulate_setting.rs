@@ -50,7 +50,8 @@ fn value_at(schedule: &[(f64, f64)], time: f64, start: f64) -> f64 {
 /// Source of the setting of a simulation.
 #[derive(Debug, Clone, PartialEq)]
 enum Source {
-    /// The option `--setting`. Before its first time, the start setting of the model file applies.
+    /// The option `--setting` as pairs of time, s, and setting, and the start setting of the model file. The start
+    /// setting applies before the first time.
     Schedule(Vec<(f64, f64)>, f64),
     /// The file of the motion.
     Motion,
@@ -70,7 +71,7 @@ impl Commands {
     /// Chooses between the option `--setting`, the motion's own setting, and the start setting of the model file.
     ///
     /// # Errors
-    /// Both the option and a column of the motion have a setting, or the column has another unit than the model.
+    /// Both the option and a column of the motion have a setting, or the setting that applies has another unit than the model.
     pub fn choose(
         (model, axis): (&Path, &Axis),
         (motion, own): (&Path, Option<&MotionSetting>),

@@ -302,7 +302,8 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
     out
 }
 
-/// Smallest completed fraction of a response at the end of a level of the setting. Below it, the text recommends longer levels.
+/// Smallest fraction of a step response that must be complete when the next step of the setting begins. For a smaller fraction, the text
+/// recommends longer constant settings between the steps.
 const SETTLED: f64 = 0.97;
 
 /// Formats the response times of measurement and model for one kind of step.
@@ -341,7 +342,7 @@ fn response(of: &StepResponse, unit: &str) -> String {
     )
 }
 
-/// Formats the error matrix.
+/// Formats the errors of the model and of the FV curve by amplitude, by peak velocity, by use in the fit, and over all tests.
 pub fn table(v: &Validation) -> String {
     let mut out = format!(
         "{:<34}{:>6}{:>10}{:>9}{:>12}{:>12}{:>12}{:>10}\n",

@@ -12,8 +12,8 @@ use std::path::PathBuf;
 pub struct Loaded {
     /// Files and folders that the user opened.
     pub paths: Vec<PathBuf>,
-    /// The common folder of the records, or `None` if they have none. It is determined during reading, because the folder may disappear
-    /// later.
+    /// The common folder of the records, or `None` if they lie in several folders. It is determined during reading, because the folder
+    /// may disappear later.
     pub folder: Option<PathBuf>,
     /// Options of reading, in addition to those of `campaign.toml`.
     pub options: Options,
@@ -31,7 +31,7 @@ pub struct Loaded {
 pub struct Seen {
     /// Smoothed motion, the input of the model.
     pub motion: Motion,
-    /// Range of the plotted samples: one whole cycle, or all samples without cycles.
+    /// Range of the plotted samples: one whole cycle, or all samples if the record has no cycles.
     pub shown: Range<usize>,
     /// The shown cycle as a thinned record, for a fast simulation while a slider moves.
     pub cycle: Record,
@@ -52,8 +52,9 @@ impl Seen {
         let motion = smooth(record);
         let n = record.time.len();
         let shown = record.cycles.get(record.cycles.len() / 2).cloned().unwrap_or(0..n);
-        // With one sample beyond the cycle, the simulation runs one cycle before the shown one. So the model reaches steady state, as on
-        // whole records. A motion without cycles, such as a road, is not thinned, because its direction may change at any sample.
+        // The sample after the cycle lets the simulation run the cycle once before it computes the shown forces. So the model reaches
+        // steady state, as on whole records. A motion without cycles, such as a road, is not thinned, because its direction may change at
+        // any sample.
         let stride = if record.cycles.is_empty() { 1 } else { shown.len().div_ceil(QUICK).max(1) };
         let mut taken: Vec<usize> = shown.clone().step_by(stride).collect();
         let cycle_samples = taken.len();
@@ -140,7 +141,7 @@ impl Loaded {
         Ok(Loaded { paths, folder, options, campaign, tests, warm, original: None })
     }
 
-    /// Returns the campaign as read, the input of a fit.
+    /// Returns the campaign as read, without measurement corrections. A fit starts from these records.
     pub fn original(&self) -> &Campaign {
         self.original.as_deref().unwrap_or(&self.campaign)
     }

@@ -20,19 +20,21 @@ pub struct Grid {
     pub rows: Vec<f64>,
     /// Peak velocities, m/s, or frequencies, Hz, of the columns.
     pub columns: Vec<f64>,
-    /// Tests in each cell, row by row.
+    /// Indices of the tests in each cell, row by row.
     pub cells: Vec<Vec<usize>>,
-    /// Slow tests for friction and gas force. They have no columns, because their many velocities would fill the matrix. The report lists
-    /// them separately too.
+    /// Indices of the slow tests for friction and gas force. They have no columns, because their many velocities would fill the matrix. The
+    /// report lists slow tests separately too.
     pub slow: Vec<usize>,
-    /// Tests without whole cycles, which are outside the matrix.
+    /// Indices of the tests without whole cycles, which are outside the matrix.
     pub elsewhere: Vec<usize>,
 }
 
-/// Largest relative difference of values in one row or column. Rigs reach their targets within a few percent.
+/// Largest relative difference of amplitudes in one row, and of velocities or frequencies in one column. Rigs reach their targets within a
+/// few percent.
 const SAME: f64 = 0.06;
 
-/// Returns the mean of each cluster of values.
+/// Groups values that differ by at most [`SAME`] from the smallest value of their group. Returns the mean of each group, in increasing
+/// order.
 fn clusters(mut values: Vec<f64>) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     let mut groups: Vec<Vec<f64>> = Vec::new();

@@ -235,8 +235,8 @@ impl Session {
         self.order_responses();
     }
 
-    /// Applies the measurement corrections of the model's fit to the open records, like the verbs of the command. Without such corrections
-    /// the records stay unchanged.
+    /// Applies the measurement corrections of the model's fit to the open records, like the verbs of the command. For a model without
+    /// corrections, the records are restored to those that were read.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();
@@ -247,8 +247,8 @@ impl Session {
         let mut records = own.original().records.clone();
         let mut of_reference = others.map_or_else(Vec::new, |others| others.original().records.clone());
         if let Some((axis, _)) = model.over_setting() {
-            // Each record is converted separately. A setting with an incompatible unit belongs to another damper and must not prevent the
-            // conversion of the others.
+            // Each record's setting is converted to the model's unit separately. A setting with an incompatible unit belongs to another
+            // damper and must not prevent the conversion of the other records.
             for record in records.iter_mut().chain(&mut of_reference) {
                 let _ = restate_settings(axis, [record]);
             }
@@ -368,7 +368,7 @@ impl Session {
         changed
     }
 
-    /// Requests the forces of the current model. If `quick` is set, one cycle of each test is simulated.
+    /// Requests the forces of the current model. If `quick` is set, one cycle of each test is simulated, otherwise the whole test.
     pub fn order(&mut self, quick: bool) {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return };
         let dampers = model.dampers(model.params(), self.own_settings);
@@ -541,7 +541,8 @@ impl Session {
     }
 }
 
-/// Returns a path of records. For the file `campaign.toml`, this is the folder of its records.
+/// Returns the folder that contains a file `campaign.toml`, because this file describes the folder's records. Returns any other path
+/// unchanged.
 fn profile_stands_for_its_folder(path: &Path) -> PathBuf {
     if path.file_name().is_some_and(|n| n == dashpot_records::profile::FILE) && path.is_file() {
         return dashpot_records::profile::folder_of(path);
@@ -555,7 +556,7 @@ fn first_look(records: &[Record]) -> BTreeSet<usize> {
     let grid = matrix::Grid::new(records, matrix::Across::Velocity);
     let row = |k: usize| -> Vec<usize> { (0..grid.columns.len()).flat_map(|c| grid.cell(k, c).to_vec()).collect() };
     let best = (0..grid.rows.len()).map(row).max_by_key(Vec::len).unwrap_or_default();
-    /// Largest number of distinguishable loops.
+    /// Largest number of loops that the first display shows, because more are not distinguishable in one plot.
     const LOOPS: usize = 8;
     if best.is_empty() { (0..records.len().min(1)).collect() } else { best.into_iter().take(LOOPS).collect() }
 }

@@ -141,7 +141,7 @@ impl Tuned {
         }
         *at = setting;
         let params = damper.params_at(setting);
-        // The new values come from the same file, so there is no undo step and nothing to save.
+        // The values at the other setting come from the same model file, so there is no undo step and nothing to save.
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
         self.history = History::new(params);
@@ -337,9 +337,9 @@ impl Tuned {
 /// Range and scale of a slider.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reach {
-    /// Left end.
+    /// Value at the left end, in the unit of the parameter.
     pub low: f64,
-    /// Right end.
+    /// Value at the right end, in the unit of the parameter.
     pub high: f64,
     /// Whether the scale is logarithmic.
     pub factors: bool,
@@ -349,8 +349,8 @@ pub struct Reach {
 const SPREADS: f64 = 3.0;
 
 impl Reach {
-    /// Computes the range of a slider. The range contains the usual values of the prior, the interval, the identified value and the current
-    /// value.
+    /// Computes the range of a slider. The range contains the values within [`SPREADS`] standard deviations of the prior, the interval of
+    /// the fit, the identified value and the current value.
     ///
     /// The range lies within the bounds of the parameter table.
     pub fn new(row: &Row, scale: Scale, identified: f64, now: f64, interval: Option<[f64; 2]>) -> Reach {

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 pub struct Wanted {
     /// The damper of each test.
     pub dampers: Dampers,
-    /// The tests.
+    /// The campaign whose tests are simulated.
     pub loaded: Arc<Loaded>,
     /// Whether one cycle of each test suffices, because a slider is moving.
     pub quick: bool,
@@ -24,7 +24,7 @@ pub struct Wanted {
 pub struct Simulated {
     /// The damper of each test.
     pub dampers: Dampers,
-    /// The tests.
+    /// The campaign of the simulated tests.
     pub loaded: Arc<Loaded>,
     /// Forces and errors of each test.
     pub tests: Vec<OfTest>,
@@ -43,7 +43,7 @@ pub struct OfTest {
     pub stride: usize,
     /// Mean of |computed − measured|, N.
     pub mean_error: f64,
-    /// Error in percent of the largest measured force.
+    /// Mean error in percent of the largest measured force.
     pub percent: f64,
     /// Root mean square of computed − measured, N.
     pub rmse: f64,
@@ -132,7 +132,7 @@ impl Simulator {
         self.shared.desk().done.take()
     }
 
-    /// Returns whether a request is waiting or running.
+    /// Returns whether a request is waiting or running, or its result is not collected yet.
     pub fn is_busy(&self) -> bool {
         let desk = self.shared.desk();
         desk.wanted.is_some() || desk.done.is_some() || self.shared.busy.load(Ordering::Relaxed) > 0

@@ -33,7 +33,7 @@ pub struct Member {
     pub force: Vec<f64>,
     /// Area of the loop of force over displacement, J: the work of one cycle.
     pub area: f64,
-    /// Vertical distance near zero velocity, N, between the branches of rising and falling velocity.
+    /// Mean force near zero velocity while the velocity falls minus that while the velocity rises, N.
     pub gap: f64,
 }
 
@@ -76,7 +76,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
     Some(Study { question: question.clone(), members, measured: figures(&cycle.force[..n]) })
 }
 
-/// Computes the area inside a closed loop: ∮ F dx.
+/// Computes the area inside a closed loop, ∮ F dx. For `x` in m and the force F in N, this is the work of one cycle, J.
 pub fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     let n = x.len().min(force.len());
     (0..n).map(|i| 0.5 * (force[i] + force[(i + 1) % n]) * (x[(i + 1) % n] - x[i])).sum()
@@ -113,8 +113,8 @@ mod tests {
         let phase = |i: usize| TAU * i as f64 / n as f64;
         let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
         let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
-        // The test damper has 1000 N s/m at 1 Hz and a spring of 5000 N/m. The area is π c ω X², and only the spring
-        // causes a gap.
+        // The test damper has c = 1000 N s/m and a spring of 5000 N/m. The motion has the amplitude X = 10 mm and the
+        // angular frequency ω = 2π rad/s. The area is π c ω X², and only the spring causes a gap.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
         let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;
         assert!((loop_area(&x, &force) / wanted - 1.0).abs() < 1e-3);

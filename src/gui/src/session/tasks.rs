@@ -1,5 +1,5 @@
-//! Long tasks in the background: reading, fitting, validating, diagnosing, studying, writing. One task runs at a time. It reports its
-//! progress, and the user can cancel it.
+//! Long tasks in the background: reading, fitting, validating, diagnosing, studying, writing. One task runs at a time, with
+//! [`Kind::Respond`] as the only exception. A task reports its progress, and the user can cancel it.
 
 use crate::session::Waker;
 use crate::session::campaign::Loaded;

@@ -23,7 +23,8 @@ pub struct AtPeak {
 pub struct AtVelocity {
     /// Velocity, m/s, rebound positive.
     pub velocity: f64,
-    /// Forces while the speed rises and while the speed falls; `None` if the cycle does not pass the velocity in this way.
+    /// Forces while the speed rises and while the speed falls; `None` if the cycle does not pass the velocity with rising or with falling
+    /// speed.
     pub forces: [Option<Pair>; 2],
 }
 
@@ -172,7 +173,7 @@ mod tests {
         let n = 400;
         let phase = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
         let velocity: Vec<f64> = (0..n).map(|i| libm::cos(phase(i))).collect();
-        // The force is 1000 N s/m times velocity, with a loop: 50 N more while the speed of rebound rises.
+        // The force is 1000 N s/m times velocity, with a loop: up to 50 N more while the speed of rebound rises.
         let measured: Vec<f64> = (0..n).map(|i| 1000.0 * libm::cos(phase(i)) - 50.0 * libm::sin(phase(i))).collect();
         let thinned: Vec<f64> = measured.iter().step_by(4).copied().collect();
         let cycle = Cycle { velocity, measured, model: Some((thinned, 4)) };

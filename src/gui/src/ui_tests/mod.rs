@@ -559,7 +559,7 @@ fn what_is_to_be_known_of_a_run_folder_is_said_as_everywhere_else() {
     params.enable(element!("series_compliance"), false);
     let said = write(&params);
     assert!(said[0].starts_with("no native.adm, because the element series_compliance is off"), "{said:?}");
-    // The file of the damper with a series path is still present.
+    // The folder still contains `native.adm` of the damper with a series path, so a note asks the user to delete this file.
     assert!(said[1].contains("is of an earlier export and not of this model: delete it"), "{said:?}");
     std::fs::remove_file(path.join("native.adm")).unwrap();
     assert!(!write(&params).iter().any(|note| note.contains("earlier export")));

@@ -17,7 +17,7 @@ fn undo_goes_back_over_a_fit_and_forth_again() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 12, vec![]);
     let opened = params(&harness);
-    // The window does not ask, because saved values would not be lost.
+    // The values are saved before the fit, so the window does not ask for confirmation before it replaces them.
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     let out = tempfile::tempdir().unwrap();
     assert!(harness.state_mut().session.save(&out.path().join("m.toml")));

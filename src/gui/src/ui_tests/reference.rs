@@ -50,7 +50,7 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
-    // The report shows the change too, and lists the files of both dampers.
+    // The report also shows the change against the reference, and lists the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();
     harness.step();
     press(&mut harness, words.write_report);

@@ -24,7 +24,7 @@ fn computed(harness: &mut Harness<'_, App>) {
     });
 }
 
-/// Returns the error of a test, %.
+/// Returns the mean error of the model on screen over a test, in percent of the test's largest force.
 fn error(harness: &Harness<'_, App>, name: &str) -> f64 {
     let session = &harness.state().session;
     let records = &session.campaign.as_ref().unwrap().campaign.records;
@@ -85,7 +85,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     computed(&mut harness);
     assert!(error(&harness, "hard") > 5.0 && error(&harness, "soft") < 1.0);
     harness.state_mut().session.tune(crate::session::model::Tuned::reset);
-    // If the user unchecks the box, all tests are simulated at the setting of the slider.
+    // If the user unchecks "Each test at its own setting", all tests are simulated at the setting of the slider.
     harness.state_mut().view.side = crate::views::Side::Tune;
     harness.step();
     for (_, language) in Language::ALL.iter().rev() {

@@ -15,7 +15,7 @@ pub struct Choosing {
     entries: Vec<(String, bool)>,
 }
 
-/// Largest number of listed names; the user can type any other name.
+/// Largest number of directory entries that are read for the list; the user can type any other name.
 const LISTED: usize = 2000;
 
 impl Choosing {

@@ -12,7 +12,8 @@ pub fn begin(session: &mut Session) {
     session.replace(over.map_or(Replacement::Fit, Replacement::FitOver));
 }
 
-/// Draws the button. For a campaign with a setting, draws a menu of both fits.
+/// Draws the button that fits a model. If the tests have several values of a setting, the button opens a menu: a fit over each such
+/// setting, and a fit of an ordinary damper.
 pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
     let settings = session.settings();
     if settings.is_empty() {

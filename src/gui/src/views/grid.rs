@@ -11,15 +11,15 @@ use std::rc::Rc;
 /// Smallest distance of two numbers along the lower axis, in units of the smallest distance of two grid lines (8 px in egui_plot). It
 /// suffices for five characters. Longer numbers have a larger distance.
 const ACROSS: f64 = 5.5;
-/// Distances, px, over which the numbers of the lower axis fade in. With the 60 to 80 px of `egui_plot`, a window of 1280 px shows only
-/// zeros.
+/// Distances of neighboring numbers, px, over which the numbers of the lower axis fade in. With the default of `egui_plot`, 60 to 80 px,
+/// the plots in a window of 1280 px would show only the number zero.
 const COME_UP: std::ops::RangeInclusive<f32> = 34.0..=43.0;
 /// Smallest distance of two numbers along the vertical axis, in units of 8 px. At less than 30 px, the numbers would fade.
 const UPWARDS: f64 = 4.0;
 
 /// Width of a digit in the font of the axes, px, slightly above the width of the widest digit.
 const DIGIT: f64 = 7.5;
-/// Largest number of decimals of a label. A double of magnitude one has this precision.
+/// Largest number of decimals of a label, because an `f64` of magnitude one has no more significant decimals.
 const MOST_DECIMALS: usize = 15;
 
 /// Gives a plot its two axes, with labels and grid lines. Every number has the decimals that the distance of two numbers on its axis
@@ -137,7 +137,7 @@ mod tests {
         let shown = |bounds, pixels| numbers(bounds, pixels, ACROSS, 43.0);
         assert_eq!(shown((-26.0, 26.0), 320.0), [-20.0, -10.0, 0.0, 10.0, 20.0]);
         assert_eq!(shown((0.0, 100.0), 800.0)[..4], [0.0, 10.0, 20.0, 30.0]);
-        // Peak velocities in a window of 1280 px.
+        // The axis of peak velocities, m/s, in a window of 1280 px.
         assert_eq!(shown((-1.9, 1.9), 277.0), [-1.0, 0.0, 1.0]);
     }
 

@@ -71,10 +71,12 @@ pub struct Cache {
     pub lines: Arc<Vec<Line>>,
 }
 
-/// Largest number of points of all lines, so that a frame is drawn quickly (`POINTS`). A single line has at most `MOST` points, and the
-/// limit never falls below `LEAST`.
+/// Number of points to which all lines together are thinned, so that a frame is drawn quickly. The limit of a line follows from three lines
+/// for each selected test.
 const POINTS: usize = 24_000;
+/// Upper bound of the limit of points of a line, for few selected tests.
 const MOST: usize = 600;
+/// Lower bound of the limit of points of a line, for many selected tests.
 const LEAST: usize = 60;
 /// Largest number of tests for which the loop with an additional effect is drawn. The loops are computed within a frame, and each takes a
 /// millisecond.

@@ -7,7 +7,7 @@ use crate::words::Words;
 use dashpot_report::plot::palette::heat;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 
-/// Draws the matrix.
+/// Draws the error matrix.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let Some(loaded) = session.campaign.clone() else { return };
@@ -83,7 +83,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
-/// Formats a number for the edge of a small table.
+/// Formats an amplitude, a velocity or a frequency as the heading of a row or column, with three digits.
 fn short(value: f64, w: &Words) -> String {
     w.of.words().number(&dashpot_report::numbers::digits(value, 3))
 }

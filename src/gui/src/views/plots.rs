@@ -484,7 +484,7 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Returns the displayed text.
+    /// Returns the text that explains to the user why the point stopped.
     pub fn text(self, words: &Words) -> &'static str {
         match self {
             Stop::AtRest => words.stop_at_rest,
@@ -497,7 +497,8 @@ impl Stop {
 
 /// Moves a point of the curve to a velocity, m/s, and a force of the damper, N.
 ///
-/// The point stops at its neighbors. Returns whether the point moved, and the reason for a stop.
+/// The velocity changes only if `with_velocity` is set. The point stops at its neighbors. Returns whether the point moved, and the reason
+/// for a stop.
 pub fn drag(model: &mut model::Tuned, point: usize, to: [f64; 2], with_velocity: bool) -> (bool, Option<Stop>) {
     let (velocity, force) = (list!("fv_velocity"), list!("fv_force"));
     let (velocities, forces) = (model.params().list(velocity).to_vec(), model.params().list(force).to_vec());

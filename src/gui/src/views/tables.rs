@@ -12,7 +12,7 @@ struct Table {
     rows: Vec<Vec<String>>,
 }
 
-/// Draws both tables.
+/// Draws the tables of the forces at peak velocities and at given velocities.
 pub fn show(ui: &mut Ui, session: &Session, view: &mut View) {
     let w = view.words();
     let selected = session.selected.iter().next_back().copied();

@@ -151,7 +151,7 @@ fn element(ui: &mut Ui, session: &mut Session, view: &View, element: Element, on
     }
 }
 
-/// Width of a slider, px. A resolution of one percent of the range per pixel suffices.
+/// Width of a slider, px. It exceeds 100 px, so that one pixel changes the value by less than one percent of the slider's range.
 const WIDTH: f32 = 140.0;
 
 /// Draws one parameter: its name, a slider with marks, and a field.

@@ -91,7 +91,7 @@ fn known(value: Option<f64>, w: &Words) -> String {
     value.map_or_else(|| "–".to_owned(), |value| w.fixed(if value.abs() < 0.05 { 0.0 } else { value }, 1))
 }
 
-/// Draws the times of all kinds of steps in the open tests, if there are at least three.
+/// Draws the response times of all kinds of steps in the open tests, if there are at least three kinds.
 fn all_steps(ui: &mut Ui, session: &Session, view: &View) {
     let (w, said) = (view.words(), view.language.words());
     let all = &session.responses.of_force;

@@ -16,9 +16,10 @@ use std::fmt::Write as _;
 const POINTS: usize = 161;
 /// Largest displacement of the splines, mm.
 const STROKE: f64 = 150.0;
-/// Highest velocity of the splines, mm/s (`FASTEST`), and velocity scale of the spacing of their points, mm/s (`FINE`). The points are
-/// uniform in asinh(v / `FINE`), so half of them lie below 71 mm/s.
+/// Highest velocity of the splines, mm/s.
 const FASTEST: f64 = 5000.0;
+/// Velocity scale of the spacing of the splines' points, mm/s. The points are uniform in asinh(v / `FINE`), where v is the velocity. So
+/// half of them lie below 71 mm/s.
 const FINE: f64 = 2.0;
 
 /// Elements that a spring, a damper, a mass and splines of velocity and displacement can represent. [`fragment`] rejects a model with any

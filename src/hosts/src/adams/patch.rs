@@ -177,10 +177,11 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     Ok(begin)
 }
 
-/// Checks that the existing function resists rebound: with the sign of its own SPLINE, it is negative at positive velocity.
+/// Checks that the force of the existing function resists motion: velocity times SFORCE, summed over the points of its SPLINE, is
+/// negative.
 ///
-/// Parts of the function other than its spline would be lost silently. So a force at rest is rejected, or reported if `with_preload` is
-/// set. Factors are reported. Returns these reports.
+/// Parts of the function other than its spline would be lost silently. So a force in addition to the spline is rejected. If `with_preload`
+/// is set, it is allowed, and a force at rest is reported. Factors on the spline are reported. Returns these reports.
 fn check_function(
     lines: &[(usize, &[u8])],
     sforce: &Statement,

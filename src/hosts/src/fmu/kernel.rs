@@ -9,7 +9,7 @@ pub fn files() -> Vec<(String, String)> {
         .map(|(name, text)| {
             // The FMU does not contain the tests of the kernel, so the manifest omits the dependencies of the tests.
             let text = if name.ends_with("Cargo.toml") { without_dev_dependencies(text) } else { (*text).to_owned() };
-            // The FMU links only the static library.
+            // The manifest omits the shared library, because the FMU links only the static library.
             let text = if *name == "dll/Cargo.toml" {
                 text.replace("[\"cdylib\", \"staticlib\"]", "[\"staticlib\"]")
             } else {

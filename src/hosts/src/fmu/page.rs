@@ -38,7 +38,7 @@ const SIGNS_AND_INSTANTS: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta
      <tr><td>doStep(t, h)</td><td></td><td>moves the damper from t to t + h</td></tr>\n\
      <tr><td>get force</td><td>t + h</td><td>the force at the step's end</td></tr>\n</table>\n";
 
-/// Paragraph about the parameters of the elements: `TUNABLE` if they are variables of the FMU, `HIDDEN` if they are concealed.
+/// Paragraph about the parameters of the elements, for an FMU whose variables include these parameters.
 const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunable: they act from the next step on. A number outside its bounds is \
      refused when it is set, and the old one stays. Numbers that must fit together, such as the points of a curve, which must not fall, may be set \
      one after the other: each is kept as it is written and can be read back. The set is judged as a whole at the end of the initialization mode \
@@ -46,6 +46,7 @@ const TUNABLE: &str = "<p><b>Parameters.</b> The numbers of the damper are tunab
      that call is an error, the log names the parameter and says what is wrong, and nothing has moved: set numbers that fit, and the same call \
      succeeds. A reset or a saved state leads back to the numbers of its time. No step is made with half of a set. Importers may end a run at an \
      error, so set what belongs together between two steps.</p>\n";
+/// Paragraph about the parameters of the elements, for an FMU that conceals them.
 const HIDDEN: &str = "<p>The identified numbers of this damper are not among its variables: it runs with those that it was exported with.</p>\n";
 
 /// Beginning of the table of variables.

@@ -389,7 +389,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let (usual, params) = (usual(damper), &damper.params);
     let actuator = damper.axis.actuator();
     let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
-    // An invalid model is rejected before the export.
+    // The default applies to an invalid model. It has no effect, because such a model is rejected before the export.
     let (series, memories) =
         Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories() + own));
     let name = |k: usize| match k {

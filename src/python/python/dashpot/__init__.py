@@ -1,4 +1,4 @@
-"""dashpot: a suspension damper identified from rig records once, run as the same code everywhere.
+"""dashpot identifies a suspension damper from rig records, and simulates it with the same code in every host.
 
 >>> import dashpot                                          # doctest: +SKIP
 >>> campaign = dashpot.Campaign.read("campaign/")           # doctest: +SKIP
@@ -7,10 +7,10 @@
 >>> model.simulate(t, displacement_m=x).force               # doctest: +SKIP
 >>> model.write("damper.toml")                              # doctest: +SKIP
 
-SI units; extension (rebound) velocity and tension force are positive everywhere. What the package says has the same digits and
-the same sentences as the command ``dashpot``. Long work gives the interpreter's lock back, so threads run beside it; it uses
-all processors unless :func:`set_threads` says otherwise, and Ctrl-C or an exception of a ``progress`` function ends it. Campaigns, models
-and results go through ``pickle``, so that they can be handed to other processes.
+All values are in SI units; extension (rebound) velocity and tension force are positive everywhere. Results have the same digits and
+the same sentences as those of the command ``dashpot``. Long work releases the interpreter lock, so that other threads can run. It uses
+all processors unless :func:`set_threads` limits their number. Ctrl-C or an exception of a ``progress`` function stops it. Campaigns, models
+and results can be pickled, so that other processes can receive them.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """What takes long to import, or needs other packages, comes when it is asked for."""
+    """Imports the submodules ``fleet`` and ``plot`` at first access, because they are slow to import or require other packages."""
     if name in ("fleet", "plot"):
         return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

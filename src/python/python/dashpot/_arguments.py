@@ -1,6 +1,6 @@
-"""Options of the command in the sentences of the compiled part, as the arguments of this package that do the same.
+"""Replacement of command options in messages of the extension module by the equivalent arguments of this package.
 
-Exceptions come here from the compiled part, and everything that it says as JSON (notes, reasons, advice) through :func:`loads`.
+The extension module passes its exceptions through :func:`as_arguments`. Its JSON (notes, reasons, advice) passes through :func:`loads`.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import json
 import re
 from typing import Any
 
-#: Options without a value that a sentence need name, and the arguments in their place.
+#: Options that are replaced without a value, and the equivalent arguments.
 _NAMES = {
     "unit": "units",
     "column": "columns",
@@ -51,7 +51,7 @@ _NAMES = {
     "strength": "severity=False",
 }
 _CHANNELS = "time|displacement|velocity|force|side_force|temperature"
-#: What an option of a few words may be given.
+#: Pattern of the values of each option that accepts only a few words.
 _WORDS = {
     "ignore": _CHANNELS,
     "flip": "force|motion",
@@ -59,29 +59,29 @@ _WORDS = {
     "dates": "day-first|month-first",
     "model": "thesis|fv|piecewise|lag",
 }
-#: Options that take a number.
+#: Options whose value is a number.
 _MEASURED = (
     "sample-rate", "delay", "rig-mass", "initial-position", "force-zero", "displacement-zero", "position-offset", "motion-scale", "force-scale",
     "for-step", "clicks",
 )  # fmt: skip
-#: What only the command does in one run, and what does it here.
+#: Phrases on what only the command does in one run, and the equivalent for this package.
 _PHRASES = {"--clicks all makes a model of each": "one call for each gives a model of each"}
-#: A channel with its unit or heading.
+#: Pattern of a channel with its unit or heading, such as ``force=kN``.
 _PAIR = r"(\w+)=(\"[^\"]*\"|[^\s,;()]*[^\s,;().]|\.\.\.)"
-#: A whole command stays one: it is what the sentence says to run.
+#: Pattern of every text to replace. A whole command is matched but kept, because the message tells the user to run it.
 _OPTION = re.compile(
     r"(?P<command>dashpot [a-z]+(?:-[a-z]+)*(?: [A-Z]+)? --[a-z-]+(?: [a-z_]+=\S+| [a-z]+)?)"
     rf"|(?P<phrase>{'|'.join(map(re.escape, _PHRASES))})"
     rf"|(?<![\w-])--(?P<pair>unit|column) {_PAIR}(?: --(?P=pair) {_PAIR})*"
     + "".join(rf"|(?<![\w-])--{name} (?P<{name}>{words})\b" for name, words in _WORDS.items())
-    # A number is no part of an option that takes none.
+    # Only an option with a numeric value includes the number after it.
     + rf"|(?<![\w-])--(?P<measured>{'|'.join(_MEASURED)})[ =](?P<number>-?\d[\d.]*(?:e-?\d+)?(?<!\.))"
     + rf"|(?<![\w-])--(?P<bare>{'|'.join(sorted(_NAMES, key=len, reverse=True))})(?![\w-])"
 )
 
 
 def as_arguments(sentence: str) -> str:
-    """A sentence that speaks of options of the command, for somebody who calls functions."""
+    """Replaces options of the command in a message by the equivalent arguments of this package."""
 
     def said(found: re.Match[str]) -> str:
         if found["command"]:
@@ -89,7 +89,7 @@ def as_arguments(sentence: str) -> str:
         if found["phrase"]:
             return _PHRASES[found[0]]
         if found["pair"]:
-            # Given twice, an option is one argument with two entries.
+            # A repeated option becomes one argument with several entries.
             entries = (
                 f'"{channel}": {value}' if value.startswith('"') or value == "..." else f'"{channel}": "{value}"'
                 for channel, value in re.findall(_PAIR, found[0])
@@ -105,14 +105,14 @@ def as_arguments(sentence: str) -> str:
     out, end, follows = "", 0, False
     for found in _OPTION.finditer(sentence):
         between = sentence[end : found.start()]
-        # Options stand beside each other, arguments have a comma between them.
+        # Options are separated by spaces, arguments by commas.
         out += (", " if follows and between == " " else between) + said(found)
         end, follows = found.end(), not found["command"]
     return out + sentence[end:]
 
 
 def loads(said: str) -> Any:
-    """What the compiled part says as JSON, its sentences in the words of this package."""
+    """Parses JSON of the extension module. Options of the command in its messages are replaced by arguments of this package."""
     return _spoken(json.loads(said)) if "--" in said else json.loads(said)
 
 

@@ -1,4 +1,4 @@
-"""Files that are missing, and files that would be overwritten, as the exceptions that Python programs expect."""
+"""Exceptions for missing files and for files that would be overwritten, derived from those that Python programs expect."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import _native
 
 
 class _OfTheSystem(OSError):
-    """An error of dashpot that is one of the operating system too: it says the sentence of the first."""
+    """Base of dashpot exceptions that are also an :class:`OSError`. Their text is the message of dashpot."""
 
     def __init__(self, sentence: str, path: str | None = None, code: int | None = None) -> None:
         super().__init__(sentence)
@@ -25,7 +25,7 @@ class _OfTheSystem(OSError):
 
 
 class MissingRecordsError(_native.RecordError, _OfTheSystem, FileNotFoundError):
-    """A path of records that does not exist: a :class:`RecordError` and a :class:`FileNotFoundError`."""
+    """The path of records does not exist: a :class:`RecordError` and a :class:`FileNotFoundError`."""
 
 
 class MissingModelError(_native.ModelError, _OfTheSystem, FileNotFoundError):
@@ -69,7 +69,7 @@ _MISSING: dict[type[Exception], type[_OfTheSystem]] = {
 
 @contextlib.contextmanager
 def needs(*paths: str | os.PathLike[str] | None) -> Iterator[None]:
-    """Raises the error of the compiled part as a ``FileNotFoundError`` too where one of these paths does not exist."""
+    """Converts an error of the extension module to one that is also a ``FileNotFoundError`` if one of ``paths`` does not exist."""
     try:
         yield
     except _native.DashpotError as error:
@@ -81,11 +81,11 @@ def needs(*paths: str | os.PathLike[str] | None) -> Iterator[None]:
 
 
 def write_new(path: str | os.PathLike[str], text: str, force: bool) -> None:
-    """Writes a text to a file, whole or not at all.
+    """Writes a text to a file atomically. Without ``force``, a file that already contains the text is not written again.
 
-    :raises OverwriteError: where another file stands there and ``force`` is not given. A file with this very text stays as it is.
+    :raises OverwriteError: if a file with another content exists and ``force`` is not given.
     """
-    # That a folder is no file the compiled part says.
+    # The extension module reports a folder in the file's path.
     if not force and os.path.lexists(path) and not os.path.isdir(path):
         try:
             with open(path, encoding="utf-8", newline="") as file:

@@ -1,4 +1,4 @@
-"""What the compiled part is given as dictionaries, in place of many arguments in a row."""
+"""Dictionaries that the extension module receives instead of many arguments."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Page(TypedDict):
-    """How a paper is written, and what it says of what it was made from."""
+    """Settings of a report, workbook or certificate, and its description of the origin."""
 
     language: str
     date: str | None
@@ -24,14 +24,14 @@ class Page(TypedDict):
 
 
 class Data(TypedDict):
-    """Records: as paths, or as they were read."""
+    """Records: paths, or a campaign that was read before."""
 
     paths: Sequence[str]
     read: _native.Campaign | None
 
 
 class Grouping(TypedDict):
-    """Records of many dampers, how they are told apart, and what they are compared with."""
+    """Records of many dampers, the rule that divides them into groups, and the reference of the comparison."""
 
     data: Data
     by: str
@@ -43,7 +43,7 @@ class Grouping(TypedDict):
 
 
 class Tests(TypedDict):
-    """Which tests the virtual rig runs."""
+    """Tests of the virtual rig."""
 
     matrix: str | None
     plan: str | None
@@ -69,7 +69,7 @@ class Bench(TypedDict):
 
 
 class Fmu(TypedDict):
-    """What goes into an FMU, and for which host."""
+    """Content of an FMU, and properties of its host."""
 
     name: str
     model_file: str

@@ -1,4 +1,4 @@
-"""What may stand for numbers and names in calls, and sentences where it may not."""
+"""Conversion and checks of numbers and names in arguments."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ if TYPE_CHECKING:
 
 
 def column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    """Values as one column of numbers. numpy alone would take dates for numbers, and drop the imaginary part of complex ones and masks."""
+    """Converts values to a one-dimensional array of floats.
+
+    Dates, complex numbers and masked values are errors, because numpy would convert dates to numbers and drop imaginary parts and masks.
+    """
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise ValueError(f"{name} has masked values; leave them out or fill them")
     try:
@@ -33,13 +36,13 @@ def column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
 
 
 def real(name: str, value: object) -> None:
-    """Refuses a single complex number of numpy, whose imaginary part would be dropped with a warning."""
+    """Rejects a complex number or array of numpy, because a conversion to float only warns when it drops the imaginary part."""
     if isinstance(value, np.complexfloating) or (isinstance(value, np.ndarray) and value.dtype.kind == "c"):
         raise TypeError(f"{name} is no real number but of {value.dtype.name}")
 
 
 def length_of(name: str, value: float | str) -> str:
-    """A length as the compiled part takes it: a number in m, or with its unit behind it."""
+    """Converts a length to the text that the extension module parses: a number in m, or a number followed by its unit."""
     if isinstance(value, str):
         return value.strip()
     real(name, value)
@@ -49,15 +52,15 @@ def length_of(name: str, value: float | str) -> str:
         raise TypeError(f"{name} is a length in m, or a text with its unit such as '412.5mm', not {value!r}") from error
 
 
-#: Largest amplitude, m, and highest speed, m/s, of a damper: beyond them the reader of records refuses a file. A long suspension travels half
-#: as far, a kerb strike reaches about 10 m/s.
+#: Largest plausible amplitude, m, and velocity, m/s, of a damper's motion. A larger value causes a warning here, and the reader of records
+#: rejects the file. A long suspension has half this travel, and a kerb strike reaches about 10 m/s.
 LARGEST_AMPLITUDE_M, HIGHEST_SPEED_M_S = 0.5, 20.0
 
 
 def warn_of_units(
     displacement_m: npt.NDArray[np.float64] | None = None, velocity_m_s: npt.NDArray[np.float64] | None = None, *, level: int = 3
 ) -> None:
-    """Warns of a motion that is none of a damper: mostly one in millimeters."""
+    """Warns of a motion that is too large for a damper, usually because it is in millimeters."""
     if displacement_m is not None and len(displacement_m):
         amplitude = float(displacement_m.max() - displacement_m.min()) / 2.0
         if amplitude > LARGEST_AMPLITUDE_M:
@@ -77,10 +80,10 @@ def warn_of_units(
 
 
 def words(given: str | Iterable[str]) -> list[str]:
-    """Names as a list; a single one may stand alone."""
+    """Converts one name or several names to a list."""
     return [given] if isinstance(given, str) else list(given)
 
 
 def several(names: Sequence[str], most: int = 12) -> str:
-    """The first of many names."""
+    """Joins the first ``most`` names, and appends the number of the remaining ones."""
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")

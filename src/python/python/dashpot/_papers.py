@@ -1,4 +1,4 @@
-"""What reports, workbooks and certificates say of how they came about, and how they are written: by the compiled part, as the command writes them."""
+"""Origin of reports, workbooks and certificates. The extension module writes them with the code of the command."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class NamedModel(Protocol):
-    """A model as a report names it."""
+    """A model with the name and the file that a report mentions."""
 
     _name: str
     _file: str | None
@@ -28,20 +28,20 @@ class NamedModel(Protocol):
 
 @dataclass(frozen=True)
 class Origin:
-    """What a result was made from."""
+    """The input from which a result was computed."""
 
     data: str
     """Name of the records, as a report calls them."""
     arguments: tuple[str, ...] | None
-    """What the command is given behind the verb and the model to make the same of the same records; none where no command does."""
+    """Arguments of the command, after verb and model, that give the same result; None if no command does."""
     files: tuple[str, ...] = ()
-    """Files read beside the model and the records, such as a table of limits."""
+    """Further input files, in addition to the model and the records, such as a table of limits."""
 
 
 def origin(campaign: Sequence[Record], *more: Sequence[str] | None, files: Sequence[str] = ()) -> Origin:
-    """Where a result of these records comes from; none among the further arguments says that no command gives it."""
+    """Returns the origin of a result of these records. ``more`` has further arguments of the command, or None if no command gives the result."""
     if not isinstance(campaign, Campaign) or not campaign.paths:
-        # Some tests of a campaign, which a command knows by no name of their own.
+        # Part of a campaign has no path of its own, so no command reads it.
         return Origin(several([record.name for record in campaign]), None, tuple(files))
     data = ", ".join(campaign.paths)
     if campaign._reading is None or any(one is None for one in more):
@@ -51,18 +51,18 @@ def origin(campaign: Sequence[Record], *more: Sequence[str] | None, files: Seque
 
 
 def option(name: str, values: Sequence[str]) -> list[str]:
-    """An option of the command that takes several words separated by commas; nothing where there are none."""
+    """Returns an option of the command with comma-separated values, or an empty list without values."""
     return [f"--{name}", ",".join(values)] if values else []
 
 
 def page(
     verb: str, source: Origin, model: NamedModel | None, *, language: str, date: str | datetime.date | None, force: bool, full: bool = False, name: str = ""
 ) -> Page:
-    """How a paper is written, as the compiled part takes it.
+    """Builds the settings of a report, workbook or certificate for the extension module.
 
-    :param model: the model that the verb is given; it has to be a file to be part of a command.
-    :param name: what the model is called where none is given.
-    :raises TypeError: where a date is no date.
+    :param model: model argument of the verb. The page names a command only if this model has a file.
+    :param name: name of the model if ``model`` is None.
+    :raises TypeError: if ``language`` is no text, or ``date`` is neither a text nor a date.
     """
     if not isinstance(language, str):
         raise TypeError(f'language is "en", "de", "fr" or "zh", not a {type(language).__name__}')
@@ -87,12 +87,12 @@ def page(
 
 
 class Tables:
-    """What results with a report of tables can write beside it."""
+    """Base of results whose report contains tables. It writes these tables as a workbook."""
 
     def write_excel(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes every table of the report as a sheet of one Excel workbook, numbers as numbers; as the command's ``--excel``.
+        """Writes every table of the report as a sheet of one Excel workbook, like the command's ``--excel``. Numbers are numeric cells.
 
-        Parameters and errors as of :meth:`write_report`.
+        Parameters and errors are those of :meth:`write_report`.
         """
         self._write("workbook", path, language, date, force)
 
@@ -101,18 +101,22 @@ class Tables:
 
 
 class Papers(Tables):
-    """The same where the report has figures too."""
+    """Base of results whose report contains tables and figures. It writes the tables as a workbook and the figures as SVG files."""
 
     def write_svg(self, folder: Path, *, language: str = "en", force: bool = False) -> list[pathlib.Path]:
-        """Writes every figure of the report as an SVG file into a folder, which is made if missing; as the command's ``--svg``.
+        """Writes every figure of the report as an SVG file into a folder, like the command's ``--svg``. A missing folder is created.
 
-        Parameters and errors as of :meth:`write_report`.
+        Parameters and errors are those of :meth:`write_report`.
 
-        :returns: the files, in the order of the report.
+        :returns: paths of the files, in the order of the report.
         """
         return self._write("figures", folder, language, None, force)
 
 
 def figures_alone(by: str, lost: str) -> ValueError:
-    """The refusal of a result that holds no more than its figures."""
+    """Makes the error of a result that cannot write a report because it contains only its numbers.
+
+    :param by: function whose results can write reports.
+    :param lost: how this result lost the data of its report.
+    """
     return ValueError(f"what is written is made from more than these figures, which is kept by {by} alone, not by a result that {lost}")

@@ -1,4 +1,4 @@
-"""How records are read: arguments of :meth:`dashpot.Campaign.read`, as the compiled part takes them and as options of the command."""
+"""Conversion of the arguments of :meth:`dashpot.Campaign.read` for the extension module, and to options of the command."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Reading(TypedDict, total=False):
-    """Arguments of :meth:`dashpot.Campaign.read` but its ``progress``."""
+    """Arguments of :meth:`dashpot.Campaign.read`, except ``path`` and ``progress``."""
 
     positive: str | None
     flip: Sequence[str]
@@ -38,17 +38,17 @@ class Reading(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class How:
-    """How records are read."""
+    """Settings of reading records."""
 
     mapping: str
     """Entries of a ``campaign.toml``, as JSON."""
     strict: bool
-    """Whether what is no record is refused."""
+    """Whether a file that is no record, or a test with a fault of its own, is an error. Otherwise it is left out."""
     options: tuple[str, ...]
-    """Options of the command that reads them so, for whoever makes a report again."""
+    """Equivalent options of the command, with which a user can reproduce a report."""
 
 
-#: Arguments that are options of the command with a number, and what each is where it is not given.
+#: Arguments with a number, each with its option of the command and its default.
 _NUMBERS = {
     "delay_s": ("--delay", 0.0),
     "force_zero_n": ("--force-zero", 0.0),
@@ -62,10 +62,10 @@ _ALL = frozenset(Reading.__annotations__)
 
 
 def how(**given: Unpack[Reading]) -> How:
-    """How records are read by these arguments.
+    """Converts arguments of :meth:`dashpot.Campaign.read` to settings of reading.
 
-    :raises TypeError: of an argument that there is not.
-    :raises ValueError: of a number that is not finite.
+    :raises TypeError: if an argument is unknown.
+    :raises ValueError: if a number is not finite.
     """
     for name in given:
         if name not in _ALL:
@@ -111,7 +111,7 @@ def _options(mapping: Mapping[str, Any], strict: bool) -> Iterator[str]:
     for name, (option, usual) in _NUMBERS.items():
         value = mapping.get(name, usual)
         if value != usual:
-            # A negative number would be taken for an option.
+            # The equals sign is necessary, because a separate negative number would look like an option.
             yield f"{option}={value!r}"
     for name, is_on in (("--subfolders", mapping["subfolders"]), ("--strict", strict)):
         if is_on:

@@ -1,4 +1,4 @@
-"""What every result of dashpot can do: become a dictionary, a table, a view in a notebook."""
+"""Base class of all results: conversion to dictionaries, to tables and to HTML for notebooks."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ _HINTS: dict[type, dict[str, Any]] = {}
 
 
 def _hints(kind: type[Result]) -> dict[str, Any]:
-    """Types of the fields that JSON holds; working them out takes longer than a result."""
+    """Returns the types of the fields that JSON contains. They are cached, because evaluating them takes longer than building a result."""
     if kind not in _HINTS:
         hints = {}
         for owner in reversed(kind.__mro__):
             for name, hint in owner.__dict__.get("__annotations__", {}).items():
                 field = kind.__dataclass_fields__.get(name)
-                # What is hidden may have a type that is known to type checkers alone.
+                # A hidden field may have a type that only type checkers import.
                 if field is not None and not field.metadata.get("hidden"):
                     hints[name] = eval(hint, vars(sys.modules[owner.__module__])) if isinstance(hint, str) else hint
         _HINTS[kind] = hints
@@ -37,7 +37,7 @@ def _hints(kind: type[Result]) -> dict[str, Any]:
 
 
 def _build(hint: Any, value: Any) -> Any:
-    """A value of JSON as the type that the dataclass states."""
+    """Converts a JSON value to the type of a dataclass field."""
     origin = typing.get_origin(hint)
     if origin in (Union, types.UnionType):
         options = [o for o in typing.get_args(hint) if o is not type(None)]
@@ -55,7 +55,7 @@ def _build(hint: Any, value: Any) -> Any:
     if origin is np.ndarray:
         return np.asarray(value, dtype=np.float64)
     if hint is float:
-        # JSON has no word for what is not a number.
+        # JSON has no NaN, so null represents it.
         return float("nan") if value is None else float(value)
     return value
 
@@ -73,17 +73,17 @@ def _plain(value: Any) -> Any:
 
 
 def _is_left_out(field: dataclasses.Field[Any], value: Any) -> bool:
-    """Whether the command's JSON has no such key: what is not part of it, and what it leaves out where there is none."""
+    """Returns whether the command's JSON lacks a field: a hidden field, or an omitted field that is None or empty."""
     return bool(field.metadata.get("hidden") or (field.metadata.get("omitted") and (value is None or value == ())))
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Result:
-    """A result: a frozen dataclass. SI units; extension (rebound) velocity and tension force are positive."""
+    """Base of all results, a frozen dataclass. SI units; extension (rebound) velocity and tension force are positive."""
 
     @classmethod
     def from_dict(cls: type[_R], data: Mapping[str, Any]) -> _R:
-        """From the dictionary that :meth:`to_dict` makes, or the JSON that the command writes."""
+        """Makes a result from the dictionary of :meth:`to_dict`, or from parsed JSON of the command."""
         hints = _hints(cls)
         values = {}
         for field in dataclasses.fields(cls):
@@ -93,7 +93,7 @@ class Result:
         return cls(**values)
 
     def to_dict(self) -> dict[str, Any]:
-        """As plain dictionaries, lists and numbers, with the keys of the command's JSON."""
+        """Converts the result to plain dictionaries, lists and numbers, with the keys of the command's JSON."""
         out = {}
         for field in dataclasses.fields(self):
             value = getattr(self, field.name)
@@ -103,7 +103,7 @@ class Result:
         return out
 
     def _rows(self) -> list[Row]:
-        """The rows of the table that says most about this result."""
+        """Returns the rows of the main table of this result."""
         return [held(self)[0]]
 
     def _title(self) -> str:
@@ -114,14 +114,14 @@ class Result:
         return {"": [own], **several} if own else several
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The table that says most. Needs pandas; :meth:`tables` has everything."""
+        """Returns the main table. Requires pandas; :meth:`tables` returns all tables."""
         return frame(self._rows())
 
     def tables(self) -> dict[str, pandas.DataFrame]:
-        """Everything that this holds, as tables. Needs pandas.
+        """Returns the whole content of the result as tables, by name. Requires pandas.
 
-        The one called ``""`` has a single row, the figures of the whole; every other is called by what it lists, under the keys of
-        :meth:`to_dict`: ``changes``, ``tests.peaks``. Where the lists of many things stand in one table, the column ``of`` says whose a row is.
+        The table ``""`` has a single row with the values of the whole result. The other tables are named by the keys of :meth:`to_dict`,
+        such as ``changes`` or ``tests.peaks``. If a table combines the lists of several items, its column ``of`` names the item of each row.
         """
         return {name: frame(rows) for name, rows in self._tables().items()}
 
@@ -130,12 +130,12 @@ class Result:
         return table(self._title(), self._rows()) + folded(several)
 
     def __repr__(self) -> str:
-        """Short enough for a prompt: of many values it says how many there are; :meth:`to_dict` and :meth:`to_pandas` have all."""
+        """Returns a text that is short enough for a prompt. Long sequences are replaced by their length and type."""
         fields = ((f.name, getattr(self, f.name)) for f in dataclasses.fields(self) if f.repr and not f.name.startswith("_"))
         return f"{type(self).__name__}({', '.join(f'{name}={_brief(value)}' for name, value in fields)})"
 
 
-#: Values of a sequence that a prompt shows.
+#: Largest length of a sequence of plain values that ``repr`` shows in full.
 _SHOWN_AT_PROMPT = 3
 
 
@@ -147,18 +147,20 @@ def _brief(value: Any) -> str:
     return repr(value)
 
 
-#: A row of a table: columns by name.
+#: Row of a table: values by column name.
 Row = dict[str, Any]
 
 
 def _is_one(value: Any) -> bool:
-    """Whether a value is a thing with fields of its own, a row of a table."""
+    """Returns whether a value has named fields, so that it can be a row of a table."""
     return isinstance(value, (Result, Mapping))
 
 
 def held(thing: Result | Mapping[str, Any]) -> tuple[Row, dict[str, list[Row]]]:
-    """Everything that a result holds: its own figures as one row, keys of nested things joined by dots and short lists of plain values as
-    they are, and the things that there may be many of as tables, by name."""
+    """Converts a result to one row with its own values, and to tables with its lists of results, by name.
+
+    The row also has the values of nested results, with keys joined by dots. Lists of plain values stay lists in the row.
+    """
     own: Row = {}
     tables: dict[str, list[Row]] = {}
     for key, value in _entries(thing):
@@ -171,7 +173,7 @@ def held(thing: Result | Mapping[str, Any]) -> tuple[Row, dict[str, list[Row]]]:
         elif isinstance(value, (tuple, list)) and value and all(map(_is_one, value)):
             _list(tables, key, [({}, one) for one in value])
         elif isinstance(value, (tuple, list)) and value and all(isinstance(part, (tuple, list)) and all(map(_is_one, part)) for part in value):
-            # Things in turns, such as the rounds of a search.
+            # A list of lists, such as the iterations of a search. The column `turn` is the number of the inner list.
             _list(tables, key, [({"turn": k + 1}, one) for k, part in enumerate(value) for one in part])
         else:
             own[key] = value
@@ -179,7 +181,7 @@ def held(thing: Result | Mapping[str, Any]) -> tuple[Row, dict[str, list[Row]]]:
 
 
 def _entries(thing: Result | Mapping[str, Any]) -> Iterable[tuple[str, Any]]:
-    """What :meth:`Result.to_dict` has of a thing, with results as they are."""
+    """Returns the keys and values of :meth:`Result.to_dict`. Nested results are not converted."""
     if isinstance(thing, Mapping):
         return thing.items()
     fields = [(field, getattr(thing, field.name)) for field in dataclasses.fields(thing)]
@@ -191,7 +193,10 @@ def _entries(thing: Result | Mapping[str, Any]) -> Iterable[tuple[str, Any]]:
 
 
 def _list(tables: dict[str, list[Row]], key: str, things: Iterable[tuple[Row, Any]]) -> None:
-    """Things as rows of one table; what each lists itself in one table for all of them, with whose it is."""
+    """Appends items as rows to the table ``key``.
+
+    Lists in the items go to one further table for all items, whose column ``of`` is the first text of the item.
+    """
     for first, thing in things:
         own, more = held(thing)
         row = {**first, **own}
@@ -202,7 +207,7 @@ def _list(tables: dict[str, list[Row]], key: str, things: Iterable[tuple[Row, An
 
 
 def frame(rows: Sequence[Mapping[str, Any]] | Mapping[str, Any]) -> pandas.DataFrame:
-    """Rows, or columns by name, as a table of pandas."""
+    """Converts rows, or columns by name, to a pandas table."""
     try:
         import pandas
     except ImportError as error:
@@ -211,16 +216,16 @@ def frame(rows: Sequence[Mapping[str, Any]] | Mapping[str, Any]) -> pandas.DataF
 
 
 def by_test(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
-    """Rows with the name of a test each, as a table of pandas indexed by it."""
+    """Converts rows with names of tests to a pandas table, with these names as index."""
     made = frame(rows)
-    # A campaign without tests has no columns either.
+    # Without rows, the table has no column `name`.
     return made.set_index("name").rename_axis("test") if len(rows) else made
 
 
 def dataset(
     along: str, coordinates: Mapping[str, tuple[Any, str]], variables: Mapping[str, tuple[Any, str]], **attributes: Any
 ) -> xarray.Dataset:
-    """Columns with their units as a dataset of xarray, all along one dimension."""
+    """Makes an xarray dataset of columns with units. All columns have the dimension ``along``."""
     try:
         import xarray
     except ImportError as error:
@@ -244,16 +249,17 @@ def _shown(value: Any) -> str:
     return str(value)
 
 
-#: Rows that a notebook shows; the rest is in to_pandas() and tables().
+#: Largest number of rows of a table in a notebook. Longer tables are complete only in to_pandas() and tables().
 SHOWN = 60
-#: Letters of a cell, and remarks above a table, that a notebook shows at once: longer ones make rows and lists higher than a page.
+#: Largest number of characters of a cell, and of remarks above a table, in a notebook. Longer texts are truncated and further remarks
+#: are folded, because rows and lists would otherwise exceed a page.
 LETTERS, REMARKS = 48, 8
-#: A table scrolls by itself where it is larger than a page.
+#: Style of the box around a table. A table that is larger than the box scrolls inside it.
 _BOX = 'style="max-height:420px;max-width:100%;overflow:auto"'
 
 
 def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = ()) -> str:
-    """A small table in HTML, without script or style sheet."""
+    """Renders a table as HTML without script or style sheet, with remarks above it."""
     rows = list(rows)
     columns: list[str] = []
     for row in rows:
@@ -280,7 +286,7 @@ def table(title: str, rows: Iterable[Mapping[str, Any]], notes: Iterable[str] = 
 
 
 def folded(tables: Mapping[str, Sequence[Row]]) -> str:
-    """Tables that stand behind their names until these are clicked."""
+    """Renders tables as HTML sections that open when a user clicks their names."""
     return "".join(
         f"<details><summary>{html.escape(name)} ({len(rows)})</summary>{table(name, rows)}</details>" for name, rows in tables.items() if rows
     )

@@ -1,6 +1,6 @@
-"""Work of the compiled part in threads that Python does not wait for: it is ended before the interpreter is.
+"""Stop of the extension module's work in secondary threads before the interpreter ends.
 
-Such work comes back to the interpreter's lock when it is done. Where the interpreter has ended by then, the process is aborted.
+Finished work acquires the interpreter lock again. If the interpreter has ended, this aborts the process.
 """
 
 from __future__ import annotations
@@ -14,26 +14,29 @@ from collections.abc import Callable, Iterator
 _Progress = Callable[[float, str], object]
 
 _ending = threading.Event()
-#: One look at a time: pieces of work under way in threads that are not the first.
+#: Guards `_under_way`, the number of running tasks outside the main thread.
 _done = threading.Condition()
 _under_way = 0
 
-#: Longest time, s, that the end of the program waits for work: what tells no progress, such as an export, cannot be ended.
+#: Longest time, s, that the end of the program waits for running tasks. A task without progress reports, such as an export, cannot be stopped.
 _PATIENCE = 60.0
 
 
 @contextlib.contextmanager
 def watched(progress: _Progress | None = None) -> Iterator[_Progress | None]:
-    """Gives the function that work is to tell its progress; work of other threads ends when the program does."""
+    """Context of a task. Yields the function to which the task reports its progress.
+
+    Outside the main thread, this function stops the task by an exception when the program ends.
+    """
     global _under_way
-    # The first thread is the one that ends the interpreter.
+    # The main thread ends the interpreter, so its task is always complete before that.
     if threading.current_thread() is threading.main_thread():
         yield progress
         return
 
     def told(done: float, text: str) -> None:
         if _ending.is_set():
-            # What threading says nothing about.
+            # `threading` prints no traceback of a SystemExit.
             raise SystemExit
         if progress is not None:
             progress(done, text)
@@ -57,7 +60,10 @@ def _end() -> None:
 
 
 def _forked() -> None:
-    """In a child the threads of the parent are none, and a lock that one of them held is held for ever."""
+    """Resets the state in a forked child.
+
+    The child has no threads of its parent, so a lock that such a thread held would never be released.
+    """
     global _done, _under_way
     _done, _under_way = threading.Condition(), 0
 

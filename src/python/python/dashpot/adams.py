@@ -1,4 +1,4 @@
-"""Dampers of a compiled Adams Car model."""
+"""Replacement of dampers in a compiled Adams Car model."""
 
 from __future__ import annotations
 
@@ -21,20 +21,22 @@ def export_adm(
     replace_preload: bool = False,
     force: bool = False,
 ) -> list[str]:
-    """Writes a compiled Adams Car model (``.adm``) with dampers replaced, leaving every other byte alone; as ``dashpot export adm``.
+    """Writes a compiled Adams Car model (``.adm``) with replaced dampers, like ``dashpot export adm``. All other bytes stay unchanged.
 
     >>> export_adm("car.adm", "car_dashpot.adm", {"SFORCE/12": ("412.5mm", "front.toml"), "SFORCE/14": ("388mm", "rear.toml")})  # doctest: +SKIP
 
-    :param source: the compiled model.
-    :param path: where to write.
-    :param dampers: by the name of the damper's SFORCE, or ``SFORCE/id``: its length at zero displacement, a number in the unit of the model
-        (UNITS) or a text with its own (``"412.5mm"``, ``"0.4125m"``); or that length with its model file where that is not ``model_file``.
-    :param model_file: path of the model file as the solver will find it.
-    :param replace_preload: replace also a force at rest (a constant beside the spline): the model file holds it as its gas force.
-    :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-    :returns: what is to be known of it, in sentences.
-    :raises ExportError: where a damper is not found, is none, or has a length that no damper has.
-    :raises OutputError: where it cannot be written, or would take another file's place.
+    :param source: path of the compiled model.
+    :param path: path of the output.
+    :param dampers: for each damper, by the name of its SFORCE or by ``SFORCE/id``: its length at zero displacement. The length is a number in
+        the unit of the model (UNITS), or a text with a unit (``"412.5mm"``, ``"0.4125m"``). A damper with another model file than
+        ``model_file`` has a tuple of its length and the path of its model file.
+    :param model_file: path of the model file from which the solver reads it.
+    :param replace_preload: replaces also a force at rest, which is a constant in addition to the spline. The model file must contain it as
+        gas force.
+    :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+    :returns: notes on the export.
+    :raises ExportError: if an SFORCE is not found, is no damper, or has an implausible length.
+    :raises OutputError: if the output cannot be written, or would replace another file.
     """
     if not dampers:
         raise ValueError("dampers is empty; name the SFORCE of at least one damper with its length")

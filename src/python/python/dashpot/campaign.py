@@ -1,4 +1,4 @@
-"""Rig records: files in, clean records out."""
+"""Rig records: reading of files, and the cleaned records of a campaign."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
 
     Channel = npt.NDArray[np.float64]
 
-#: Kinds of notes that are warnings: a result may be wrong where nobody acts on them.
+#: Kinds of notes that also cause a Python warning, because results may be wrong if the user does not act on them.
 _LOUD = ("sign_unsure", "settings", "changing_setting", "cut_off")
 
-#: A path as Python knows them.
+#: Path of a file or folder.
 Path = Union[str, "os.PathLike[str]"]
-#: Is told the share done, 0 to 1, and what is being done.
+#: Function that receives the completed fraction, 0 to 1, and a description of the current work.
 Progress = Callable[[float, str], object]
 
 
@@ -47,11 +47,11 @@ class Record(Result):
     mean_displacement: float
     noise: Noise
     notes: tuple[Note, ...]
-    #: Date and time of the record's time zero, s since 1970 by the rig's own clock, where its file bears it.
+    #: Date and time of the record's time zero, s since 1970 by the rig's clock; None if the file has no date.
     begins: float | None = None
-    #: What the damper was set to, where a channel or the name of the test says it.
+    #: Setting of the damper, from a channel or from the name of the test; None if both are missing.
     setting: Setting | None = field(default=None, metadata={"omitted": True})
-    #: The campaign's clock at the record's time zero, s; 0 where every record has a clock of its own.
+    #: The campaign's clock at the record's time zero, s; 0 if every record has its own clock.
     clock_s: float = 0.0
     _native: _native.Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
     _index: int = field(default=0, metadata={"hidden": True}, compare=False, repr=False)
@@ -83,17 +83,17 @@ class Record(Result):
 
     @property
     def side_force(self) -> Channel | None:
-        """Side force, N, where the rig measured it."""
+        """Side force, N; None if the rig did not measure it."""
         return self._channels().get("side_force")
 
     @property
     def temperature(self) -> Channel | None:
-        """Damper temperature, °C, where the rig measured it."""
+        """Damper temperature, °C; None if the rig did not measure it."""
         return self._channels().get("temperature")
 
     @property
     def fingerprint(self) -> str:
-        """A short name for the content: the same measurement has the same, whatever its file is called."""
+        """Hash of the content. Equal measurements have equal fingerprints, regardless of the names of their files."""
         if self._native is None:
             raise ValueError("only records of a Campaign have a fingerprint")
         return self._native.fingerprint(self._index)
@@ -114,43 +114,43 @@ class Record(Result):
         return {f"{name}_{units[name]}": values for name, values in self._channels().items()}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The channels as columns with their units."""
+        """Returns the channels as columns with their units. Requires pandas."""
         return frame(self._columns())
 
     def to_xarray(self) -> xarray.Dataset:
-        """The channels over time, with their units. Needs xarray."""
+        """Returns the channels over time, with their units. Requires xarray."""
         units = {"displacement": "m", "velocity": "m/s", "force": "N", "side_force": "N", "temperature": "degC"}
         channels = self._channels()
         measured = {name: (values, units[name]) for name, values in channels.items() if name != "time"}
         return dataset("time", {"time": (channels["time"], "s")}, measured, name=self.name, source=self.source)
 
     def _repr_html_(self) -> str:
-        # The channels are too long to be read.
+        # The channels are omitted, because they are too long to read.
         own, several = held(self)
         return table(f"Test {self.name}", [own], [n.text for n in self.notes]) + folded(several)
 
 
 class Campaign(Sequence[Record]):
-    """The records of a campaign, cleaned: a sequence of :class:`Record`. Made by :meth:`read`.
+    """The cleaned records of a campaign, as a sequence of :class:`Record`. :meth:`read` makes it.
 
-    SI units inside; extension (rebound) velocity and tension force are positive, whatever the files count positive.
+    SI units; extension (rebound) velocity and tension force are positive, regardless of the sign convention of the files.
     """
 
     def __init__(self, native: _native.Campaign, paths: Sequence[str]) -> None:
         self._native = native
         self.paths: tuple[str, ...] = tuple(paths)
         """The paths that were read."""
-        # How these paths were read; none of a campaign that no command reads.
+        # Settings with which the paths were read; None for a campaign that no command can read.
         self._reading: How | None = None
         said: dict[str, Any] = loads(native.json())
         self.sign: SignFinding = SignFinding.from_dict(said["sign"])
-        """Which direction the files count positive, and how sure that is."""
+        """Positive direction in the files, and its confidence."""
         self.delay: Delay | None = Delay.from_dict(said["delay"]) if said["delay"] else None
-        """How late the force comes, where that stands out."""
+        """Delay of the force channel; None if no clear delay was found."""
         self.notes: tuple[Note, ...] = tuple(Note.from_dict(n) for n in said["notes"])
-        """What concerns the campaign as a whole."""
+        """Notes on the campaign as a whole."""
         self.unusable: tuple[Unusable, ...] = tuple(Unusable.from_dict(u) for u in said["unusable"])
-        """Files and tests that could not be used, with the reason of each."""
+        """Files and tests that could not be used, with their reasons."""
         self._said = said
         self._records = tuple(
             Record(**{**_fields(r), "_native": native, "_index": k}) for k, r in enumerate(said["records"])
@@ -182,32 +182,32 @@ class Campaign(Sequence[Record]):
     ) -> Campaign:
         """Reads record files (text, XLSX, MAT, MDF, TDMS, RPC III), or folders of them, as one campaign.
 
-        What a ``campaign.toml`` beside the records says is obeyed where nothing is given here; the names are the same. A warning says what
-        may make a result wrong: a direction that is hardly known, tests of several settings, a file that broke off.
+        A ``campaign.toml`` in the folder of the records has entries of the same names, which apply to arguments that are not given. A warning
+        reports what may make a result wrong: an uncertain direction, tests of several or changing settings, or a truncated file.
 
         :param path: a file or folder, or several.
-        :param positive: direction that the files count positive, ``"rebound"`` or ``"compression"``; worked out if not given.
-        :param flip: channels whose sign is turned: ``"force"``, ``"motion"``.
+        :param positive: positive direction in the files, ``"rebound"`` or ``"compression"``; determined from the records if not given.
+        :param flip: channels whose sign is reversed: ``"force"``, ``"motion"``.
         :param columns: heading, or number from 1, of a channel's column: ``{"force": "Load Cell 1"}``.
         :param units: unit of a channel whose heading has none: ``{"force": "kN"}``.
-        :param ignore: channels left unread, such as ``"velocity"``.
-        :param exclude: files or tests left out, by name; ``*`` stands for anything.
-        :param subfolders: read the records in the subfolders of a folder as tests of the same campaign; the names of their tests begin with
-            the folder.
-        :param delay_s: how much later than the motion the force was recorded, s; taken out.
-        :param force_zero_n: what the force channel shows without force, N, in the file's direction; taken off.
-        :param displacement_zero_m: what the displacement channel shows at zero, m, in the file's direction; taken off.
-        :param gain: factor on the force, after its zero was taken off.
-        :param gains: factors on other channels: ``{"displacement": 1.02}``.
-        :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg; its force is taken off.
-        :param sample_rate_hz: samples per second of files that have no column of time.
-        :param dates: which of day and month comes first in dates such as 3/11/2026, ``"day-first"`` or ``"month-first"``; worked
-            out from the files if not given.
-        :param initial_position_m: displacement at the first sample, m, where only velocity was recorded.
-        :param strict: refuse files that are no records and tests with a fault of their own, instead of leaving those out.
-        :param progress: is told the share done and what is being done.
-        :raises RecordError: for the first file that cannot be read or trusted.
-        :raises FileNotFoundError: the same error, where there is no such path.
+        :param ignore: channels that are not read, such as ``"velocity"``.
+        :param exclude: names of files or tests to leave out; ``*`` matches any text.
+        :param subfolders: reads the records in the subfolders of a folder as tests of the same campaign. The names of these tests begin with
+            the name of the subfolder.
+        :param delay_s: delay of the recorded force relative to the motion, s, which is corrected.
+        :param force_zero_n: reading of the force channel without force, N, in the file's direction. It is subtracted.
+        :param displacement_zero_m: reading of the displacement channel at zero, m, in the file's direction. It is subtracted.
+        :param gain: factor of the force, applied after the subtraction of ``force_zero_n``.
+        :param gains: factors of other channels: ``{"displacement": 1.02}``.
+        :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg. Its inertia force is subtracted.
+        :param sample_rate_hz: sample rate of files without a column of time, Hz.
+        :param dates: order of day and month in dates such as 3/11/2026, ``"day-first"`` or ``"month-first"``; determined from the files
+            if not given.
+        :param initial_position_m: displacement at the first sample, m, of files with velocity but without displacement.
+        :param strict: raises an error for files that are no records, and for tests with a fault of their own. Otherwise they are left out.
+        :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+        :raises RecordError: for the first file that is unreadable or implausible.
+        :raises FileNotFoundError: if a path does not exist. The exception is also a :class:`RecordError`.
 
         >>> campaign = Campaign.read("campaign/", units={"force": "kN"})  # doctest: +SKIP
         """
@@ -236,7 +236,7 @@ class Campaign(Sequence[Record]):
     @overload
     def __getitem__(self, key: slice) -> Campaign: ...
     def __getitem__(self, key: int | str | slice) -> Record | Campaign:
-        """A test by its position or its name; a slice is a campaign of these tests, with what was found of the whole one."""
+        """Returns a test by its index or its name. A slice gives a campaign of these tests, with the findings on the whole campaign."""
         if isinstance(key, str):
             for record in self._records:
                 if record.name == key:
@@ -245,14 +245,14 @@ class Campaign(Sequence[Record]):
         return self._part(self._records[key]) if isinstance(key, slice) else self._records[key]
 
     def _part(self, records: tuple[Record, ...]) -> Campaign:
-        """Some tests of this campaign as one; it is read from no path, as a command would read all that lies there."""
+        """Makes a campaign of some tests of this one. It has no paths, because a command would read all tests of the paths."""
         if records:
             native = _of_records(records, "campaign")
         else:
             said = json.loads(self._native.state()[0])
             native = _native.Campaign.again(json.dumps({**said, "records": []}), [], [], [])
         part = Campaign(native, ())
-        # The records of all parts stay records of the same campaign, so that they can be put together again.
+        # The records keep their reference to the original campaign, so that records of several parts can be combined again.
         part._records = records
         return part
 
@@ -265,7 +265,7 @@ class Campaign(Sequence[Record]):
         return (_campaign, (self.paths, *self._native.state()), {"_reading": self._reading})
 
     def to_dict(self) -> dict[str, Any]:
-        """What was found, without the channels."""
+        """Returns the findings of reading, without the channels."""
         copied: dict[str, Any] = loads(self._native.json())
         return copied
 
@@ -283,11 +283,14 @@ class Campaign(Sequence[Record]):
         return {"": [own], **several, **held({"records": self._records})[1]}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row a test, indexed by its name."""
+        """Returns one row for each test, with the test's name as index."""
         return by_test(self._rows())
 
     def to_xarray(self) -> xarray.Dataset:
-        """The figures of the tests, by their names. Needs xarray; :meth:`Record.to_xarray` has the channels of a test."""
+        """Returns amplitude, frequency, peak velocity and mean displacement of each test, by its name.
+
+        Requires xarray. :meth:`Record.to_xarray` returns the channels of one test.
+        """
         records = self._records
         return dataset(
             "test",
@@ -301,13 +304,13 @@ class Campaign(Sequence[Record]):
         )
 
     def tables(self) -> dict[str, pandas.DataFrame]:
-        """Everything that was found, as tables: what is of the whole under ``""``, and a table for everything that there may be many of."""
+        """Returns all findings as tables. The table ``""`` has the values of the whole campaign, and each list has its own table."""
         return {name: frame(rows) for name, rows in self._tables().items()}
 
     def _repr_html_(self) -> str:
         said = [*(n.text for n in self.notes), *(u.why for u in self.unusable)]
         said += [f"{record.name}: {note.text}" for record in self._records for note in record.notes]
-        # What was noticed stands above: a cell of the table cannot hold it.
+        # The notes are listed above the table, because they are too long for its cells.
         rows = [{k: v for k, v in row.items() if k not in ("notes", "source")} for row in self._rows()]
         shown = table(f"Campaign of {len(self)} tests", rows, said)
         return shown + folded({name or "figures": rows for name, rows in self._tables().items()})
@@ -318,13 +321,13 @@ class Campaign(Sequence[Record]):
 
 
 def _fields(said: dict[str, Any]) -> dict[str, Any]:
-    """The fields of a record from what the reader says of it."""
+    """Returns the public fields of a record from its JSON."""
     record = Record.from_dict(said)
     return {name: getattr(record, name) for name in Record.__dataclass_fields__ if not name.startswith("_")}
 
 
 def paths_of(name: str, path: object) -> list[str]:
-    """One path or several as a list; a sentence where it is none."""
+    """Converts one path or several paths to a list of texts. Anything else is a TypeError that names the argument ``name``."""
     paths = [path] if isinstance(path, (str, os.PathLike)) else path
     if isinstance(paths, bytes) or not (isinstance(paths, Sequence) and all(isinstance(p, (str, os.PathLike)) for p in paths)):
         raise TypeError(f"{name} is a file or folder as str or pathlib.Path, or a list of them, not {path!r}")
@@ -332,7 +335,7 @@ def paths_of(name: str, path: object) -> list[str]:
 
 
 def native_of(campaign: Sequence[Record], name: str) -> _native.Campaign:
-    """What the compiled part takes; a sentence where a path or something else stands in a campaign's place."""
+    """Returns the campaign of the extension module. An argument that is no campaign and no list of its records is a TypeError."""
     if isinstance(campaign, Campaign):
         return campaign._native
     if not isinstance(campaign, (list, tuple)) or not campaign or not all(isinstance(r, Record) for r in campaign):
@@ -341,7 +344,7 @@ def native_of(campaign: Sequence[Record], name: str) -> _native.Campaign:
 
 
 def _of_records(records: Sequence[Record], name: str) -> _native.Campaign:
-    """Some records of a campaign as a campaign, with what was found of it as a whole."""
+    """Makes a campaign of the extension module from some records of one campaign, with the findings on that whole campaign."""
     whole = records[0]._native
     if whole is None or any(r._native is not whole for r in records):
         raise ValueError(f"{name} holds records that are not of one dashpot.Campaign; read their files together, as a list of paths")
@@ -363,7 +366,7 @@ def _of_records(records: Sequence[Record], name: str) -> _native.Campaign:
     return _native.Campaign.again(json.dumps(said), channels, as_read, list(files))
 
 
-# What pickle calls.
+# Pickle rebuilds campaigns and records by the next three functions.
 def _campaign(paths: tuple[str, ...], *state: Any) -> Campaign:
     return Campaign(_native.Campaign.again(*state), paths)
 

@@ -1,4 +1,4 @@
-"""Whether a damper keeps its limits. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of the comparison of a damper with its limits. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from ._result import Result, Row
 
 @dataclass(frozen=True, repr=False)
 class LimitValue(Result):
-    """A figure that a limit speaks of, and the test or tests that it comes from."""
+    """Value of a limited quantity, and the test or tests from which it was evaluated."""
 
     tests: tuple[str, ...]
     value_n: float | None = field(default=None, metadata={"omitted": True})
-    """Of a force, N; None of a time."""
+    """Value of a force, N; None for a time."""
     value_s: float | None = field(default=None, metadata={"omitted": True})
-    """Of a time of response, s; None of a force."""
+    """Value of a response time, s; None for a force."""
 
     @property
     def value(self) -> float:
-        """The figure, N or s."""
+        """The value, N or s; NaN if there is none."""
         value = self.value_n if self.value_s is None else self.value_s
         return float("nan") if value is None else value
 
 
-#: Quantities that are times, s; all others are forces, N.
+#: Limited quantities that are times, s. All other quantities are forces, N.
 _TIMES = ("response_time_up", "response_time_down", "rise_time_up", "rise_time_down")
 
 
 def missed(said: Mapping[str, Any]) -> str | None:
-    """A sentence where a limit is missed, or was not tested, which is no pass; from the dictionary of a :class:`Checked`."""
+    """Describes why a limit is not passed, from the dictionary of a :class:`Checked`: it is violated or was not tested. None for a pass."""
     if said["verdict"] == "pass":
         return None
     name, quantity, velocity = said["name"], said["quantity"], said["velocity_m_s"]
     words = quantity if velocity is None else f"{quantity} at {1e3 * velocity:g} mm/s"
-    # A limit without a name is called by its quantity, as the file writes it.
+    # The name of a limit without a name of its own is its quantity, which the text must not repeat.
     if name.lower().replace(" ", "_").replace("-", "_") != quantity:
         words = f"{name}, {words}"
     if said["measured"] is None and quantity in _TIMES:
@@ -53,45 +53,45 @@ def missed(said: Mapping[str, Any]) -> str | None:
 
 @dataclass(frozen=True, repr=False)
 class Checked(Result):
-    """One limit, with what the rig measured and what the model gives on the same tests."""
+    """One limit, with the value in the records and the model's value on the same tests."""
 
     name: str
-    """Name in the table; the quantity where it has none."""
+    """Name in the table, or the quantity if the table gives no name."""
     quantity: str
     velocity_m_s: float | None
     amplitude_m: float | None
     line: int
-    """Line of the table, or place among those given."""
+    """Line of the table, or position in the list of limits."""
     measured: LimitValue | None
-    """None where the records cannot tell."""
+    """Value in the records; None if they have no suitable test."""
     model: LimitValue | None
     verdict: str
-    """Of the damper: ``pass``, ``fail`` or ``not_tested``, which is no pass."""
+    """Verdict on the damper: ``pass``, ``fail`` or ``not_tested``, which does not count as a pass."""
     model_verdict: str | None
     setting: float | None = field(default=None, metadata={"omitted": True})
-    """Setting of the damper at which, for one that depends on a setting."""
+    """Setting at which the limit applies, for a damper that depends on a setting."""
     low_n: float | None = None
-    """Smallest force allowed, N; None of a time."""
+    """Smallest allowed force, N; None for a time, or without a lower limit."""
     high_n: float | None = None
-    """Largest force allowed, N; None of a time."""
+    """Largest allowed force, N; None for a time, or without an upper limit."""
     low_s: float | None = None
-    """Smallest time of response allowed, s; None of a force."""
+    """Smallest allowed response time, s; None for a force, or without a lower limit."""
     high_s: float | None = None
-    """Largest time of response allowed, s; None of a force."""
+    """Largest allowed response time, s; None for a force, or without an upper limit."""
 
     def to_dict(self) -> dict[str, Any]:
-        """As plain dictionaries, lists and numbers, with the keys of the command's JSON: those of the quantity's unit."""
+        """Converts the limit to plain dictionaries, lists and numbers, with the keys of the command's JSON for the quantity's unit."""
         other = ("low_n", "high_n") if self.quantity in _TIMES else ("low_s", "high_s")
         return {key: value for key, value in super().to_dict().items() if key not in other}
 
     @property
     def missed(self) -> str | None:
-        """A sentence where the damper misses the limit, or it was not tested."""
+        """Description of why the damper does not pass: it violates the limit, or was not tested. None for a pass."""
         return missed(self.to_dict())
 
 
 def times_of(limit: Checked) -> Row:
-    """Columns of a limit of a time, s; None of a force."""
+    """Returns the columns of a limited time, s. Their values are None for a limited force."""
     return {
         "low_s": limit.low_s,
         "high_s": limit.high_s,
@@ -102,7 +102,7 @@ def times_of(limit: Checked) -> Row:
 
 @dataclass(frozen=True, repr=False)
 class PeakPoint(Result):
-    """Force at peak velocity of one stroke of a test, of rig and model."""
+    """Measured and simulated force at the peak velocity of one stroke of a test."""
 
     test: str
     amplitude_m: float
@@ -113,21 +113,21 @@ class PeakPoint(Result):
 
 @dataclass(frozen=True, repr=False)
 class Certificate(Result):
-    """Which limits a damper keeps; the ``limits`` of ``dashpot validate --limits --json``."""
+    """Verdict on all limits of a damper; the ``limits`` of ``dashpot validate --limits --json``."""
 
     passed: bool
-    """Whether every limit was tested and is kept."""
+    """Whether the damper was tested for every limit and keeps it."""
     overall: str
-    """Of the damper: ``pass``, ``fail`` where a limit is not kept, ``incomplete`` where none is missed and some were not tested."""
+    """Verdict on the damper: ``pass``, ``fail`` if it violates a limit, ``incomplete`` if it violates none but some were not tested."""
     model_passed: bool | None
-    """The same for the model."""
+    """Whether the model was tested for every limit and keeps it."""
     limits: tuple[Checked, ...]
     peaks: tuple[PeakPoint, ...]
-    """The points that the forces were read from."""
+    """Peak forces of the tests, from which the forces at the limits' velocities are read or interpolated."""
 
     @property
     def missed(self) -> tuple[str, ...]:
-        """A sentence for every limit that the damper misses or that was not tested."""
+        """Descriptions of all limits that the damper violates or that were not tested."""
         return tuple(told for limit in self.limits if (told := limit.missed))
 
     def _rows(self) -> list[Row]:

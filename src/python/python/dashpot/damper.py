@@ -1,4 +1,4 @@
-"""Dampers that run: one, or many together."""
+"""Simulation of one damper, or of many dampers together, in a loop with a fixed step."""
 
 from __future__ import annotations
 
@@ -18,33 +18,33 @@ if TYPE_CHECKING:
     Forces = npt.NDArray[np.float64]
 
 
-#: Numbers of a state, and the place of the one that says of which elements it is.
+#: Length of a damper's state, and the index of its number that identifies the model's elements.
 _NUMBERS, _LAYOUT = 14, 12
 _COMPLEX = frozenset((np.complex64, np.complex128, np.clongdouble))
 
 
 class Damper:
-    """One damper or many, with their states, for a loop with a fixed step.
+    """One damper, or many dampers, with their states, for a loop with a fixed step.
 
     >>> damper = Damper(model, initial_position_m=-0.02)          # doctest: +SKIP
     >>> force = damper.step(velocity, dt_s)                       # one damper: numbers  # doctest: +SKIP
     >>> corners = Damper([front, front, rear, rear], np.zeros(4)) # four: arrays  # doctest: +SKIP
     >>> corners.step(velocities, dt_s, out=forces)                 # no allocation  # doctest: +SKIP
-    >>> moving = Damper(model, x, initial_velocity_m_s=v)         # has long moved so  # doctest: +SKIP
+    >>> moving = Damper(model, x, initial_velocity_m_s=v)         # steady motion  # doctest: +SKIP
 
-    A single initial position makes a single damper, whose step takes and gives numbers; a list or an array makes one damper for
-    each, whose steps take numbers or arrays and give arrays. SI units; extension (rebound) velocity and tension force are
-    positive. A refused step raises :class:`dashpot.StepError` and leaves all states as they were.
+    A single initial position makes a single damper, whose steps accept and return numbers. A list or an array makes one damper for each
+    position. Their steps accept numbers or arrays, and return arrays. SI units; extension (rebound) velocity and tension force are positive.
+    A rejected step raises :class:`dashpot.StepError` and leaves all states unchanged.
 
-    A damper starts at rest, settled: a step that holds the position gives the static force. With ``initial_velocity_m_s`` it starts as one that
-    has long moved steadily so, under ``side_force_n`` and at ``temperature_c``: start in this manner where the simulation starts in motion, so
-    that the first steps show no jump of the velocity. It is ``dashpot_state_init_motion`` of the C interface.
+    By default a damper starts at rest and in equilibrium, so that a step without motion gives the static force. With ``initial_velocity_m_s``,
+    it starts in steady motion at this velocity, with ``side_force_n`` and ``temperature_c``. Use this if the simulation starts in motion.
+    Otherwise the first step would contain a jump of the velocity. The C interface has ``dashpot_state_init_motion`` for the same start.
 
-    :param initial_position_m: m, extension positive; one number, or one for each damper.
-    :param initial_velocity_m_s: m/s, extension positive; one number for all, or one for each damper. So are the two that follow.
-    :param side_force_n: N.
-    :param temperature_c: damper temperature, °C.
-    :raises StepError: where a damper cannot start so.
+    :param initial_position_m: initial displacement, m, extension positive; one number, or one for each damper.
+    :param initial_velocity_m_s: initial velocity, m/s, extension positive; one number for all dampers, or one for each.
+    :param side_force_n: side force at the start, N; one number for all dampers, or one for each.
+    :param temperature_c: damper temperature at the start, °C; one number for all dampers, or one for each.
+    :raises StepError: if a damper cannot start with these values.
     """
 
     def __init__(
@@ -131,19 +131,19 @@ class Damper:
         temperature_c: npt.ArrayLike = 20.0,
         out: Forces | None = None,
     ) -> Union[float, Forces]:
-        """Moves on by ``dt_s`` (s) to the velocity (m/s) at its end; returns the force (N) there.
+        """Advances the dampers by ``dt_s`` (s) to the velocity (m/s) at the end of the step. Returns the force (N) at that time.
 
-        A single damper gives a number and many give an array, whatever is given; type checkers, which do not know how many there are,
-        take numbers to give a number and arrays an array.
+        A single damper returns a number, and many dampers return an array, regardless of the types of the arguments. Type checkers do not
+        know the number of dampers. They assume that numbers give a number, and arrays give an array.
 
-        :param displacement_m: m; where it is not given it is integrated from the initial position. A host that knows it should
-            give it, so that nothing drifts.
-        :param side_force_n: N.
+        :param displacement_m: displacement at the end of the step, m. By default it is integrated from the initial position. A host that
+            knows the displacement should pass it, because the integral drifts.
+        :param side_force_n: side force, N.
         :param temperature_c: damper temperature, °C.
-        :param out: where the forces go, one float64 for each damper; a new array if not given.
-        :raises StepError: where an input is absurd; all states are as they were.
+        :param out: array for the forces, one float64 for each damper; a new array if not given.
+        :raises StepError: if an input is implausible. All states stay unchanged.
         """
-        # Looked up and not asked for, as a step takes a microsecond: single numbers of numpy lose their imaginary part with a warning.
+        # A complex number of numpy would lose its imaginary part. Set lookups are fast enough for a step of about one microsecond.
         if (
             velocity_m_s.__class__ in _COMPLEX or displacement_m.__class__ in _COMPLEX or dt_s.__class__ in _COMPLEX
             or side_force_n.__class__ in _COMPLEX or temperature_c.__class__ in _COMPLEX
@@ -159,7 +159,7 @@ class Damper:
         return float(forces[0]) if self._single else forces
 
     def _warn(self) -> None:
-        """Warns once of a motion that is none of a damper."""
+        """Warns once of a motion that is too large for a damper."""
         if not self._warned:
             self._warned = True
             warnings.warn(
@@ -170,7 +170,7 @@ class Damper:
 
     @property
     def state(self) -> npt.NDArray[np.float64]:
-        """All states, a row of fourteen numbers a damper: a copy, which may be kept and put back."""
+        """Copy of all states, with a row of fourteen numbers for each damper. Assigning such an array restores the states."""
         return self._native.state
 
     @state.setter
@@ -178,7 +178,7 @@ class Damper:
         given = np.asarray(rows)
         real("the state", given)
         if given.shape == (self._count, _NUMBERS):
-            # 0 where nobody wrote it, as in a state of zeros.
+            # The number is 0 in a state of zeros, which every model accepts.
             other = np.flatnonzero((given[:, _LAYOUT] != self._layouts) & (given[:, _LAYOUT] != 0))
             if len(other):
                 raise ValueError(f"the state of damper {other[0]} is of a model with other elements; start a damper of that model instead")
@@ -186,7 +186,7 @@ class Damper:
 
 
 def _of_each(name: str, given: npt.ArrayLike, count: int) -> list[float]:
-    """One number for all dampers, or a column with one for each, as a list."""
+    """Converts one number for all dampers, or a column with one number for each, to a list of ``count`` numbers."""
     values = np.asarray(given)
     real(name, values)
     if values.ndim == 0:
@@ -195,7 +195,7 @@ def _of_each(name: str, given: npt.ArrayLike, count: int) -> list[float]:
 
 
 def _again(models: tuple[Model, ...], single: bool, state: Forces) -> Damper:
-    """What pickle calls."""
+    """Rebuilds dampers for pickle."""
     damper = Damper(models[0], 0.0) if single else Damper(models[0] if len(models) == 1 else models, np.zeros(len(state)))
     damper.state = state
     return damper

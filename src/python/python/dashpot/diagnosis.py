@@ -1,4 +1,7 @@
-"""Which physical effect a model lacks, or what changed. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of a diagnosis: effects that a model lacks, or changes against a reference damper.
+
+SI units; extension (rebound) velocity and tension force are positive.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Evidence(Result):
-    """What a refit with an effect brought."""
+    """Improvement by a refit with an effect, and the resulting odds of the effect."""
 
     fraction: float
     mean_square_before: float
@@ -40,7 +43,7 @@ class Evidence(Result):
 
 @dataclass(frozen=True, repr=False)
 class Value(Result):
-    """A number with its 95 % interval; ``plausible`` says whether dampers (or rigs) show such values."""
+    """A value with its 95 % interval. ``plausible`` states whether the value occurs in real dampers (or rigs)."""
 
     value: float
     low: float
@@ -51,7 +54,7 @@ class Value(Result):
 
 @dataclass(frozen=True, repr=False)
 class Rival(Result):
-    """Another name for the same disagreement."""
+    """Another effect that explains the same residual."""
 
     effect: str
     confidence: float
@@ -61,7 +64,7 @@ class Rival(Result):
 
 @dataclass(frozen=True, repr=False)
 class Finding(Result):
-    """A named effect."""
+    """An identified effect that the model lacks."""
 
     effect: str
     form: str
@@ -96,7 +99,7 @@ class Region(Result):
 
 @dataclass(frozen=True, repr=False)
 class Figures(Result):
-    """How far a model is off."""
+    """Errors of a model, and the noise of the records."""
 
     rmse_n: float
     error_percent: float
@@ -107,7 +110,7 @@ class Figures(Result):
 
 @dataclass(frozen=True, repr=False)
 class Branch(Result):
-    """A branch of the tree of probabilities: path, family, effect, form."""
+    """Node of the tree of probabilities. Its levels are path, family, effect and form."""
 
     name: str
     level: str
@@ -117,13 +120,13 @@ class Branch(Result):
 
 @dataclass(frozen=True, repr=False)
 class NextTest(Result):
-    """A rig test worth running."""
+    """A proposed rig test that distinguishes between remaining explanations."""
 
     text: str
     amplitude_m: float | None
     frequency_hz: float | None
     mean_displacement_m: float | None
-    """In the direction and from the zero that the files count."""
+    """Mean displacement, m, with the zero and the positive direction of the files."""
     side_force_n: float | None
     difference_n: float | None
     separates: tuple[str, ...]
@@ -131,7 +134,7 @@ class NextTest(Result):
 
 @dataclass(frozen=True, repr=False)
 class CouldNotTest(Result):
-    """An effect that these records cannot show."""
+    """An effect that the records cannot show, with the reason."""
 
     effect: str
     why: str
@@ -139,7 +142,7 @@ class CouldNotTest(Result):
 
 @dataclass(frozen=True, repr=False)
 class Shift(Result):
-    """A number of the model that moved when effects were added."""
+    """A parameter of the model whose value changed when effects were added."""
 
     parameter: str
     before: float
@@ -149,33 +152,33 @@ class Shift(Result):
 
 @dataclass(frozen=True, repr=False)
 class Change(Result):
-    """A number of the model, or a part of its FV curve, that differs from the reference damper."""
+    """A parameter of the model, or a part of its FV curve, that differs from the reference damper."""
 
-    #: A parameter, or ``rebound_curve``, ``compression_curve``, ``rebound_low_speed`` and so on.
+    #: Name of a parameter or of a part of the curve: ``rebound_curve``, ``compression_curve``, ``rebound_low_speed`` and so on.
     name: str
     reference: float
     value: float
-    #: 95 % interval of the value where ``reference`` is exact: less ``reference``, that of the change.
+    #: Lower end of the value's 95 % interval if ``reference`` is exact. Minus ``reference``, it is the end of the change's interval.
     low: float
     high: float
     unit: str
     probability: float
-    #: Force that the change makes, N rms.
+    #: Rms force of the change, N.
     force_n_rms: float
-    #: Of a part of the FV curve: velocity at which ``reference`` and ``value`` are its forces, rebound positive.
+    #: Velocity, m/s, rebound positive, at which ``reference`` and ``value`` are forces of the FV curve; None for a parameter.
     velocity_m_s: float | None = field(default=None, metadata={"omitted": True})
 
     @property
     def label(self) -> str:
-        """The name, with the velocity of a part of the FV curve."""
+        """The name; for a part of the FV curve followed by its velocity."""
         return self.name if self.velocity_m_s is None else f"{self.name}, {self.velocity_m_s:.3f} m/s"
 
 
 @dataclass(frozen=True, repr=False)
 class TestOutcome(Result):
-    """One test before and after."""
+    """Errors of one test before and after the improvement of the model."""
 
-    __test__ = False  # no test case of pytest's
+    __test__ = False  # pytest must not collect this class as a test case.
 
     test: str
     left_out: bool
@@ -187,7 +190,7 @@ class TestOutcome(Result):
 
 @dataclass(frozen=True, repr=False)
 class Tried(Result):
-    """An effect that was tried by refitting everything with it."""
+    """An effect that was tested by a refit of the model with this effect."""
 
     effect: str
     form: str
@@ -197,7 +200,7 @@ class Tried(Result):
 
 @dataclass(frozen=True, repr=False)
 class OverWholeRecords(Result):
-    """Errors of the models in a diagnosis over every sample of every record, as a validation measures."""
+    """Errors of the given, the refitted and the improved model over all samples of all records. A validation reports the same errors."""
 
     as_it_came: Deviation
     refitted: Deviation
@@ -206,7 +209,7 @@ class OverWholeRecords(Result):
 
 @dataclass(frozen=True, repr=False)
 class Findings(Result):
-    """What a model lacks, or what changed against a reference."""
+    """Findings of a diagnosis: effects that a model lacks, or changes against a reference."""
 
     verdict: str
     summary: str
@@ -232,7 +235,7 @@ class Findings(Result):
     )
 
     def curves(self, test: str) -> dict[str, npt.NDArray[np.float64]]:
-        """Mean cycle of one test: displacement, velocity, measured force, force before and after."""
+        """Returns the mean cycle of one test: displacement, velocity, measured force, and the model's force before and after improvement."""
         names = [t.test for t in self.tests]
         if test not in names:
             raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
@@ -241,7 +244,7 @@ class Findings(Result):
         return {name: values.copy() for name, values in self._curves[names.index(test)].items()}
 
     def _rows(self) -> list[Row]:
-        """Effects with their numbers, suspects, and changes against the reference; the first column says which of these a row is."""
+        """Returns a row for each parameter of an effect, suspect and change. The first column states the kind of the row."""
         rows: list[Row] = []
         for found in self.findings:
             of_it: Row = {"what": "effect", "effect": found.effect, "form": found.form, "confidence": found.confidence, "fraction": found.fraction}
@@ -256,7 +259,7 @@ class Findings(Result):
         return rows
 
     def _of_the_records(self) -> list[str]:
-        """What is to be said of the records that were looked at."""
+        """Returns notes on the diagnosed records."""
         return []
 
     def _repr_html_(self) -> str:
@@ -267,11 +270,11 @@ class Findings(Result):
 
 @dataclass(frozen=True, repr=False)
 class Diagnosis(Papers, Findings):
-    """What a model lacks, or what changed against a reference; the JSON of ``dashpot diagnose``."""
+    """Result of a diagnosis: effects that a model lacks, or changes against a reference; the JSON of ``dashpot diagnose``."""
 
     over_whole_records: OverWholeRecords = field(kw_only=True)
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
     _improved: Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
@@ -279,9 +282,9 @@ class Diagnosis(Papers, Findings):
 
     @property
     def improved(self) -> Model:
-        """The model with the named effects added; what is of the rig is not put into it.
+        """The model with the identified effects of the damper. Measurement errors of the rig are not added to the model.
 
-        :raises ValueError: of a result that was made from a dictionary, which holds no model.
+        :raises ValueError: if this result was made from a dictionary, which contains no model.
         """
         if self._improved is None:
             raise ValueError("the improved model is kept by diagnose() alone, not by a result made from a dictionary")
@@ -290,28 +293,28 @@ class Diagnosis(Papers, Findings):
     def write_report(
         self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, full: bool = False, force: bool = False
     ) -> None:
-        """Writes the report for people, one HTML file that opens without a network; as ``dashpot diagnose --report``, byte by byte.
+        """Writes the report as one HTML file without external resources. Its bytes are those of ``dashpot diagnose --report``.
 
-        Nothing is fitted again; the records are read once more for the hashes that the report says of them. It names the command that makes the
-        same, where there is one: of all records of a campaign, and a model that was read from a file or written.
+        Nothing is fitted again. The records are read once more, because the report contains their hashes. The report names the command that
+        makes the same report if there is one. That requires all records of a campaign, and a model that was read from a file or written.
 
-        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
-        :param full: print all of the report, not its first two pages alone.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
+        :param language: language of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the report. By default it is the date of ``SOURCE_DATE_EPOCH``, or none, so that equal input gives an equal report.
+        :param full: prints the whole report. By default, only its first two pages are printed.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was pickled or made from a dictionary. In the latter case, diagnose again.
         """
         self._write("report", path, language, date, force, full)
 
     def write_next_tests(self, path: Path, *, force: bool = False) -> int:
-        """Writes the tests that would tell more as a test matrix for the rig (CSV); as ``dashpot diagnose --next-tests``.
+        """Writes the proposed tests as a test matrix for the rig (CSV), like ``dashpot diagnose --next-tests``.
 
-        Those that are no sine have no row and stand in :attr:`next_tests` alone.
+        Tests that are no sine have no row. They are only in :attr:`next_tests`.
 
-        :returns: the rows written. Where it is 0, there is none that a rig could be driven by, and no file.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a result that was pickled or made from a dictionary: diagnose again.
+        :returns: number of rows. If it is 0, no proposed test is a sine, and no file is written.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if this result was pickled or made from a dictionary. In this case, diagnose again.
         """
         return _native.write_next_tests(os.fspath(path), self._held()[0], bool(force))
 
@@ -329,7 +332,7 @@ class Diagnosis(Papers, Findings):
             return _native.write_diagnosis(what, os.fspath(path), how, found)
 
     def __getstate__(self) -> dict[str, Any]:
-        # What the compiled part holds of a diagnosis stays in its process.
+        # The extension module's data of the diagnosis cannot be pickled.
         return {**self.__dict__, "_made_from": None}
 
     def _of_the_records(self) -> list[str]:

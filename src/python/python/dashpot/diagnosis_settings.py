@@ -1,4 +1,7 @@
-"""What a damper over a setting lacks, at each setting. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of the diagnosis of a damper that depends on a setting.
+
+SI units; extension (rebound) velocity and tension force are positive.
+"""
 
 from __future__ import annotations
 
@@ -12,25 +15,25 @@ from .reading import Unusable
 
 @dataclass(frozen=True, repr=False)
 class EffectAtSetting(Result):
-    """An effect at one setting."""
+    """Probability and force of an effect at one setting."""
 
     setting: float
     probability: float
-    """Probability that the damper has it there."""
+    """Probability that the damper has the effect at this setting."""
     force_n_rms: float
-    """Force that it carries there."""
+    """Rms force of the effect at this setting, N."""
     status: str
 
 
 @dataclass(frozen=True, repr=False)
 class EffectOverSettings(Result):
-    """An effect over all settings."""
+    """An effect at all settings."""
 
     effect: str
     at_all_settings: bool
-    """Whether the damper shows it at every setting that was diagnosed."""
+    """Whether the damper has the effect at every diagnosed setting."""
     is_found: bool
-    """Whether it was missing in the model at any of them."""
+    """Whether the model lacks the effect at any diagnosed setting."""
     settings: tuple[EffectAtSetting, ...]
 
 
@@ -43,35 +46,38 @@ class ChangeAtSetting(Change):
 
 @dataclass(frozen=True, repr=False)
 class ChangeOverSettings(Result):
-    """A change against the reference over all settings."""
+    """A change against the reference at all settings."""
 
     name: str
     at_all_settings: bool
-    """Whether it changed at every setting that was diagnosed."""
+    """Whether the change occurred at every diagnosed setting."""
     settings: tuple[ChangeAtSetting, ...]
 
 
 @dataclass(frozen=True, repr=False)
 class SettingDiagnosis(Diagnosis):
-    """What the damper lacks at one setting."""
+    """Result of the diagnosis at one setting."""
 
     setting: float = field(kw_only=True)
 
 
 @dataclass(frozen=True, repr=False)
 class FamilyDiagnosis(Result):
-    """What a damper over a setting lacks; the JSON of ``dashpot diagnose`` of one. ``found[1.6]`` is what was found at that setting."""
+    """Result of the diagnosis of a damper that depends on a setting; the JSON of ``dashpot diagnose`` for such a damper.
+
+    ``found[1.6]`` is the result at the setting 1.6.
+    """
 
     setting: SettingAxis
     summary: tuple[str, ...]
-    """What was found; an effect or a change of all settings is named once."""
+    """Sentences on the findings. An effect or a change at all settings is named once."""
     effects: tuple[EffectOverSettings, ...]
     changes: tuple[ChangeOverSettings, ...]
-    """Against a reference: what changed."""
+    """Changes against the reference; empty without a reference."""
     settings: tuple[SettingDiagnosis, ...]
-    """What was found at each setting of the records, lowest first."""
+    """Results at each setting of the records, in increasing order of the setting."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
 

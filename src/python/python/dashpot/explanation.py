@@ -1,4 +1,4 @@
-"""What a model says of gas, oil and valves of its damper. SI units but for those that a quantity states itself."""
+"""Explanation of a model by physical quantities of the damper's gas, oil and valves. SI units, unless a quantity states its unit."""
 
 from __future__ import annotations
 
@@ -21,58 +21,58 @@ class Quantity(Result):
 
     name: str
     value: float | None
-    """None where one end of the interval is open."""
+    """Value; None if one end of the interval is open."""
     low: float | None
-    """Lower end of the interval; None where it has none."""
+    """Lower end of the interval; None if it is open."""
     high: float | None
-    """Upper end of the interval; None where it has none."""
+    """Upper end of the interval; None if it is open."""
     unit: str
-    #: Parameters of the model and entries of the dimensions that it follows from.
+    #: Parameters of the model and entries of the dimensions from which the quantity is computed.
     sources: tuple[str, ...] = field(metadata={"key": "from"})
     model_error: float
-    """Factor of the error of the model's form in 95 of 100 dampers; the interval includes it."""
+    """Factor that covers the error of the model's form in 95 of 100 dampers. The interval includes it."""
     note: str | None = field(default=None, metadata={"omitted": True})
 
 
 @dataclass(frozen=True, repr=False)
 class Gap(Result):
-    """A quantity that model and dimensions do not give."""
+    """A quantity that cannot be computed from the model and the dimensions."""
 
     name: str
     why: str
     entries: tuple[str, ...]
-    """Entries of the dimensions that are missing."""
+    """Missing entries of the dimensions."""
     parameters: tuple[str, ...]
-    """Parameters of the model that are missing."""
+    """Missing parameters of the model."""
 
 
 @dataclass(frozen=True, repr=False)
 class Contradiction(Result):
-    """A number of the model that the dimensions contradict."""
+    """A parameter of the model whose value contradicts the dimensions."""
 
     parameter: str
     model: float
     dimensions: float
     ratio: float
-    """``model`` over ``dimensions``."""
+    """Ratio of ``model`` to ``dimensions``."""
     unit: str
     text: str
 
 
 @dataclass(frozen=True, repr=False)
 class Explanation(Result):
-    """What a model says of its damper; the JSON of ``dashpot explain`` without the names of the two files."""
+    """Physical quantities of the damper of a model; the JSON of ``dashpot explain`` without the names of the two files."""
 
     quantities: tuple[Quantity, ...]
     unknown: tuple[Gap, ...]
     contradictions: tuple[Contradiction, ...]
     lines: tuple[str, ...] = field(default=(), metadata={"hidden": True}, compare=False)
-    """What the command prints."""
+    """Output lines of the command."""
 
     def __getitem__(self, name: str) -> Quantity:
-        """The quantity of a name, such as ``"gas_pressure"``.
+        """Returns the quantity with a name, such as ``"gas_pressure"``.
 
-        :raises KeyError: where the model does not give it; :attr:`unknown` may say why.
+        :raises KeyError: if there is no such quantity. :attr:`unknown` may contain the reason.
         """
         for quantity in self.quantities:
             if quantity.name == name:
@@ -88,12 +88,14 @@ class Explanation(Result):
 
 
 def explain(model: Model | Family, dimensions: Path, *, setting: float | None = None) -> Explanation:
-    """Explains a model by the dimensions of its damper: gas pressure, air, moduli, passages of the valves; as ``dashpot explain``.
+    """Computes physical quantities from a model and the dimensions of its damper, like ``dashpot explain``.
+
+    The quantities are, for example, gas pressure, air, moduli and passages of the valves.
 
     :param setting: setting at which a :class:`Family` is explained.
-    :param dimensions: path of a TOML file with the unit in every key; the command's ``--dimensions``.
-    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
-    :raises FileNotFoundError: the same error, where there is no such file.
+    :param dimensions: path of a TOML file with the dimensions and a unit in every key, like the command's ``--dimensions``.
+    :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
+    :raises FileNotFoundError: if the file does not exist. The exception is also a :class:`DimensionsError`.
     """
     if isinstance(model, Family):
         if setting is None:

@@ -1,4 +1,4 @@
-"""Dampers that depend on a setting: the current of a semi-active valve, the click of an adjuster."""
+"""Dampers that depend on a setting, such as the current of a semi-active valve or the click of an adjuster."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 
 
 class Family:
-    """A damper over a setting, from a model file that names its grid (``setting = [...]``). Made by :func:`dashpot.fit` with ``setting``, or :meth:`read`.
+    """A damper that depends on a setting. Its model file contains a grid of settings (``setting = [...]``).
+
+    :func:`dashpot.fit` with ``setting`` makes a family, and :meth:`read` reads one.
 
     >>> family = dashpot.fit(campaign, setting="current")             # doctest: +SKIP
     >>> family.at(0.8).steady_force([0.1, 0.5])                       # doctest: +SKIP
@@ -41,15 +43,15 @@ class Family:
         self._name = os.fspath(name)
         self._native = _native.Family.parse(text, self._name)
         grid, self.start, self.name, self.unit = self._native.setting()
-        #: The settings of the file, increasing.
+        #: Settings of the model file, increasing.
         self.grid = np.array(grid)
 
     @staticmethod
     def read(path: Path) -> Family:
         """Reads a model file.
 
-        :raises ModelError: where the file is no damper, or one that depends on no setting.
-        :raises FileNotFoundError: where there is no such file.
+        :raises ModelError: if the file is no model file, or its damper depends on no setting.
+        :raises FileNotFoundError: if the file does not exist.
         """
         with needs(path), open(path, encoding="utf-8") as file:
             return Family(file.read(), path)
@@ -64,11 +66,12 @@ class Family:
         gas_force_n: float = 0.0,
         friction_n: float = 0.0,
     ) -> Family:
-        """Makes a damper over the clicks of a table of peak forces that has a curve for each click; as ``dashpot import peaks --clicks family``.
+        """Makes a damper that depends on clicks from a table of peak forces with a curve for each click.
 
-        The arguments are those of :meth:`Model.from_peaks`. Warnings say what speeds were left out or interpolated, and which clicks look exchanged.
+        The command is ``dashpot import peaks --clicks family``. The arguments are those of :meth:`Model.from_peaks`. Warnings report speeds
+        that were left out or interpolated, and clicks that seem to be interchanged.
 
-        :raises ModelError: naming the table and its line, where it cannot be read, has no clicks, or its forces make no model.
+        :raises ModelError: if the table is unreadable or has no clicks, or if its forces give no valid model. The message names the line.
         """
         for name, value in (("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
@@ -89,20 +92,20 @@ class Family:
 
     @property
     def text(self) -> str:
-        """The model file."""
+        """Text of the model file."""
         return self._native.text
 
     def write(self, path: Path, *, force: bool = False) -> None:
-        """Writes the model file, whole or not at all.
+        """Writes the model file atomically.
 
-        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
-        :raises OutputError: where it cannot.
+        :param force: replaces an existing file, even one of another kind or a write-protected file.
+        :raises OutputError: if the file cannot be written.
         """
         write_new(path, self.text, force)
         self._name = os.fspath(path)
 
     def at(self, setting: float) -> Model:
-        """The ordinary damper at a setting, clamped to the grid; the actuator is no part of it."""
+        """Returns the ordinary damper at a setting, which is clamped to the range of the grid. It does not contain the actuator."""
         real("setting", setting)
         return Model(self._native.at(setting, self._name).text, self._name)
 
@@ -114,17 +117,17 @@ class Family:
         return [row(float(setting)) for setting in self.grid]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row for each setting of the grid, with the numbers in use there. Needs pandas."""
+        """Returns one row for each setting of the grid, with the parameters in use at that setting. Requires pandas."""
         return frame(self._rows())
 
     def _repr_html_(self) -> str:
         return table(f"Damper over {self.name or 'a setting'} {self.unit}".rstrip(), self._rows())
 
     def steady_force(self, velocity_m_s: npt.ArrayLike, *, setting: npt.ArrayLike | None = None) -> npt.NDArray[np.float64]:
-        """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas.
+        """Returns the force (N) in steady motion at each velocity (m/s) through displacement 0: the FV curve with friction and gas force.
 
-        :param setting: one number or several; velocities and settings are combined by the rules of numpy. The start setting if not given.
-        :raises ValueError: where shapes do not fit or a number is not finite.
+        :param setting: one setting or several. Velocities and settings are broadcast by the rules of numpy. Default: start setting.
+        :raises ValueError: if shapes do not match or a number is not finite.
         """
         given = np.asarray(self.start if setting is None else setting, dtype=float)
         velocities, settings = np.broadcast_arrays(np.asarray(velocity_m_s, dtype=float), given)
@@ -146,11 +149,13 @@ class Family:
         limits: Sequence[Limit] | None = None,
         progress: Progress | None = None,
     ) -> Validation:
-        """Compares the damper with records, each test at its own setting; as ``dashpot validate``. :attr:`Validation.settings` has the errors at each.
+        """Compares the damper with records, each test at its own setting, like ``dashpot validate``.
 
-        :param setting: that of tests that say none.
-        :param limits: windows that the damper has to keep, each at its :attr:`Limit.setting`.
-        :raises ValidationError: where a test says no setting, or a limit has none.
+        :attr:`Validation.settings` contains the errors at each setting. Warnings report tests whose forces match another setting.
+
+        :param setting: setting of tests without a setting of their own.
+        :param limits: limits that the damper must keep, each at its :attr:`Limit.setting`.
+        :raises ValidationError: if a test or a limit has no setting.
         """
         real("setting", setting)
         windows = None if limits is None else rows(limits)
@@ -171,12 +176,13 @@ class Family:
         setting: npt.ArrayLike | None = None,
         initial_position_m: float | None = None,
     ) -> Response:
-        """The force for a motion, as :meth:`Model.simulate`, actuator included.
+        """Simulates the force for a motion, like :meth:`Model.simulate`, but including the actuator.
 
-        :param setting: commanded setting, one number or one for every time: that of the step that ends there, clamped to the grid. The start setting if not given.
-            Of a sampled channel, ``dashpot simulate`` takes the mean at both ends of the step.
-        :raises MotionError: where a number overflows.
-        :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
+        :param setting: commanded setting, one number or one for every time. A setting applies to the step that ends at its time, and is
+            clamped to the range of the grid. Default: start setting. For a sampled channel, ``dashpot simulate`` uses the mean of the
+            settings at both ends of the step instead.
+        :raises MotionError: if a number overflows.
+        :raises ValueError, TypeError: if a channel is not one-dimensional or does not contain one finite real number for every time.
         """
         times = column("time_s", time_s)
         given = np.asarray(self.start if setting is None else setting, dtype=float)
@@ -190,11 +196,11 @@ class Family:
 
 
 class FittedFamily(Family):
-    """A damper over a setting that comes from :func:`dashpot.fit`, with what the fit said of it."""
+    """A damper that depends on a setting and was made by :func:`dashpot.fit`, with the results of the fit."""
 
     def __init__(self, text: str, name: Path, fit: FamilyFitResult) -> None:
         super().__init__(text, name)
-        #: What the fit said: numbers with intervals, what depends on the setting, errors at each.
+        #: Results of the fit: parameters with intervals, dependence on the setting, and errors at each setting.
         self.fit = fit
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -1,4 +1,4 @@
-"""What the fit of a damper over a setting found. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of the fit of a damper that depends on a setting. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .reading import SignFinding, Unusable
 
 @dataclass(frozen=True, repr=False)
 class SettingAxis(Result):
-    """The setting: its name, its unit and the values that the records have."""
+    """Name and unit of the setting, and its values in the records."""
 
     name: str
     unit: str
@@ -20,7 +20,7 @@ class SettingAxis(Result):
 
 @dataclass(frozen=True, repr=False)
 class ForceAtSetting(Result):
-    """Force that an effect carries at one setting, N rms, and its share of the measured force."""
+    """Rms force of an effect at one setting, N, and its ratio to the rms measured force."""
 
     setting: float
     force_n_rms: float
@@ -29,32 +29,32 @@ class ForceAtSetting(Result):
 
 @dataclass(frozen=True, repr=False)
 class FamilyItem(InventoryItem):
-    """One effect of a family, with the force it carries over all settings and at each."""
+    """One effect of a damper that depends on a setting, with its force over all settings and at each setting."""
 
     settings: tuple[ForceAtSetting, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
 class FamilyEstimate(Estimate):
-    """What a fit says of one number, with its 95 % interval."""
+    """Estimate of one parameter, with its 95 % interval."""
 
     setting: float | None = field(default=None, metadata={"omitted": True})
-    """The setting that it holds at; none where all settings share the number."""
+    """Setting of the estimate; None if all settings share the parameter."""
 
 
 @dataclass(frozen=True, repr=False)
 class SettingDependence(Result):
-    """Whether a number depends on the setting; ``fv_force`` is the FV curve."""
+    """Decision whether a parameter depends on the setting; ``fv_force`` is the FV curve."""
 
     name: str
     varies: bool
     probability: float
-    """Probability that it does."""
+    """Probability that the parameter depends on the setting."""
 
 
 @dataclass(frozen=True, repr=False)
 class SettingError(Result):
-    """Mean error over the tests of a setting, on the mean cycle of each."""
+    """Mean error over the tests of a setting, evaluated on the mean cycle of each test."""
 
     mean_error_n: float
     error_percent: float
@@ -67,37 +67,37 @@ class SettingReport(Result):
     setting: float
     tests: int
     own_fit: SettingError
-    """Of an ordinary damper that was fitted to this setting alone."""
+    """Error of an ordinary damper that was fitted to this setting alone."""
     family: SettingError
     left_out: SettingError | None = field(default=None, metadata={"omitted": True})
-    """Of the family that was fitted to all other settings; none at the ends of the grid."""
+    """Error of a family that was fitted to all other settings; None at the ends of the grid, and if that fit fails."""
     left_out_ratio: float | None = field(default=None, metadata={"omitted": True})
-    """That error over the one of the fit to this setting alone."""
+    """Ratio of the error ``left_out`` to the error ``own_fit``."""
 
 
 @dataclass(frozen=True, repr=False)
 class ActuatorDecision(Result):
-    """Whether the valve has a part: ``lag``, ``lag_each_way``, ``dead_time``, ``rate_limit`` or ``hysteresis``."""
+    """Decision whether the actuator has a part: ``lag``, ``lag_each_way``, ``dead_time``, ``rate_limit`` or ``hysteresis``."""
 
     name: str
     is_present: bool
     probability: float
-    """Probability that it does."""
+    """Probability that the actuator has the part."""
 
 
 @dataclass(frozen=True, repr=False)
 class ActuatorFit(Result):
-    """The actuator, from tests whose setting changes."""
+    """The actuator, identified from tests whose setting changes."""
 
     estimates: tuple[Estimate, ...]
-    """Its numbers; one that both ways share stands once for each."""
+    """Parameters of the actuator. A parameter that both directions share is listed once for each direction."""
     parts: tuple[ActuatorDecision, ...]
     tests: tuple[str, ...]
 
 
 @dataclass(frozen=True, repr=False)
 class FamilyFitResult(Result):
-    """What the fit found; the JSON of ``dashpot fit --setting`` without the file name."""
+    """Result of the fit of a damper that depends on a setting; the JSON of ``dashpot fit --setting`` without the file name."""
 
     setting: SettingAxis
     tests: tuple[str, ...]
@@ -112,7 +112,7 @@ class FamilyFitResult(Result):
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
     actuator: ActuatorFit | None = field(default=None, metadata={"omitted": True})
-    """The actuator; none where no test has a setting that changes."""
+    """The actuator; None if no test has a changing setting."""
 
     def _rows(self) -> list[Row]:
         return [held(of)[0] for of in self.settings]

@@ -1,4 +1,4 @@
-"""What a fit found. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of a fit. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Estimate(Result):
-    """What a fit says of one number of the model, with its 95 % interval."""
+    """Estimate of one number of the model, with its 95 % interval."""
 
     name: str
     index: int | None
@@ -35,24 +35,24 @@ class Estimate(Result):
 
 @dataclass(frozen=True, repr=False)
 class InventoryItem(Result):
-    """One effect of a model, with the force it carries and its probability."""
+    """One effect of a model, with its force and its probability."""
 
     effect: str
     form: str
     force_n_rms: float
-    """Root mean square, over the fitted tests, of the force that its removal changes; everything else is kept."""
+    """Rms change of the model's force over the fitted tests if only this effect is removed, N."""
     share: float
-    """That force over the root mean square of the measured force."""
+    """Ratio of ``force_n_rms`` to the root mean square of the measured force."""
     probability: float
     status: str
-    """``kept``, ``added``, ``replaced`` or ``removed``; of a fit, which is given no model, always ``added``."""
+    """``kept``, ``added``, ``replaced`` or ``removed``. It is always ``added`` in a fit, because a fit begins without a model."""
     replaces: str | None = field(default=None, metadata={"omitted": True})
-    """Effect of the given model in whose place it stands."""
+    """Effect of the given model that this effect replaces; None if it replaces none."""
 
 
 @dataclass(frozen=True, repr=False)
 class Measured(Result):
-    """What the records are off by; taken out of the comparison and not part of the model."""
+    """Measurement error of the records. The comparison corrects it, and the model does not contain it."""
 
     name: str
     value: float
@@ -69,7 +69,7 @@ def _described(item: InventoryItem) -> str:
 
 @dataclass(frozen=True, repr=False)
 class FitResult(Result):
-    """What a fit found; the JSON of ``dashpot fit`` without the file name."""
+    """Result of a fit; the JSON of ``dashpot fit`` without the file name."""
 
     tests: tuple[str, ...]
     parameters: tuple[Estimate, ...]
@@ -78,7 +78,7 @@ class FitResult(Result):
     notes: tuple[str, ...]
     misfit: float
     over_whole_records: Deviation
-    """Over every sample of the fitted tests, as a validation measures, after what is ``measured`` was taken out of them."""
+    """Errors over all samples of the fitted tests, computed as in a validation, after correction of the errors ``measured``."""
     sign: SignFinding
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
@@ -87,17 +87,17 @@ class FitResult(Result):
     def write_excel(
         self, path: Path, *, model: str = "damper.toml", language: str = "en", date: str | datetime.date | None = None, force: bool = False
     ) -> None:
-        """Writes every table of the fit as a sheet of one Excel workbook, numbers as numbers; as ``dashpot fit --excel``, byte by byte.
+        """Writes every table of the fit as a sheet of one Excel workbook. Its bytes are those of ``dashpot fit --excel``.
 
-        Nothing is fitted again; files of records are read once more for their hashes. Where all records of a campaign were fitted, the workbook
-        names the command that does the same.
+        Nothing is fitted again. The files of records are read once more, because the workbook contains their hashes. If all records of a
+        campaign were fitted, the workbook names the command that gives the same fit.
 
         :param model: name of the model file, which the workbook mentions.
-        :param language: of the workbook: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: fit again.
+        :param language: language of the workbook: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the workbook. By default it is the date of ``SOURCE_DATE_EPOCH``, or none.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was pickled or made from a dictionary. In the latter case, fit again.
         """
         if self._made_from is None:
             raise figures_alone("dashpot.fit", "was pickled or made from a dictionary; fit again")
@@ -106,11 +106,11 @@ class FitResult(Result):
             _native.write_fit(os.fspath(path), page("fit", origin, None, language=language, date=date, force=force, name=os.fspath(model)), found)
 
     def __getstate__(self) -> dict[str, Any]:
-        # What the compiled part holds of a fit stays in its process.
+        # The extension module's data of the fit cannot be pickled.
         return {**self.__dict__, "_made_from": None}
 
     def __str__(self) -> str:
-        """A table of the parameters with their 95 % intervals, its effects and what was noticed: what ``print`` shows."""
+        """Returns the text that ``print`` shows: errors, parameters with their 95 % intervals, measurement errors, effects and notes."""
         whole = self.over_whole_records
         lines = [
             "[[Fit]]",

@@ -1,4 +1,7 @@
-"""Many dampers, or one at many settings, each against the same reference. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of the diagnosis of many dampers, or of one damper at many settings, in comparison with a reference.
+
+SI units; extension (rebound) velocity and tension force are positive.
+"""
 
 from __future__ import annotations
 
@@ -24,43 +27,43 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Group(Result):
-    """The answer for one damper or setting."""
+    """Result for one group of tests: one damper or one setting."""
 
     group: str
-    """Its name: that of its folder, what a pattern found in the names of its tests, or what a list has in its column."""
+    """Name of the group: name of its folder, text that a pattern matched in the names of its tests, or entry in a column of a list."""
     reference: str
-    """What it was compared with: in a chain, the group before it."""
+    """Name of the reference. In a chain, it is the preceding group."""
     tests: int
     """Number of tests."""
     diagnosis: Findings
-    """What changed against the reference."""
+    """Changes against the reference."""
 
 
 @dataclass(frozen=True, repr=False)
 class GroupsDiagnosis(Tables, Result):
-    """What changed in each of many dampers or settings against one reference; the JSON of ``dashpot diagnose --group``.
+    """Changes of many dampers or settings against a reference; the JSON of ``dashpot diagnose --group``.
 
-    ``found["17"]`` is what was found of the group of that name, ``list(found)`` are the names, in the order of :attr:`groups`.
+    ``found["17"]`` is the result for the group "17". ``list(found)`` gives the names of the groups, in the order of :attr:`groups`.
     """
 
     reference: str
-    """What they were compared with; in a chain, the first of them alone."""
+    """Name of the reference. In a chain, it is the reference of the first compared group only."""
     left_aside: tuple[str, ...]
     """Tests, or folders, that belong to no group."""
     without_test: tuple[str, ...] = field(default=(), metadata={"omitted": True})
     """Lines of the list of groups that name none of the tests."""
     unusable: tuple[Unusable, ...] = ()
-    """Files and tests that could not be used, of the reference too."""
+    """Files and tests that could not be used, including those of the reference."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     groups: tuple[Group, ...] = ()
-    """Every group but the reference, in the order of their names, or of their numbers where all are."""
+    """All groups except the reference, in the order of their names. If all names are numbers, in numerical order."""
     notes: tuple[Note, ...] = field(default=(), metadata={"hidden": True}, compare=False, repr=False)
-    """What reading noticed of the campaigns that were read; none in a result made from a dictionary."""
+    """Notes on the campaigns that were read; empty in a result made from a dictionary."""
     _made_from: tuple[_native.Grouped, Model, Origin] | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     def __getitem__(self, name: str) -> Findings:
-        """What was found of a group, by its name."""
+        """Returns the changes of a group by its name."""
         for one in self.groups:
             if one.group == name:
                 return one.diagnosis
@@ -73,16 +76,16 @@ class GroupsDiagnosis(Tables, Result):
         return len(self.groups)
 
     def write_report(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes the report over all groups, one HTML file that opens without a network; as ``dashpot diagnose --group --report``, byte by byte.
+        """Writes the report on all groups as one HTML file without external resources. Its bytes are those of ``dashpot diagnose --group --report``.
 
-        Nothing is fitted again; the records are read once more for the hashes that the report says of them. It names the command that makes the
-        same, where there is one: of paths or all records of a campaign, and a model that was read from a file or written.
+        Nothing is fitted again. The records are read once more, because the report contains their hashes. The report names the command that
+        makes the same report if there is one. That requires paths or all records of a campaign, and a model that was read from a file or written.
 
-        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was pickled or made from a dictionary: diagnose again.
+        :param language: language of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the report. By default it is the date of ``SOURCE_DATE_EPOCH``, or none, so that equal input gives an equal report.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was pickled or made from a dictionary. In the latter case, diagnose again.
         """
         self._write("report", path, language, date, force)
 
@@ -96,14 +99,14 @@ class GroupsDiagnosis(Tables, Result):
         return []
 
     def __getstate__(self) -> dict[str, Any]:
-        # What the compiled part holds of the answers stays in its process.
+        # The extension module's data of the diagnoses cannot be pickled.
         return {**self.__dict__, "_made_from": None}
 
     def _title(self) -> str:
         return f"Compared with {self.reference}"
 
     def _rows(self) -> list[Row]:
-        """A row a group and effect; a group without one has a row too."""
+        """Returns one row for each effect of each group, and one row for a group without effects."""
         rows: list[Row] = []
         for one in self.groups:
             found = one.diagnosis

@@ -1,4 +1,4 @@
-"""A damper in a host that holds its force over a step. SI units; extension (rebound) velocity and tension force are positive."""
+"""Check of a damper in a host with a zero-order hold of its force. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ _Model = TypeVar("_Model")
 
 @dataclass(frozen=True, repr=False)
 class HostCheck(Result, Generic[_Model]):
-    """Whether a damper chatters in a host; the JSON of ``dashpot check``."""
+    """Result of the check for chatter of a damper in a host; the JSON of ``dashpot check``."""
 
     host_step_s: float
     wheel_mass_kg: float
     gain: float
-    """c·h/m at most: from 1 on the velocity changes sign at every step, beyond 2 that grows."""
+    """Largest value of c·h/m, with damping c, host step h and mass m. From 1 on, the velocity changes sign at every step. Above 2, it grows."""
     chatters: bool
-    """Whether the gain is 1 or more, or the force turns at every step in a loop like the host's."""
+    """Whether the gain is 1 or more, or the force changes its direction at every step of a simulated host loop."""
     swings: bool
     velocity_m_s: float
-    """Velocity at which the gain is largest, and the slopes of the force there."""
+    """Velocity at the largest gain. The two fields after it are the derivatives of the force at this velocity."""
     damping_n_s_m: float
     stiffness_n_m: float
     place_m: float
     side_force_n: float
     temperature_c: float
     quiet_step_s: float | None
-    """The longest step without chatter; none where none was found."""
+    """Longest host step without chatter, s; None if none was found."""
     element: str | None
-    """The element that makes most of it."""
+    """Element that causes the chatter; None if no single element is the cause."""
     turning_force_n: float | None
     turning_steps: int | None
     grows: bool
@@ -40,22 +40,22 @@ class HostCheck(Result, Generic[_Model]):
     softened: tuple[str, ...]
     """Elements that were replaced or made less steep for ``for_step_s``."""
     rms_error_n: float | None
-    """By how much the force of the damper that was made ready differs, over the motions looked at."""
+    """Rms difference between the forces of the given damper and of :attr:`ready` over the evaluated motions, N; None without a replacement."""
     fastest_rate_1_s: float
-    """How fast the states move by themselves, for a host that integrates them itself."""
+    """Fastest rate of the internal states, 1/s, for a host that integrates them itself."""
     explicit_step_s: float
     followed_step_s: float | None
-    """The longest step whose substeps follow a mass that rings on its spring; none where nothing rings."""
+    """Longest step, s, whose substeps resolve the oscillation of a mass on its spring; None if no mass oscillates."""
     largest_error_n: float | None
     told: tuple[str, ...] = field(default=(), metadata={"hidden": True}, compare=False)
-    """What the command says of it, in sentences."""
+    """Messages of the command."""
     _ready: _Model | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     @property
     def ready(self) -> _Model:
-        """The damper as the host gets it: with ``for_step_s`` without the friction that would chatter, else as it was.
+        """The damper for the host. With ``for_step_s``, friction that would chatter is replaced; otherwise the damper is unchanged.
 
-        :raises ValueError: of a result that was made from a dictionary, which holds no model.
+        :raises ValueError: if this result was made from a dictionary, which contains no model.
         """
         if self._ready is None:
             raise ValueError("the damper is kept by Model.check alone, not by a result made from a dictionary")

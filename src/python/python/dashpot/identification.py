@@ -1,4 +1,4 @@
-"""From records to a model, and what a model lacks."""
+"""Identification of models from records, and diagnosis of the effects that a model lacks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def _dimensions(path: str | None) -> list[str]:
-    """The option of the command that names a file of dimensions; nothing without one."""
+    """Returns the option of the command for a file of dimensions, or an empty list without a file."""
     return [] if path is None else ["--dimensions", path]
 
 
@@ -66,21 +66,23 @@ def fit(
     dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> FittedModel | FittedFamily:
-    """Identifies a damper from records; as ``dashpot fit``.
+    """Identifies a damper from records, like ``dashpot fit``.
 
-    FV curve from the peak velocities, friction and gas force from the slow tests, everything refined together; the variants of
-    friction, springs, the series path and measurement errors are chosen by one search over structures. ``model.fit`` holds the estimates with their 95 % intervals.
+    The FV curve comes from the peak velocities, and friction and gas force come from the slow tests. Then all parameters are refined together.
+    One search over structures selects the variants of friction, springs, the series path and measurement errors. ``model.fit`` contains the
+    estimates with their 95 % intervals.
 
     :param campaign: a :class:`Campaign`, part of one (``campaign[2:]``), or some of its records: ``[r for r in campaign if r.peak_velocity < 0.6]``.
-    :param setting: what the tests were set to: ``"current"``, ``"clicks"``, or the name in ``campaign.toml``. One damper over it is fitted, a :class:`FittedFamily`.
-    :param family: ``"thesis"``; or, to compare with, ``"fv"`` (plain FV curve), ``"piecewise"``, ``"lag"``. The other models of the literature,
-        which no host runs, are identified by :func:`fit_literature`.
-    :param elements: elements that the fit may use; all of the model's if not given.
-    :param hold_out: tests to leave out, by name; ``*`` stands for anything.
-    :param dimensions: path of a TOML file with the dimensions of the damper, which make priors of what follows from them; the command's ``--dimensions``.
-    :param progress: is told the share done and what is being done.
-    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
-    :raises FitError: where no model can be fitted to these records.
+    :param setting: name of the setting of the tests: ``"current"``, ``"clicks"``, or the name in ``campaign.toml``. With it, the result is a
+        :class:`FittedFamily`, one damper that depends on this setting.
+    :param family: ``"thesis"``; or, for comparison, ``"fv"`` (plain FV curve), ``"piecewise"`` or ``"lag"``. :func:`fit_literature` identifies
+        the other models of the literature, which no host can run.
+    :param elements: elements that the fit may use; all elements of the model if not given.
+    :param hold_out: names of tests to leave out; ``*`` matches any text.
+    :param dimensions: path of a TOML file with the dimensions of the damper, like the command's ``--dimensions``. They give priors of parameters.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
+    :raises FitError: if no model can be fitted to the records.
     """
     wanted = None if elements is None else words(elements)
     drawing = None if dimensions is None else os.fspath(dimensions)
@@ -140,21 +142,21 @@ def diagnose(
     dimensions: Path | None = None,
     progress: Progress | None = None,
 ) -> Diagnosis | FamilyDiagnosis:
-    """Says where a model and records disagree, and which physical effect is missing; as ``dashpot diagnose``.
+    """Finds where a model and records disagree, and which physical effects the model lacks, like ``dashpot diagnose``.
 
     A :class:`Family` is diagnosed at each setting of the records.
 
-    :param setting: that of tests that say none, for a :class:`Family`.
-    :param reference: records of the same tests on a damper known to be good, on the same rig. The question is then what
-        changed, and what the model's form leaves on both dampers alike is taken out of it: the surest way wherever there is one.
-    :param hold_out: tests that no refit sees, by name; chosen over all amplitudes and speeds if not given.
-    :param max_effects: most effects to add.
-    :param candidates: effects that may be named; all if not given.
-    :param seed: chooses which tests are left out.
-    :param dimensions: path of a TOML file with the dimensions of the damper, which narrow the priors; the command's ``--dimensions``.
-    :param progress: is told the share done and what is being done.
-    :raises DimensionsError: naming file, line and key, where the dimensions cannot be used.
-    :raises DiagnosisError: where there is nothing to look at.
+    :param setting: setting of tests without a setting of their own, for a :class:`Family`.
+    :param reference: records of the same tests on a good damper, from the same rig. The diagnosis then finds what changed. Use a reference
+        if there is one, because model errors that are common to both dampers cancel.
+    :param hold_out: names of tests that no refit uses; selected over all amplitudes and speeds if not given.
+    :param max_effects: largest number of effects to add.
+    :param candidates: effects that the diagnosis may find; all if not given.
+    :param seed: seed of the selection of left-out tests.
+    :param dimensions: path of a TOML file with the dimensions of the damper, like the command's ``--dimensions``. They narrow the priors.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
+    :raises DiagnosisError: if the records cannot be diagnosed.
     """
     own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
     drawing = None if dimensions is None else os.fspath(dimensions)
@@ -192,22 +194,22 @@ def diagnose_groups(
     progress: Progress | None = None,
     **reading: Unpack[Reading],
 ) -> GroupsDiagnosis:
-    """Says of many dampers or settings at once what changed against the same reference; as ``dashpot diagnose --group``.
+    """Finds what changed in many dampers or settings against a reference, like ``dashpot diagnose --group``.
 
     :param data: paths of files or folders, or a :class:`Campaign` or some of its records.
-    :param group: what tells the groups apart. ``"folders"``: every folder in ``data`` is one. Or a pattern of the tests' names with ``{}`` where the
-        group stands and ``*`` for anything, such as ``"*_c{}_*"``. Or a list (CSV with a heading, tests or folders in its first column) and the
-        column that tells them apart, such as ``"tests.csv:clicks"``.
-    :param reference: records of the same tests on a damper known to be good, or paths of theirs, which are read as ``data`` are; the first of the
-        groups if not given.
-    :param chain: compares each group with the one before it, in their order: what one click of an adjuster, or one stage of wear, changes.
-    :param max_effects: most effects to add.
-    :param candidates: effects that may be named; all if not given.
-    :param seed: chooses which tests no refit sees.
-    :param progress: is told the share done and what is being done.
-    :param reading: how paths are read: arguments of :meth:`Campaign.read`.
-    :raises RecordError: for the first file that cannot be read or trusted.
-    :raises DiagnosisError: where the data are not split so, or a group cannot be diagnosed.
+    :param group: rule that divides the tests into groups. With ``"folders"``, every folder in ``data`` is a group. A pattern of the tests'
+        names has ``{}`` for the group and ``*`` for any text, such as ``"*_c{}_*"``. A list is a CSV file with a heading, and with tests or
+        folders in its first column. It is followed by the column with the groups, such as ``"tests.csv:clicks"``.
+    :param reference: records of the same tests on a good damper, or their paths, which are read with the same settings as ``data``. By default,
+        the first group is the reference.
+    :param chain: compares each group with the preceding group, in their order. The result shows the effect of one click or one stage of wear.
+    :param max_effects: largest number of effects to add.
+    :param candidates: effects that the diagnosis may find; all if not given.
+    :param seed: seed of the selection of tests that no refit uses.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :param reading: arguments of :meth:`Campaign.read` for reading paths.
+    :raises RecordError: for the first file that is unreadable or implausible.
+    :raises DiagnosisError: if the rule does not divide the tests into groups, or a group cannot be diagnosed.
 
     >>> found = diagnose_groups(model, "fleet/", "folders", reference="good/")  # doctest: +SKIP
     >>> found["sn17"].summary  # doctest: +SKIP
@@ -225,7 +227,7 @@ def diagnose_groups(
     if group == "folders" and not own["paths"]:
         raise ValueError("group: these records are of no folder that could be looked into; give the path that has a folder for each damper")
     good, called = (None, "") if reference is None else _data("reference", reference)
-    # Only what is read now needs to know how, and a reference alone is read as it stands.
+    # If only the reference is read now, it uses the settings of the campaign in `data`, or the defaults without such settings.
     reads = read_by or how(**reading)
     paths = [*own["paths"], *(good["paths"] if good else ())]
     with watched(progress) as told, needs(*paths):
@@ -255,7 +257,7 @@ def _check(model: object) -> None:
 
 
 def _bounds(candidates: Sequence[str] | None, max_effects: int, seed: int) -> list[str]:
-    """The options of the command that say what a diagnosis may do."""
+    """Returns the options of the command for the candidates, the number of effects and the seed. Defaults are omitted."""
     numbers = [("--max-effects", max_effects, 3), ("--seed", seed, 0)]
     return option("candidates", words(candidates or ())) + [word for name, value, usual in numbers if value != usual for word in (name, str(value))]
 
@@ -265,24 +267,27 @@ def _are_records(data: object) -> bool:
 
 
 def _data(name: str, data: Path | Sequence[Path] | Sequence[Record]) -> tuple[Data, str]:
-    """Records as the compiled part takes them, and what they are called."""
+    """Returns records in the form that the extension module accepts, and their name in reports."""
     if not _are_records(data):
         paths = paths_of(name, data)
         return {"paths": paths, "read": None}, ", ".join(paths)
     records: Sequence[Record] = data  # type: ignore[assignment]
-    # Part of a campaign is no path that could be read.
+    # Part of a campaign has no path of its own.
     if isinstance(records, Campaign) and records.paths:
         return {"paths": list(records.paths), "read": records._native}, ", ".join(records.paths)
     return {"paths": [], "read": native_of(records, name)}, several([record.name for record in records])
 
 
 def _read_by(reference: object, read_by: How) -> bool:
-    """Whether the command reads the reference of groups so, as it reads the others."""
+    """Returns whether the command reads the reference with the same settings as the groups. It has only one set of reading options."""
     return not _are_records(reference) or (isinstance(reference, Campaign) and reference._reading == read_by)
 
 
 def _compared_with(campaign: Sequence[Record], reference: Sequence[Record] | None) -> list[str] | None:
-    """The option of the command that names the reference; none where it does not read those records, which it reads as it reads the others."""
+    """Returns the option of the command for the reference, or None if the command cannot read the same records.
+
+    The command reads campaign and reference with the same settings.
+    """
     if reference is None:
         return []
     if not (isinstance(reference, Campaign) and isinstance(campaign, Campaign) and reference._reading == campaign._reading):

@@ -1,17 +1,19 @@
-"""What a good damper may do: the windows of ``dashpot validate --limits``, from a table or given one by one.
+"""Limits of a good damper, as in ``dashpot validate --limits``, from a table or as single limits.
 
-Columns of a table are ``quantity``, ``velocity_m_s``, ``low`` and ``high``, or ``nominal`` and ``tolerance`` in their place, and if wanted
-``amplitude_m``, ``setting``, ``unit`` and ``name``. An empty low or high is no limit on that side. Forces are in N, tension positive; velocities
-in m/s, extension positive.
+The columns of a table are ``quantity``, ``velocity_m_s``, and either ``low`` and ``high`` or ``nominal`` and ``tolerance``. Optional columns are
+``amplitude_m``, ``setting``, ``unit`` and ``name``. An empty low or high means no limit on this side. Forces are in N, tension positive.
+Velocities are in m/s, extension positive.
 
 | quantity | what is compared |
 |---|---|
-| ``force`` | force at peak velocity, of the longest stroke that reaches the velocity, between two tests of one stroke where they lie near enough |
-| ``gas_force`` | what pushes the rod out in tests below 6 mm/s |
-| ``friction`` | half the force between extension and compression in tests below 6 mm/s |
-| ``hysteresis`` | mean gap between rising and falling velocity of the test with that peak velocity; the largest of all where none is given |
+| ``force`` | force at peak velocity, of the largest amplitude that reaches the velocity, interpolated between two near tests of one amplitude |
+| ``gas_force`` | force that pushes the rod out in tests below 6 mm/s |
+| ``friction`` | half the difference between the forces in extension and compression in tests below 6 mm/s |
+| ``hysteresis`` | mean force difference between rising and falling velocity of the test with this peak velocity; without a velocity, the largest of all tests |
+| ``response_time_up``, ``response_time_down`` | time from a step of the setting until 63 % of the force change, s |
+| ``rise_time_up``, ``rise_time_down`` | time from 10 to 90 % of the force change after a step of the setting, s |
 
-Tables are read, records measured and both compared by the compiled part, as the command does it.
+The extension module reads the tables and compares the records with the limits, with the code of the command.
 """
 
 from __future__ import annotations
@@ -27,26 +29,26 @@ from ._files import needs
 
 @dataclass(frozen=True)
 class Limit:
-    """A range that a quantity has to keep."""
+    """Allowed range of a quantity."""
 
     quantity: str
-    """``force``, ``gas_force``, ``friction`` or ``hysteresis``."""
+    """Name of the quantity, such as ``force``, ``gas_force``, ``friction`` or ``hysteresis``."""
     velocity_m_s: float | None
-    """Speed at which, negative in compression; none for friction and gas force."""
+    """Velocity at which the limit applies, negative in compression; None for friction and gas force."""
     low: float
-    """Smallest value allowed, N; ``-math.inf`` where there is none."""
+    """Smallest allowed value, N (s for a response time); ``-math.inf`` without a lower limit."""
     high: float
-    """Largest value allowed, N; ``math.inf`` where there is none."""
+    """Largest allowed value, N (s for a response time); ``math.inf`` without an upper limit."""
     amplitude_m: float | None = None
-    """Stroke at which; the longest that reaches the velocity if not given."""
+    """Amplitude at which the limit applies; by default the largest amplitude that reaches the velocity."""
     label: str = ""
-    """Name that the file gives it."""
+    """Name in the table."""
     setting: float | None = None
-    """Setting of the damper at which, for one that depends on a setting."""
+    """Setting at which the limit applies, for a damper that depends on a setting."""
 
 
 class Limits(tuple[Limit, ...]):
-    """The limits of a table, with the path that it was read from, which a certificate names."""
+    """The limits of a table, with the path of the table, which a certificate names."""
 
     path: str
 
@@ -59,15 +61,15 @@ class Limits(tuple[Limit, ...]):
         return tuple(self), self.path
 
 
-#: A limit as the compiled part takes it.
+#: A limit in the form that the extension module accepts: label, quantity, velocity, low, high, amplitude, setting.
 Row = tuple[str, str, "float | None", "float | None", "float | None", "float | None", "float | None"]
 
 
 def read_limits(path: str | os.PathLike[str]) -> Limits:
-    """Reads a table of limits, as ``dashpot validate --limits`` does.
+    """Reads a table of limits, like ``dashpot validate --limits``.
 
-    :raises ValidationError: naming file and line.
-    :raises FileNotFoundError: the same error, where there is no such file.
+    :raises ValidationError: if the table is invalid. The message names file and line.
+    :raises FileNotFoundError: if the file does not exist. The exception is also a :class:`ValidationError`.
     """
     with needs(path):
         read = _native.read_limits(os.fspath(path))
@@ -79,9 +81,9 @@ def read_limits(path: str | os.PathLike[str]) -> Limits:
 
 
 def rows(limits: Sequence[Limit]) -> list[Row]:
-    """Limits as the compiled part takes them.
+    """Converts limits to the form that the extension module accepts.
 
-    :raises TypeError: where something else stands in their place.
+    :raises TypeError: if the argument is no sequence of limits.
     """
     if isinstance(limits, (str, os.PathLike)):
         raise TypeError(f"limits are dashpot.Limit, not the path of their table; give dashpot.read_limits({os.fspath(limits)!r})")

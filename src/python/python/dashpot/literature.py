@@ -1,4 +1,4 @@
-"""Models of the literature, to be compared with. SI units; extension (rebound) velocity and tension force are positive."""
+"""Identification of models of the literature, for comparison. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from .reading import SignFinding, Unusable
 class LiteratureModel(Result):
     """A model of the literature, identified from records; the JSON of ``dashpot fit --model`` without the file name.
 
-    No host runs it: :meth:`write` makes the file that ``model.validate(campaign, against=...)`` and ``dashpot validate --against`` compare with.
+    No host can run the model. :meth:`write` makes a file for ``model.validate(campaign, against=...)`` and ``dashpot validate --against``.
     """
 
     tests: tuple[str, ...]
-    """Names of the tests that it was identified from."""
+    """Names of the tests from which the model was identified."""
     numbers: dict[str, Any]
-    """Its numbers, with their units in their names; ``literature_model`` says which model it is."""
+    """Parameters of the model, with units in their names. The entry ``literature_model`` is the name of the model."""
     sign: SignFinding
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
@@ -36,26 +36,26 @@ class LiteratureModel(Result):
 
     @property
     def name(self) -> str:
-        """Its name, as :func:`dashpot.fit_literature` takes it."""
+        """Name of the model, as in the argument of :func:`dashpot.fit_literature`."""
         return str(self.numbers["literature_model"]).replace("_", "-")
 
     @property
     def text(self) -> str:
-        """Its file, which is no model file of dashpot.
+        """Text of the model's file. Its format differs from that of dashpot's model files.
 
-        :raises ValueError: of a result that was made from a dictionary.
+        :raises ValueError: if this result was made from a dictionary.
         """
         if self._text is None:
             raise figures_alone("dashpot.fit_literature", "was made from a dictionary; fit again")
         return self._text
 
     def write(self, path: Path, *, force: bool = False) -> None:
-        """Writes its file, whole or not at all, to the bytes of ``dashpot fit --model``.
+        """Writes the model's file atomically. Its bytes are those of ``dashpot fit --model``.
 
-        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
-        :raises OutputError: where it cannot.
-        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
-        :raises ValueError: of a result that was made from a dictionary.
+        :param force: replaces an existing file, even one of another kind or a write-protected file.
+        :raises OutputError: if the file cannot be written.
+        :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
+        :raises ValueError: if this result was made from a dictionary.
         """
         write_new(path, self.text, force)
 
@@ -66,14 +66,14 @@ class LiteratureModel(Result):
 def fit_literature(
     campaign: Sequence[Record], name: str, *, hold_out: Sequence[str] = (), progress: Progress | None = None
 ) -> LiteratureModel:
-    """Identifies a model of the literature from records, to compare with; as ``dashpot fit --model``.
+    """Identifies a model of the literature from records, for comparison, like ``dashpot fit --model``.
 
     :param campaign: a :class:`Campaign`, or some of its records.
-    :param name: ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"`` or ``"network"``. Those that a host can run (``"fv"``,
-        ``"piecewise"``, ``"lag"``) are families of :func:`fit`.
-    :param hold_out: tests to leave out, by name; ``*`` stands for anything.
-    :param progress: is told the share done and what is being done.
-    :raises FitError: where there is no such model, or none can be fitted to these records.
+    :param name: ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"`` or ``"network"``. :func:`fit` identifies the models that
+        a host can run (``"fv"``, ``"piecewise"``, ``"lag"``) by its argument ``family``.
+    :param hold_out: names of tests to leave out; ``*`` matches any text.
+    :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+    :raises FitError: if the name is unknown, or the model cannot be fitted to the records.
     """
     with watched(progress) as told:
         text, said = _native.fit_literature(native_of(campaign, "campaign"), name, words(hold_out), told)

@@ -1,4 +1,4 @@
-"""A damper: its model file, its numbers, and the force for a motion."""
+"""Models of dampers: model file, parameters, simulation, comparison with records, and export."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Parameter(Result):
-    """One parameter that is in use, with its 95 % interval where a fit left one."""
+    """One parameter in use, with its 95 % interval if a fit determined one."""
 
     name: str
     element: str
@@ -46,7 +46,7 @@ class Parameter(Result):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Response(Result):
-    """Force of a model for a motion. SI units; extension (rebound) velocity and tension force are positive."""
+    """Motion and simulated force of a model. SI units; extension (rebound) velocity and tension force are positive."""
 
     time: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "time_s"})
     displacement: npt.NDArray[np.float64] = field(repr=False, metadata={"key": "displacement_m"})
@@ -62,7 +62,7 @@ class Response(Result):
         return hash((len(self.time), float(self.time[-1]), float(self.force[-1])) if len(self.time) else 0)
 
     def to_dict(self) -> dict[str, Any]:
-        """Lists under the column names of ``dashpot simulate``."""
+        """Returns lists of numbers by the column names of ``dashpot simulate``."""
         return {name: column.tolist() for name, column in self._columns().items()}
 
     def _columns(self) -> dict[str, npt.NDArray[np.float64]]:
@@ -74,11 +74,11 @@ class Response(Result):
         }
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row an instant."""
+        """Returns one row for each instant. Requires pandas."""
         return frame(self._columns())
 
     def to_xarray(self) -> xarray.Dataset:
-        """The channels over time, with their units. Needs xarray."""
+        """Returns the channels over time, with their units. Requires xarray."""
         return dataset(
             "time", {"time": (self.time, "s")},
             {"displacement": (self.displacement, "m"), "velocity": (self.velocity, "m/s"), "force": (self.force, "N")},
@@ -89,7 +89,7 @@ class Response(Result):
         return {"": [dict(zip(columns, row, strict=True)) for row in zip(*(c.tolist() for c in columns.values()), strict=True)]}
 
     def tables(self) -> dict[str, pandas.DataFrame]:
-        """The table of :meth:`to_pandas` alone."""
+        """Returns the table of :meth:`to_pandas` as the only table, with the name ``""``."""
         return {"": self.to_pandas()}
 
     def _repr_html_(self) -> str:
@@ -108,7 +108,7 @@ class Response(Result):
 
 
 class Model:
-    """An identified damper. Made by :func:`dashpot.fit`, :meth:`read`, or from the text of a model file.
+    """An identified damper. :func:`dashpot.fit` and :meth:`read` make models. The constructor makes a model from the text of a model file.
 
     SI units; extension (rebound) velocity and tension force are positive.
     """
@@ -120,17 +120,17 @@ class Model:
             raise _native.ModelError(f"{text!r} is no text of a model file; dashpot.Model.read({text!r}) reads one by its path")
         self._native = _native.Model.parse(text, os.fspath(name))
         self._name = os.fspath(name)
-        # The file that holds it, where there is one.
+        # Path of the file that contains the model; None without a file.
         self._file: str | None = None
 
     @classmethod
     def read(cls, path: Path) -> Model:
         """Reads a model file.
 
-        :raises ModelError: naming file, line and parameter.
-        :raises FileNotFoundError: the same error, where there is no such file.
+        :raises ModelError: if the file is invalid. The message names file, line and parameter.
+        :raises FileNotFoundError: if the file does not exist. The exception is also a :class:`ModelError`.
         """
-        # Read by the compiled part, for its sentences.
+        # The extension module reads the file, so that error messages are those of the command.
         with needs(path):
             model = cls(_native.Model.read(os.fspath(path)).text, path)
         model._file = model._name
@@ -138,12 +138,12 @@ class Model:
 
     @classmethod
     def from_dpr(cls, path: Path) -> Model:
-        """Makes a model from a damper property file of Adams Car, TeimOrbit or XML: the FV curve, and the gas force where it has one; as
-        ``dashpot import dpr``.
+        """Makes a model from a damper property file of Adams Car (TeimOrbit or XML), like ``dashpot import dpr``.
 
-        How far the curve follows the one that Adams makes of the file, and what was left out, stands in :attr:`text` as comments.
+        The model contains the FV curve, and the gas force if the file has one. Comments in :attr:`text` state how closely the curve follows that
+        of Adams, and what was left out.
 
-        :raises ModelError: where the file cannot be read, or makes no model.
+        :raises ModelError: if the file is unreadable or gives no valid model.
         """
         with needs(path):
             return cls(_native.import_dpr(os.fspath(path)), _named_after(path))
@@ -160,18 +160,20 @@ class Model:
         gas_force_n: float = 0.0,
         friction_n: float = 0.0,
     ) -> Model:
-        """Makes a model to begin with from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel; as ``dashpot import peaks``.
+        """Makes a preliminary model from a table of peak forces over peak velocities (PVP, CVP), CSV or Excel, like ``dashpot import peaks``.
 
-        Hysteresis needs records (:func:`dashpot.fit`). A warning says where the table's forces speak against the side that was taken as rebound.
+        The model has no hysteresis, because that requires records (:func:`dashpot.fit`). A warning reports forces that contradict the assumed
+        rebound direction.
 
-        :param positive: direction that a table with signs counts positive, ``"rebound"`` (if not given) or ``"compression"``.
-        :param units: unit of ``velocity`` or ``force`` where the headings have none or a wrong one: ``{"force": "lbf"}``.
-        :param columns: heading, or number from 1, of a column: ``velocity``, ``force``, and of one stroke ``rebound_velocity``,
-            ``rebound_force``, ``compression_velocity``, ``compression_force``.
-        :param clicks: the curve to take of a table that has one for each number of clicks.
-        :param gas_force_n: gas force in the table's forces, N; taken out of the curve.
-        :param friction_n: friction in the table's forces, N; taken out of the curve.
-        :raises ModelError: naming the table and its line, where it cannot be read, what a column is cannot be told, or its forces make no model.
+        :param positive: positive direction of a table with signs, ``"rebound"`` (default) or ``"compression"``.
+        :param units: unit of ``velocity`` or ``force`` if the headings have none or a wrong one: ``{"force": "lbf"}``.
+        :param columns: heading, or number from 1, of a column: ``velocity`` and ``force``; for one stroke ``rebound_velocity``,
+            ``rebound_force``, ``compression_velocity`` and ``compression_force``.
+        :param clicks: number of clicks whose curve is used, for a table with a curve for each number of clicks.
+        :param gas_force_n: gas force in the table's forces, N. It is subtracted from the curve.
+        :param friction_n: friction in the table's forces, N. It is subtracted from the curve.
+        :raises ModelError: if the table is unreadable, the meaning of a column is unclear, or the forces give no valid model. The message
+            names the table and the line.
         """
         for name, value in (("clicks", clicks), ("gas_force_n", gas_force_n), ("friction_n", friction_n)):
             real(name, value)
@@ -185,23 +187,23 @@ class Model:
         return cls(text, _named_after(path))
 
     def write(self, path: Path, *, force: bool = False) -> None:
-        """Writes the model file, whole or not at all. Reports and FMUs call the model by this name from then on.
+        """Writes the model file atomically. Later reports and FMUs use the name of this file as the name of the model.
 
-        :param force: overwrite a file that is there, also one of another kind or a write-protected one.
-        :raises OutputError: where it cannot.
-        :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
+        :param force: replaces an existing file, even one of another kind or a write-protected file.
+        :raises OutputError: if the file cannot be written.
+        :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
         """
         write_new(path, self.text, force)
         self._file = self._name = os.fspath(path)
 
     @property
     def text(self) -> str:
-        """The model file: flat ``name = value`` text with units, intervals and sources as comments."""
+        """Text of the model file: lines ``name = value``, with units, intervals and sources as comments."""
         return self._native.text
 
     @property
     def fit(self) -> FitResult | None:
-        """What the fit said, where this model comes from one in this process: of a :class:`FittedModel` always."""
+        """Results of the fit of a :class:`FittedModel`; None for any other model."""
         return None
 
     def _said(self) -> dict[str, Any]:
@@ -210,15 +212,15 @@ class Model:
 
     @property
     def elements(self) -> tuple[str, ...]:
-        """Elements that are on."""
+        """Names of the active elements."""
         return tuple(self._said()["elements"])
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """Parameters that are in use, by name: where another value would be another damper.
+        """Parameters in use, by name. A change of such a parameter changes the damper.
 
-        Of elements that are off there are none, nor numbers of a form that was not chosen, such as the knees beside an FV table. Settings
-        such as ``substeps`` are among them where they are not at their default, as in the model file.
+        Parameters of inactive elements are omitted, as are those of a form that is not selected, such as the knees of an FV curve that is given
+        as a table. Solver settings such as ``substeps`` are included unless they have their default, as in the model file.
         """
         return {p["name"]: Parameter.from_dict(p) for p in self._said()["parameters"]}
 
@@ -229,16 +231,16 @@ class Model:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Remarks of the fit."""
+        """Notes of the fit."""
         return tuple(self._said()["notes"])
 
     @property
     def velocity_range(self) -> tuple[float, float]:
-        """Lowest and highest velocity (m/s) of the FV curve; beyond, it is prolonged straight."""
+        """Lowest and highest velocity (m/s) of the FV curve. Outside this range, the curve is extrapolated linearly."""
         return self._native.velocity_range()
 
     def keys(self) -> KeysView[str]:
-        """Names of the :attr:`parameters` that are in use; with it ``dict(model)`` is their values by name."""
+        """Returns the names of the :attr:`parameters`. With this method, ``dict(model)`` gives the values by name."""
         return self.parameters.keys()
 
     def __iter__(self) -> Iterator[str]:
@@ -251,7 +253,7 @@ class Model:
         return name in self.keys()
 
     def __getitem__(self, name: str) -> Any:
-        """The value of a parameter that is in use."""
+        """Returns the value of a parameter in use."""
         parameters = self.parameters
         if name in parameters:
             return parameters[name].value
@@ -260,7 +262,7 @@ class Model:
         raise KeyError(f"there is no parameter {name!r} in use here; {hint}")
 
     def steady_force(self, velocity_m_s: npt.ArrayLike) -> npt.NDArray[np.float64]:
-        """Force (N) of the damper moving steadily at each velocity (m/s) through displacement 0: its FV curve with friction and gas."""
+        """Returns the force (N) in steady motion at each velocity (m/s) through displacement 0: the FV curve with friction and gas force."""
         velocities = column("velocity_m_s", np.atleast_1d(velocity_m_s) if np.isscalar(velocity_m_s) else velocity_m_s)
         warn_of_units(velocity_m_s=velocities)
         with watched() as told:
@@ -282,18 +284,19 @@ class Model:
         against: Path | Sequence[Path] = (),
         progress: Progress | None = None,
     ) -> Validation:
-        """Compares the model with records, beside the plain FV curve; as ``dashpot validate``.
+        """Compares the model and its plain FV curve with records, like ``dashpot validate``.
 
-        What the model's own fit found these records to be off by (a late force, a mass on the load cell) is taken out of them;
-        :attr:`Validation.campaign` has them as they were compared, with a note.
+        Measurement errors that the model's fit found in these records (a delayed force, a mass on the load cell) are corrected.
+        :attr:`Validation.campaign` contains the compared records, with a note on the correction.
 
         :param campaign: a :class:`Campaign`, or some of its records.
-        :param limits: windows that the damper has to keep, of :func:`dashpot.read_limits`; :attr:`Validation.limits` says which it does,
-            and which the model does.
-        :param against: models of the literature that are identified from the tests that this model was fitted to, and compared with:
-            ``"fv"``, ``"piecewise"``, ``"lag"``, ``"surface"``, ``"dahl"``, ``"bouc-wen"``, ``"spencer"``, ``"kwok"``, ``"network"``, or
-            several of them; ``"all"``; or files of theirs (:meth:`LiteratureModel.write`). :attr:`Validation.against` has their errors and numbers.
-        :raises ValidationError: where they cannot be compared, a limit cannot be kept, or a model to compare with is not known.
+        :param limits: limits that the damper must keep, such as those of :func:`dashpot.read_limits`. :attr:`Validation.limits` contains the
+            verdicts on the damper and on the model.
+        :param against: models of the literature for comparison: ``"fv"``, ``"piecewise"``, ``"lag"``, ``"surface"``, ``"dahl"``, ``"bouc-wen"``,
+            ``"spencer"``, ``"kwok"``, ``"network"``, several of them, or ``"all"``. They are identified from the tests to which this model was
+            fitted. Paths of their files (:meth:`LiteratureModel.write`) are also possible. :attr:`Validation.against` contains their errors and
+            parameters.
+        :raises ValidationError: if the records cannot be compared, a limit is invalid, or a model for comparison is unknown.
         """
         windows = None if limits is None else rows(limits)
         rivals = [os.fspath(name) for name in ([against] if isinstance(against, (str, os.PathLike)) else against)]
@@ -304,7 +307,7 @@ class Model:
             warnings.warn(note, stacklevel=2)
         kind = Validation if limits is None else JudgedValidation
         table = limits.path if isinstance(limits, Limits) else None
-        # Limits that stand in no file cannot be given to the command.
+        # The command accepts only limits from a file.
         from_file = [] if limits is None else None if table is None else ["--limits", table]
         compared = Campaign(as_compared, campaign.paths if isinstance(campaign, Campaign) else ())
         compared._reading = campaign._reading if isinstance(campaign, Campaign) else None
@@ -323,18 +326,18 @@ class Model:
         step_s: float | None = None,
         progress: Progress | None = None,
     ) -> Response:
-        """The force for a motion; as ``dashpot simulate``.
+        """Simulates the force for a motion, like ``dashpot simulate``.
 
-        With displacement (m) and velocity (m/s) both drive the model; displacement alone is differentiated by a cubic spline;
-        velocity alone is integrated from ``initial_position_m`` (m). Extension is positive. The damper starts settled in its
-        first position. A warning says where a motion is none of a damper, as in millimeters. Noise of a measured displacement comes back multiplied by the series stiffness:
-        :meth:`validate` smooths, this does not.
+        If displacement (m) and velocity (m/s) are given, both drive the model. Displacement alone is differentiated by a cubic spline. Velocity
+        alone is integrated from ``initial_position_m`` (m). Extension is positive. The damper starts in equilibrium at its first position.
+        A warning reports a motion that is too large for a damper, for example in millimeters. This method does not smooth the motion, so the
+        series stiffness multiplies the noise of a measured displacement. :meth:`validate` smooths it.
 
         :param time_s: times, s, increasing.
-        :param step_s: fixed step, s; the times given if not.
-        :param progress: is told the share done and what is being done.
-        :raises MotionError: where a number overflows, or position or step cannot be.
-        :raises ValueError, TypeError: where a channel is no column of finite real numbers, one for every time.
+        :param step_s: fixed step, s; by default, each step ends at one of the given times.
+        :param progress: function that receives the completed fraction, 0 to 1, and a description of the current work.
+        :raises MotionError: if a number overflows, or the position or step is invalid.
+        :raises ValueError, TypeError: if a channel is not one-dimensional or does not contain one finite real number for every time.
         """
         channels = (
             column("time_s", time_s),
@@ -347,18 +350,18 @@ class Model:
             real(name, value)
         with watched(progress) as told:
             response = Response(*self._native.simulate(*channels, initial_position_m, step_s, told))
-        # Of the motion that drove the model: a slow motion in millimeters shows by its stroke, a small fast one by its velocity.
+        # Stroke and velocity are both checked, because a slow motion in millimeters has a large stroke, and a small fast one a large velocity.
         warn_of_units(displacement_m=response.displacement, velocity_m_s=response.velocity)
         return response
 
     def check(self, *, host_step_s: float = 1e-3, wheel_mass_kg: float = 40.0, for_step_s: float | None = None) -> HostCheck[Model]:
-        """Whether the damper chatters in a host that holds its force over a step; as ``dashpot check``.
+        """Checks whether the damper chatters in a host with a zero-order hold of its force, like ``dashpot check``.
 
         :param host_step_s: step of the host, s.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
-        :param for_step_s: step of a host, s, in place of ``host_step_s``: friction that chatters there is replaced by presliding friction, and
-            :attr:`HostCheck.ready` is the damper for that host, to be written or exported.
-        :raises ModelError: where step or mass cannot be.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
+        :param for_step_s: step of the host, s, instead of ``host_step_s``. Friction that chatters at this step is replaced by presliding
+            friction. :attr:`HostCheck.ready` is the damper for this host, which can be written or exported.
+        :raises ModelError: if the step or the mass is invalid.
         """
         for name, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(name, value)
@@ -379,19 +382,19 @@ class Model:
         for_step_s: float | None = None,
         force: bool = False,
     ) -> list[str]:
-        """Writes everything that a run folder of Adams needs: model file, library, commands, a test rig; as ``dashpot export adams``.
+        """Writes a run folder for Adams with model file, library, commands and a test rig, like ``dashpot export adams``.
 
-        :param folder: folder to write to; made if it is not there. It begins with ``README.txt``.
-        :param length_m: distance of the damper's markers at zero displacement, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``;
-            if not given, 0.4 m, and a note says so.
-        :param library: the library to hand out; if not given, those that this package was built with.
-        :param host_step_s: step, s, of a program that Adams is coupled to, at which chatter is judged.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
-        :param for_step_s: step, s, of such a program: friction that chatters there is replaced by presliding friction.
-        :param force: also over files of another kind, or write-protected ones; the command's ``--force``.
-        :returns: what is to be known of it, in sentences.
-        :raises ExportError: for a length that no damper has, a step or mass that cannot be, or a library without the routines.
-        :raises OutputError: where it cannot be written, or would take another file's place.
+        :param folder: output folder, which is created if it is missing. Its ``README.txt`` describes the files.
+        :param length_m: distance of the damper's markers at zero displacement, m, or a text with unit: ``"412.5mm"``, ``"0.4125m"``.
+            The default is 0.4 m, and a note states this.
+        :param library: library to copy into the folder; by default, the libraries with which this package was built.
+        :param host_step_s: step, s, of a program that is coupled to Adams. Chatter is checked at this step.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
+        :param for_step_s: step, s, of a program that is coupled to Adams. Friction that chatters at this step is replaced by presliding friction.
+        :param force: also replaces files of another kind and write-protected files, like the command's ``--force``.
+        :returns: notes on the export.
+        :raises ExportError: if the length is implausible, the step or mass is invalid, or the library lacks the routines.
+        :raises OutputError: if the output cannot be written, or would replace another file.
         """
         for name, value in (("host_step_s", host_step_s), ("wheel_mass_kg", wheel_mass_kg), ("for_step_s", for_step_s)):
             real(name, value)
@@ -404,17 +407,17 @@ class Model:
             )  # fmt: skip
 
     def export_dpr(self, path: Path, *, model_curve: bool = False, force: bool = False) -> list[str]:
-        """Writes the FV curve as a damper property file of Adams Car; as ``dashpot export dpr``.
+        """Writes the FV curve as a damper property file of Adams Car, like ``dashpot export dpr``.
 
-        It holds a curve alone, so it gets the plain FV curve that the fit left in the model file, the best that a curve can do; without one, or
-        where the numbers were changed since, the model's own curve, without friction.
+        Such a file contains only a curve. Therefore it gets the plain FV curve of the fit in the model file, which is the best possible curve.
+        Without this curve, or if parameters were changed after the fit, it gets the model's own curve without friction.
 
-        :param path: where to write; a name that ends in ``.xml`` gets the XML form, which holds the gas preload too.
-        :param model_curve: the model's own curve, which is that of its valves without friction, also where there is a plain one of a fit.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :returns: whose curve it is, and what is left out, in sentences; the file has them as comments.
-        :raises ExportError: where the model has no curve.
-        :raises OutputError: where it cannot be written, or would take another file's place.
+        :param path: path of the output. A name that ends in ``.xml`` selects the XML format, which also contains the gas preload.
+        :param model_curve: writes the model's own curve, which is that of its valves without friction, even if there is a plain FV curve of a fit.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :returns: notes on the origin of the curve and on what is left out. The file contains them as comments.
+        :raises ExportError: if the model has no curve.
+        :raises OutputError: if the output cannot be written, or would replace another file.
         """
         _, remarks = _native.export_dpr(self._native, os.fspath(path), os.path.basename(self._name), model_curve, force)
         return _said_of(remarks)
@@ -442,37 +445,40 @@ class Model:
         name: str | None = None,
         force: bool = False,
     ) -> list[str]:
-        """Writes a functional mock-up unit (co-simulation and model exchange); as ``dashpot export fmu``.
+        """Writes a functional mock-up unit (co-simulation and model exchange), like ``dashpot export fmu``.
 
-        :param others: the rear damper of a vehicle, or R1, L2 and R2; this model is the front or L1.
-        :param fmi: version, 2 or 3.
-        :param four: four corners of this model alone.
-        :param motion_scale: extension in m per unit of the host's motion, such as 0.001 for mm; 1 for one damper, -1 for a vehicle. The
-            FMU declares that unit, and none where a motion ratio is in the scale.
-        :param force_scale: the host's force per N of tension, such as 0.001 for kN; 1 for one damper, -1 for a vehicle. As for the motion.
-        :param position_offset_m: extension from the rig's zero, m, where the host's displacement is 0.
-        :param inputs: when the importer sets the inputs of a co-simulation step: ``"begin"``, as FMPy does (the FMU extrapolates), or ``"end"``.
-            Without it they count at the end, and an importer of the first kind gets the force one step late.
-        :param carmaker_length_m: for IPG CarMaker: signs and zero of its class Susp_Damper, and beside the FMU the ``.pluginfo`` file by which it takes it.
-            The length of the damper at which the displacement in the records was 0, m, or with its unit: ``"412.5mm"``, ``"0.4125m"``.
-        :param model_curve: with ``carmaker_length_m``: for the damper that CarMaker's equilibrium is looked for with, the model's own curve, without
-            friction, also where the model file has the plain FV curve that was fitted to the same tests.
-        :param sources: whether the sources of kernel and FMU go inside.
-        :param hide_parameters: no number of the damper is a variable of the FMU or can be read off its files; a veil and no lock, see
+        :param others: further dampers of a vehicle: the rear damper, or R1, L2 and R2. This model is the front damper or L1.
+        :param fmi: FMI version, 2 or 3.
+        :param four: uses this model for all four corners of a vehicle.
+        :param motion_scale: extension in m per unit of the host's motion, such as 0.001 for mm. The default is 1 for one damper and -1 for a
+            vehicle. The FMU declares the resulting unit, but no unit if the scale contains a motion ratio.
+        :param force_scale: the host's force per N of tension, such as 0.001 for kN. The default is 1 for one damper and -1 for a vehicle. The
+            FMU declares the resulting unit, but no unit if the scale contains a motion ratio.
+        :param position_offset_m: extension from the rig's zero, m, at which the host's displacement is 0.
+        :param inputs: time at which the importer sets the inputs of a co-simulation step: ``"begin"``, like FMPy (the FMU extrapolates), or
+            ``"end"`` (default). With the default, an importer that sets inputs at the beginning gets the force one step late.
+        :param carmaker_length_m: length of the damper at which the displacement in the records was 0, m, or a text with unit: ``"412.5mm"``,
+            ``"0.4125m"``. It selects an FMU for IPG CarMaker, with signs and zero of its class Susp_Damper. Next to the FMU, it also writes the
+            ``.pluginfo`` file with which CarMaker loads the FMU.
+        :param model_curve: requires ``carmaker_length_m``. CarMaker's search for the equilibrium uses the model's own curve without friction,
+            even if the model file contains the plain FV curve that was fitted to the same tests.
+        :param sources: whether the FMU contains the sources of kernel and FMU.
+        :param hide_parameters: hides all parameters of the damper from the FMU's variables and files. This is obfuscation, not protection, see
             ``dashpot export fmu --help``.
-        :param library: static library ``libdashpot.a`` for this computer: the binary is compiled here (needs a C compiler).
-            Without it the binaries that this package holds for Linux, and for Windows where it was built with them, are put inside; that
-            needs neither compiler nor library.
+        :param library: static library ``libdashpot.a`` for this computer. The binary is then compiled on this computer, which requires a C
+            compiler. Without it, the FMU contains this package's binaries for Linux, and for Windows if the package was built with them.
         :param binaries: library files for further platforms, compiled from this FMU's own sources: ``{"darwin64": "dashpot_damper.dylib"}``.
-        :param host_step_s: step of the host, s, at which chatter is judged; what is to be known of it stands on the FMU's page.
-        :param wheel_mass_kg: the lightest mass that the damper moves, kg.
-        :param for_step_s: step of a host, s: friction that chatters there is replaced by presliding friction (:meth:`check` says what that changes).
+        :param host_step_s: step of the host, s, at which chatter is checked. The page of the FMU contains the result.
+        :param wheel_mass_kg: smallest mass that the damper moves, kg.
+        :param for_step_s: step of the host, s. Friction that chatters at this step is replaced by presliding friction. :meth:`check` reports the
+            resulting change of the force.
         :param name: name of the model in the FMU.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :returns: the platforms that it runs on.
-        :raises ExportError: where there is no runtime, the compiler refuses, or a length, step or mass cannot be.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: where ``carmaker_length_m``, which sets signs and zero, stands beside what sets them too, or ``model_curve`` stands without it.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :returns: platforms on which the FMU runs.
+        :raises ExportError: if there is no binary, the compiler fails, or a length, step or mass is invalid.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if ``carmaker_length_m`` is combined with another argument for signs or zero, or if ``model_curve`` is given
+            without it.
         """
         if carmaker_length_m is not None and (four or motion_scale is not None or force_scale is not None or position_offset_m != 0.0):
             raise ValueError("carmaker_length_m sets signs, units and zero; give it without four, motion_scale, force_scale and position_offset_m")
@@ -515,11 +521,11 @@ class Model:
             )
 
     def to_dict(self) -> dict[str, Any]:
-        """Elements, parameters, and what the fit left behind."""
+        """Returns elements, parameters, and the fit's tests and notes from the model file, as a dictionary."""
         return self._said()
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row a parameter."""
+        """Returns one row for each parameter. Requires pandas."""
         return frame(self._said()["parameters"])
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -536,7 +542,7 @@ class Model:
         return {"": [own], **several}
 
     def tables(self) -> dict[str, pandas.DataFrame]:
-        """Everything that the model file says, as tables: what is of the whole under ``""``, and the parameters."""
+        """Returns the content of the model file as tables. The table ``""`` has the values of the whole model. Requires pandas."""
         return {name: frame(rows) for name, rows in self._tables().items()}
 
     def _repr_html_(self) -> str:
@@ -549,7 +555,7 @@ class Model:
 
 
 def _named_after(path: Path) -> str:
-    """What a model is called that was made from a file of another kind."""
+    """Returns the name of a model that was made from a file of another kind: the name of this file, with ``.toml``."""
     return os.path.splitext(os.path.basename(os.fspath(path)))[0] + ".toml"
 
 
@@ -558,7 +564,7 @@ def _said_of(notes: Sequence[str]) -> list[str]:
 
 
 class FittedModel(Model):
-    """A model that comes from :func:`dashpot.fit`, with what the fit said of it."""
+    """A model that was made by :func:`dashpot.fit`, with the results of the fit."""
 
     def __init__(self, text: str, name: Path, fit: FitResult) -> None:
         super().__init__(text, name)
@@ -566,7 +572,7 @@ class FittedModel(Model):
 
     @property
     def fit(self) -> FitResult:
-        """What the fit said: estimates with their 95 % intervals, the inventory of effects, what the records are off by."""
+        """Results of the fit: estimates with their 95 % intervals, the inventory of effects, and measurement errors of the records."""
         return self._fit
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
-"""Pictures on matplotlib: ``pip install 'dashpot[plot]'``.
+"""Plots with matplotlib. Requires ``pip install 'dashpot[plot]'``.
 
-Every function draws into the axes given, or into new ones, and returns them. Forces in N, tension positive; velocities in m/s,
+Every function draws into the given axes, or into new axes, and returns them. Forces are in N, tension positive. Velocities are in m/s,
 extension (rebound) positive.
 """
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 __all__ = ["campaign", "changed", "curve", "errors", "improvement", "loop"]
 
-#: Colours of measured, model and FV curve: those of the command's reports.
+#: Colors of measured force, model and FV curve. They are the colors of the command's reports.
 MEASURED, MODEL, FV_ONLY = "#111111", "#1f6feb", "#d97706"
 
 
 def plain(text: str) -> str:
-    """Text that matplotlib shows as it stands: between two dollars it would read a formula."""
+    """Escapes dollar signs, because matplotlib formats text between two dollar signs as a formula."""
     return text.replace("$", r"\$")
 
 
@@ -41,10 +41,10 @@ def _axes(axes: Axes | None) -> Axes:
 
 
 def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
-    """Force over velocity of every test of a campaign."""
+    """Plots the force over velocity of every test of a campaign."""
     drawn = _axes(axes)
     for record in records:
-        # A label that begins with an underline is none to matplotlib.
+        # matplotlib omits labels that begin with an underscore, so an invisible character precedes it.
         label = plain(record.name)
         drawn.plot(record.velocity, record.force, lw=0.6, label=f"\u200b{label}" if label.startswith("_") else label)
     drawn.set(xlabel="velocity, m/s (extension positive)", ylabel="force, N (tension positive)")
@@ -52,7 +52,7 @@ def campaign(records: Campaign, axes: Axes | None = None) -> Axes:
 
 
 def loop(validation: Validation, records: Campaign, test: str, over: str = "velocity", axes: Axes | None = None) -> Axes:
-    """Measured force, model and FV curve of one test, over ``"velocity"``, ``"displacement"`` or ``"time"``."""
+    """Plots measured force, model and FV curve of one test over ``"velocity"``, ``"displacement"`` or ``"time"``."""
     drawn = _axes(axes)
     record = (validation.campaign or records)[test]
     at = getattr(record, over)
@@ -67,7 +67,7 @@ def loop(validation: Validation, records: Campaign, test: str, over: str = "velo
 
 
 def curve(model: Model, axes: Axes | None = None, **style: Any) -> Axes:
-    """Force of the damper moving steadily, over velocity: FV curve with friction and gas, as far as the curve reaches."""
+    """Plots the force in steady motion over the velocity range of the FV curve. The force includes friction and gas force."""
     drawn = _axes(axes)
     low, high = model.velocity_range
     velocity = np.linspace(low, high, 401)
@@ -77,7 +77,7 @@ def curve(model: Model, axes: Axes | None = None, **style: Any) -> Axes:
 
 
 def errors(validation: Validation, axes: Axes | None = None) -> Axes:
-    """Mean error of every test as a share of its largest force: the model beside the FV curve."""
+    """Plots the mean error of model and FV curve for every test, in percent of the test's largest force."""
     drawn = _axes(axes)
     tests = sorted(validation.tests, key=lambda t: (-t.amplitude_m, t.peak_velocity_m_s))
     at = np.arange(len(tests))
@@ -91,7 +91,7 @@ def errors(validation: Validation, axes: Axes | None = None) -> Axes:
 
 
 def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
-    """Mean cycle of one test: measured, the model as it came, and with the named effects."""
+    """Plots the mean cycle of one test: measured force, force of the given model, and force with the identified effects."""
     drawn = _axes(axes)
     curves = found.curves(test)
     for name, colour in (("measured", MEASURED), ("before", FV_ONLY), ("after", MODEL)):
@@ -102,7 +102,7 @@ def improvement(found: Diagnosis, test: str, axes: Axes | None = None) -> Axes:
 
 
 def changed(found: Diagnosis, axes: Axes | None = None) -> Axes:
-    """Changes against the reference damper, over its values, with their 95 % intervals."""
+    """Plots the ratio of each changed value to the reference damper's value, with its 95 % interval. Values with reference zero are omitted."""
     drawn = _axes(axes)
     rows = [c for c in found.changes if c.reference]
     at = np.arange(len(rows))

@@ -1,4 +1,4 @@
-"""What reading records found and noticed. SI units; extension (rebound) velocity and tension force are positive."""
+"""Findings of reading records. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ._result import Result
 
 @dataclass(frozen=True, repr=False)
 class Note(Result):
-    """One thing that reading did or noticed."""
+    """Note on an action or an observation of reading."""
 
     kind: str
     text: str
@@ -17,7 +17,7 @@ class Note(Result):
 
 @dataclass(frozen=True, repr=False)
 class SignFinding(Result):
-    """Which direction the files count positive, and how sure that is."""
+    """Positive direction in the files, its confidence and the reasons."""
 
     positive: str
     is_stated: bool
@@ -29,7 +29,7 @@ class SignFinding(Result):
 
 @dataclass(frozen=True, repr=False)
 class Delay(Result):
-    """How late the force comes, s; nothing was moved for it."""
+    """Delay of the force channel relative to the motion, s. The records are not shifted by it."""
 
     seconds: float
     unexplained_as_recorded: float
@@ -38,7 +38,7 @@ class Delay(Result):
 
 @dataclass(frozen=True, repr=False)
 class Noise(Result):
-    """Noise of the force channel: root mean square of one sample, N, and its correlation from one to the next."""
+    """Noise of the force channel: root mean square of one sample, N, and correlation of adjacent samples."""
 
     force_rms: float
     lag1: float
@@ -47,7 +47,7 @@ class Noise(Result):
 
 @dataclass(frozen=True, repr=False)
 class Setting(Result):
-    """What an adjustable damper was set to: the current of its valve, or the clicks of its adjuster."""
+    """Setting of an adjustable damper: the current of its valve, or the clicks of its adjuster."""
 
     name: str
     unit: str
@@ -59,6 +59,6 @@ class Unusable(Result):
     """A file or test that was left out."""
 
     why: str
-    """Why, in a sentence that names the file, and the test within it."""
+    """Reason, as a sentence that names the file and the test."""
     is_test: bool
-    """Whether it is a test, with a fault of its own; else the file is no record at all."""
+    """Whether it is a test with a fault of its own. Otherwise the file is no record."""

@@ -1,4 +1,4 @@
-"""What fit, validate and diagnose say, as dataclasses with the keys of the command's JSON.
+"""All result classes: dataclasses with the keys of the command's JSON.
 
 SI units; extension (rebound) velocity and tension force are positive everywhere.
 """

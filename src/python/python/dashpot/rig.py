@@ -1,4 +1,4 @@
-"""The virtual rig: records to try things on, and matrices of tests."""
+"""The virtual rig, which generates records for experiments, and test matrices."""
 
 from __future__ import annotations
 
@@ -36,37 +36,40 @@ def measure_virtual(
     order: int | None = None,
     progress: Progress | None = None,
 ) -> Campaign:
-    """Measures a campaign on the virtual rig, writes its records into a folder, and reads them; as ``dashpot rig``.
+    """Simulates a campaign on the virtual rig, writes its records into a folder, and reads them, like ``dashpot rig``.
 
-    The damper is a physical one that shares nothing with the model. With ``hide``, a neutral damper of the model's own topology
-    instead, in which effects are hidden; its tests are those of the plan ``"diagnosis"`` if nothing is said of them, else those of the thesis.
-    What is hidden is written beside the records, in ``sealed/truth.toml``.
+    The damper is a physical simulation that shares no equations with the model. With ``hide``, it is a neutral damper of the model's topology
+    with injected effects. The default tests are then those of the plan ``"diagnosis"``, and otherwise those of the thesis. The injected effects
+    are written to ``sealed/truth.toml`` in the folder.
 
-    :param amplitudes_m: amplitudes of the tests, m; the thesis's if not given.
-    :param peak_velocities_m_s: peak velocities of the tests, m/s; the thesis's if not given.
-    :param frequency_limit_hz: highest frequency, Hz; what lies above is left out. That of the thesis's rig if not given.
-    :param slow_tests: whether slow cycles for friction and gas force are among them.
-    :param matrix: a test matrix (CSV) in their place, such as :func:`write_test_matrix` writes, or :meth:`Diagnosis.write_next_tests`.
-    :param plan: a plan in their place: ``"diagnosis"``, ``"thesis"``, or a poor one, ``"one-amplitude"``, ``"one-frequency"``,
-        ``"no-slow-tests"``, ``"centred"``, ``"no-side-force"``.
-    :param seed: which damper, and which noise; 0 is the default damper.
+    :param amplitudes_m: amplitudes of the tests, m; by default those of the thesis.
+    :param peak_velocities_m_s: peak velocities of the tests, m/s; by default those of the thesis.
+    :param frequency_limit_hz: highest frequency, Hz. Tests above it are left out. The default is that of the thesis's rig.
+    :param slow_tests: whether the tests include slow cycles for friction and gas force.
+    :param matrix: path of a test matrix (CSV) that replaces these tests, such as :func:`write_test_matrix` or
+        :meth:`Diagnosis.write_next_tests` writes.
+    :param plan: name of a plan that replaces these tests: ``"diagnosis"``, ``"thesis"``, or a deficient plan: ``"one-amplitude"``,
+        ``"one-frequency"``, ``"no-slow-tests"``, ``"centred"``, ``"no-side-force"``.
+    :param seed: seed of the damper and of the noise; 0 is the default damper.
     :param noise_percent: noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal.
-    :param noise_colour: correlation of that noise from one sample to the next; 0 is white.
-    :param hum_n: amplitude of mains hum on the force, N.
-    :param bits: bits of the force channel's converter; not rounded if not given.
-    :param sample_rate_hz: samples per second; chosen by frequency if not given.
-    :param side_force: whether the side force is recorded where it is applied.
-    :param temperature: whether the temperature of the damper's body is recorded, which a damper with ``hide`` alone knows.
-    :param hide: effects to hide: a name, several, or names with numbers: ``{"cavitation": 0.5, "free_play": None}``. A name without a number is
-        a typical strong case, ``"free_play:hertz"`` asks for one physical form, where otherwise the seed chooses; an empty mapping, or
-        ``"nothing"``, hides nothing. An unknown name is refused with all that there are.
-    :param severity: with ``hide``: whether its numbers are severities, as those of ``dashpot rig --hide``: what refitting the model cannot absorb, in
-        units of the noise, 0.5 being weak and 4 strong. The strengths that make them are searched for, which takes seconds, by the tests of
-        a plan. Otherwise the numbers are physical strengths, 1 being a typical strong case, as with ``dashpot rig --strength``.
-    :param start_temperature_c: with ``hide``: temperature of the damper before the first test, °C; that of the laboratory, 22 °C, if not given.
-    :param order: with ``hide``: another order of a plan's tests, hence another thermal history.
-    :raises RigError: where a test, an effect or a sensor cannot be.
-    :raises ValueError: where tests are said in two ways, or ``severity``, ``order`` or ``start_temperature_c`` is given without ``hide``.
+    :param noise_colour: correlation of adjacent noise samples; 0 is white noise.
+    :param hum_n: amplitude of mains hum in the force, N.
+    :param bits: resolution of the force channel's converter, bits; no quantization if not given.
+    :param sample_rate_hz: sample rate, Hz; selected by the frequency of the test if not given.
+    :param side_force: whether the side force is recorded in tests that apply one.
+    :param temperature: whether the temperature of the damper's body is recorded. Only a damper with ``hide`` has a temperature.
+    :param hide: effects to inject: a name, several names, or names with numbers: ``{"cavitation": 0.5, "free_play": None}``. A name without a
+        number is a typical strong case. ``"free_play:hertz"`` selects a physical form, which the seed otherwise selects. An empty mapping, or
+        ``"nothing"``, injects no effect. The error for an unknown name lists all names.
+    :param severity: requires ``hide``. Its numbers are then severities, as in ``dashpot rig --hide``: the residual that remains after a refit of
+        the model, in units of the noise. 0.5 is weak and 4 is strong. A search on the tests of a plan finds the strengths, which takes
+        seconds. Otherwise the numbers are physical strengths, as in ``dashpot rig --strength``, and 1 is a typical strong case.
+    :param start_temperature_c: requires ``hide``. Temperature of the damper before the first test, °C. The default is 22 °C, the temperature
+        of the laboratory.
+    :param order: requires ``hide``. Seed of another order of the plan's tests, which gives another thermal history.
+    :raises RigError: if a test, an effect or a sensor is invalid.
+    :raises ValueError: if more than one of matrix, plan and single tests is given, or ``severity``, ``order`` or ``start_temperature_c``
+        without ``hide``.
     """
     tests = _tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests)
     varied = amplitudes_m is not None or peak_velocities_m_s is not None or frequency_limit_hz is not None or not slow_tests
@@ -106,19 +109,19 @@ def write_test_matrix(
     slow_tests: bool = True,
     force: bool = False,
 ) -> int:
-    """Writes a test matrix for a rig as CSV, by default the thesis's; as ``dashpot matrix``.
+    """Writes a test matrix for a rig as CSV, by default that of the thesis, like ``dashpot matrix``.
 
-    Every amplitude is driven at every peak velocity up to the frequency limit, then come slow cycles for friction.
+    The matrix combines every amplitude with every peak velocity up to the frequency limit. Slow cycles for friction and gas force follow.
 
     :param amplitudes_m: amplitudes, m.
     :param peak_velocities_m_s: peak velocities, m/s.
     :param frequency_limit_hz: highest frequency that the rig can run, Hz.
-    :param slow_tests: whether slow cycles for friction and gas force come last.
-    :param force: overwrite a file that is there, also one of another kind or a write-protected one.
+    :param slow_tests: whether the matrix contains slow cycles for friction and gas force.
+    :param force: replaces an existing file, even one of another kind or a write-protected file.
     :returns: the number of tests.
-    :raises RigError: where a number is none of a rig, or no test is left.
-    :raises OutputError: where it cannot be written.
-    :raises FileExistsError: the same error, where another file is there and ``force`` is not given.
+    :raises RigError: if a number is implausible for a rig, or no test remains.
+    :raises OutputError: if the file cannot be written.
+    :raises FileExistsError: if another file exists and ``force`` is not given. The exception is also an :class:`OutputError`.
     """
     text, count = _native.test_matrix(_tests(amplitudes_m, peak_velocities_m_s, frequency_limit_hz, slow_tests))
     write_new(path, text, force)
@@ -126,7 +129,7 @@ def write_test_matrix(
 
 
 def _asked(hide: str | Sequence[str] | Mapping[str, float | None]) -> list[tuple[str, float | None]]:
-    """Names to hide with their numbers, where they have one."""
+    """Converts the argument ``hide`` to a list of names, each with its number or None."""
     if not isinstance(hide, Mapping):
         return [(name, None) for name in words(hide)]
     for name, number in hide.items():

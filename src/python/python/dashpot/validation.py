@@ -1,4 +1,4 @@
-"""How close a model comes to a campaign. SI units; extension (rebound) velocity and tension force are positive."""
+"""Results of the comparison of a model with records. SI units; extension (rebound) velocity and tension force are positive."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Deviation(Result):
-    """How far a simulated force is from the measured one."""
+    """Errors of a simulated force, compared with the measured force."""
 
     mean_error_n: float
     error_percent: float
@@ -38,52 +38,52 @@ class Deviation(Result):
 
 @dataclass(frozen=True, repr=False)
 class Errors(Deviation):
-    """Errors of the model, and beside them those of the FV curve alone."""
+    """Errors of the model, and of the FV curve alone for comparison."""
 
     fv_only: Deviation
 
 
 @dataclass(frozen=True, repr=False)
 class Summary(Errors):
-    """Mean figures over a set of tests."""
+    """Mean errors over a set of tests."""
 
     tests: int
 
 
 @dataclass(frozen=True, repr=False)
 class SettingSummary(Summary):
-    """Mean figures over the tests at one setting of a damper that depends on one."""
+    """Mean errors over the tests at one setting, for a damper that depends on a setting."""
 
     setting: float
     is_of_grid: bool
-    """Whether the model file gives numbers at this setting; else they are interpolated."""
+    """Whether the model file contains parameters at this setting. Otherwise the parameters are interpolated."""
 
 
 @dataclass(frozen=True, repr=False)
 class ResponseTimes(Result):
-    """Times of the response to a step of the setting, counted from the step."""
+    """Times of the response to a step of the setting, from the instant of the step."""
 
     t10_s: float
-    """Until the force has gone a tenth of its way."""
+    """Time until the force has completed 10 % of its change."""
     t63_s: float
     t90_s: float
     overshoot: float
-    """How far it goes beyond its end, as a fraction of its way."""
+    """Overshoot beyond the final force, as a fraction of the change."""
 
 
 @dataclass(frozen=True, repr=False)
 class TimeUncertainty(Result):
-    """Half the width of the 95 % intervals of measured response times."""
+    """Uncertainties of measured response times: half the width of their 95 % intervals."""
 
     t63_s: float
     t90_s: float
     rise_s: float
-    """Of the time from 10 to 90 %, which does not depend on the instant of the command."""
+    """Uncertainty of the time from 10 to 90 % of the change. The instant of the command does not affect it."""
 
 
 @dataclass(frozen=True, repr=False)
 class StepGroup(Result):
-    """The response to steps of one test in one direction."""
+    """Response to the steps of one test in one stroke direction: rebound or compression."""
 
     test: str
     is_rebound: bool
@@ -95,21 +95,21 @@ class StepGroup(Result):
 
 @dataclass(frozen=True, repr=False)
 class StepResponse(Result):
-    """The response to steps from one setting to another."""
+    """Response to the steps from one setting to another."""
 
     steps: int
     tests: tuple[str, ...]
     before: float = field(metadata={"key": "from"})
-    """Setting before."""
+    """Setting before the step."""
     after: float = field(metadata={"key": "to"})
     sample_s: float
-    """Time between two samples, s. The instant of a step is known to half of it."""
+    """Sampling interval, s. The instant of a step is known to half of it."""
     end_fraction: float
-    """Fraction of its way that the model's force has gone at the end of the levels."""
+    """Completed fraction of the change of the model's force when the setting changes again. It is below 1 if the force lags too much."""
     groups: tuple[StepGroup, ...]
-    """Response times of each test and direction that has at least three steps; a limit judges the slowest."""
+    """Response times of each test and stroke direction with at least three steps. A limit applies to the slowest of all groups and steps."""
     measured: ResponseTimes | None = field(default=None, metadata={"omitted": True})
-    """Of the measured force; none where the records do not show them."""
+    """Times of the measured force; None if the records do not show them."""
     uncertainty: TimeUncertainty | None = field(default=None, metadata={"omitted": True})
     """Half the width of the 95 % intervals of the measured times."""
     model: ResponseTimes | None = field(default=None, metadata={"omitted": True})
@@ -117,7 +117,7 @@ class StepResponse(Result):
 
 @dataclass(frozen=True, repr=False)
 class OfEach(Result):
-    """One figure of the measured force, of the model, and of the FV curve alone."""
+    """A quantity of the measured force, of the model, and of the FV curve alone."""
 
     measured: float
     model: float
@@ -126,7 +126,7 @@ class OfEach(Result):
 
 @dataclass(frozen=True, repr=False)
 class GapBin(Result):
-    """Gap between rising and falling velocity at one velocity."""
+    """Force at rising velocity minus force at falling velocity, N, in one velocity bin."""
 
     velocity_m_s: float
     gap_n: OfEach
@@ -134,7 +134,7 @@ class GapBin(Result):
 
 @dataclass(frozen=True, repr=False)
 class Hysteresis(Result):
-    """Hysteresis of one test over its whole cycles."""
+    """Hysteresis of one test, averaged over its whole cycles."""
 
     cycles: int
     gap: tuple[GapBin, ...]
@@ -156,9 +156,9 @@ class PeakForce(Result):
 
 @dataclass(frozen=True, repr=False)
 class TestValidation(Errors):
-    """Every figure of one test."""
+    """All results of one test."""
 
-    __test__ = False  # no test case of pytest's
+    __test__ = False  # pytest must not collect this class as a test case.
 
     name: str
     amplitude_m: float
@@ -195,7 +195,7 @@ class MatrixCell(Errors):
 
 @dataclass(frozen=True, repr=False)
 class ErrorMatrix(Result):
-    """Errors grouped as the test schedule is."""
+    """Errors of a campaign by groups of tests, which follow the test schedule."""
 
     by_amplitude: tuple[MatrixRow, ...]
     by_peak_velocity: tuple[MatrixRow, ...]
@@ -209,23 +209,23 @@ class ErrorMatrix(Result):
 
 @dataclass(frozen=True, repr=False)
 class AgainstTest(Deviation):
-    """Errors of a model to compare with on one test."""
+    """Errors of a model of the literature on one test."""
 
     name: str
     used_in_fit: bool
-    """Whether the model was identified from it."""
+    """Whether the fit of the validated model used this test."""
 
 
 @dataclass(frozen=True, repr=False)
 class AgainstSummary(Deviation):
-    """Mean errors of a model to compare with over a set of tests."""
+    """Mean errors of a model of the literature over a set of tests."""
 
     tests: int
 
 
 @dataclass(frozen=True, repr=False)
 class Against(Result):
-    """A model of the literature on the same tests; the first one of a validation is the model that is validated."""
+    """Errors of a model of the literature on the tests of the validation. The first entry of a validation is the validated model itself."""
 
     model: str
     meaning: str
@@ -233,7 +233,7 @@ class Against(Result):
     used_in_fit: AgainstSummary | None
     left_out: AgainstSummary | None
     numbers: dict[str, Any] | None = field(default=None, metadata={"omitted": True})
-    """The model with its numbers; none of the model that is validated."""
+    """The model with its parameters; None for the validated model."""
 
     def _short(self) -> Row:
         row: Row = {"model": self.model, "meaning": self.meaning}
@@ -244,7 +244,7 @@ class Against(Result):
 
 
 def _in_groups(matrix: ErrorMatrix) -> list[Row]:
-    """The rows and cells of a matrix, with what they are grouped by."""
+    """Returns the rows and cells of an error matrix. The column ``by`` names the quantity by which the tests are grouped."""
     rows = [("amplitude", row) for row in matrix.by_amplitude] + [("peak velocity", row) for row in matrix.by_peak_velocity]
     rows += [(name, row) for name, row in (("slow", matrix.slow), ("not periodic", matrix.not_periodic)) if row is not None]
     cells: list[Row] = []
@@ -256,7 +256,7 @@ def _in_groups(matrix: ErrorMatrix) -> list[Row]:
 
 @dataclass(frozen=True)
 class Compared:
-    """What a validation compared, beside the records and the forces: what its papers are made from."""
+    """Data of a validation, in addition to records and forces, from which reports and certificates are written."""
 
     model: NamedModel
     windows: list[Window] | None
@@ -267,19 +267,19 @@ class Compared:
 
 @dataclass(frozen=True, repr=False)
 class SettingDoubt(Result):
-    """A test whose forces are those of another setting than the one that it states."""
+    """A test whose forces match another setting better than its stated setting."""
 
     test: str
     stated: float
     fitting: float
-    """Setting at which the model fits best."""
+    """Setting at which the model matches the forces best."""
     stated_error_n: float
     fitting_error_n: float
 
 
 @dataclass(frozen=True, repr=False)
 class Validation(Papers, Result):
-    """How close a model comes to a campaign; the JSON of ``dashpot validate``."""
+    """Result of the comparison of a model with a campaign; the JSON of ``dashpot validate``."""
 
     tests: tuple[TestValidation, ...]
     overall: Summary
@@ -288,7 +288,7 @@ class Validation(Papers, Result):
     matrix: ErrorMatrix
     region_boundary_m_s: float
     limits: Certificate | None = field(default=None, metadata={"omitted": True})
-    """Which limits the damper keeps, where some were given."""
+    """Verdicts on the limits; None without limits."""
     settings: tuple[SettingSummary, ...] = field(default=(), metadata={"omitted": True})
     """Errors at each setting of a damper that depends on one."""
     changing: Summary | None = field(default=None, metadata={"omitted": True})
@@ -296,15 +296,15 @@ class Validation(Papers, Result):
     step_responses: tuple[StepResponse, ...] = field(default=(), metadata={"omitted": True})
     """Responses to steps of the setting."""
     setting_doubts: tuple[SettingDoubt, ...] = field(default=(), metadata={"omitted": True})
-    """Tests whose forces are those of another setting; :meth:`Family.validate` warns of them."""
+    """Tests whose forces match another setting; :meth:`Family.validate` warns of them."""
     against: tuple[Against, ...] = field(default=(), metadata={"omitted": True})
-    """The model and those of the literature that it was compared with, where some were named."""
+    """Errors of the validated model and of the models of the literature; empty without such models."""
     as_the_fit_saw: str | None = field(default=None, metadata={"omitted": True})
-    """What the model's own fit found its records to be off by, and whether it was taken out of these."""
+    """Note on the measurement errors that the model's fit found in its own records, and on whether the records of this result were corrected."""
     unusable: tuple[Unusable, ...] = ()
     """Files and tests that could not be used."""
     campaign: Campaign | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
-    """The records as they were compared; none in a result made from a dictionary."""
+    """The compared records, with corrections; None in a result made from a dictionary."""
     _forces: tuple[tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]], ...] | None = field(
         default=None, metadata={"hidden": True}, compare=False, repr=False
     )
@@ -312,7 +312,7 @@ class Validation(Papers, Result):
     _compared: Compared | None = field(default=None, metadata={"hidden": True}, compare=False, repr=False)
 
     def forces(self, test: str) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
-        """Forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
+        """Returns the forces (N) of the model and of the FV curve alone at the samples of one test of :attr:`campaign`."""
         names = [t.name for t in self.tests]
         if test not in names:
             raise KeyError(f"there is no test {test!r}; the first is called {names[0]!r}")
@@ -324,18 +324,18 @@ class Validation(Papers, Result):
     def write_report(
         self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, full: bool = False, force: bool = False
     ) -> None:
-        """Writes the report with tables and plots, one HTML file that opens without a network; as ``dashpot validate --report``, byte by byte.
+        """Writes the report with tables and plots as one HTML file without external resources. Its bytes are those of ``dashpot validate --report``.
 
-        Nothing is fitted or simulated again: figures and plots come from the forces that the result holds. The report says of which files it was
-        made, with their hashes, so the records are read once more; of files that are no longer there it says nothing. It names the command that
-        makes the same, where there is one: of all records of a campaign, a model that was read from a file or written, and limits of a table.
+        Nothing is fitted or simulated again, because the result contains the forces. The records are read once more, because the report lists the
+        files with their hashes. Files that no longer exist are omitted. The report names the command that makes the same report if there is one.
+        That requires all records of a campaign, a model that was read from a file or written, and limits from a table.
 
-        :param language: of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
-        :param date: date to write into it; without it that of ``SOURCE_DATE_EPOCH``, or none, so that the same input gives the same report.
-        :param full: print all of the report, not its first two pages alone.
-        :param force: also over a file of another kind, or a write-protected one; the command's ``--force``.
-        :raises OutputError: where it cannot be written, or would take another file's place.
-        :raises ValueError: of a language that there is not, and of a result that was made from a dictionary.
+        :param language: language of the report: ``"en"``, ``"de"``, ``"fr"`` or ``"zh"``.
+        :param date: date in the report. By default it is the date of ``SOURCE_DATE_EPOCH``, or none, so that equal input gives an equal report.
+        :param full: prints the whole report. By default, only its first two pages are printed.
+        :param force: also replaces a file of another kind or a write-protected file, like the command's ``--force``.
+        :raises OutputError: if the output cannot be written, or would replace another file.
+        :raises ValueError: if the language is unknown, or if this result was made from a dictionary.
         """
         self._write("report", path, language, date, force, full)
 
@@ -357,7 +357,7 @@ class Validation(Papers, Result):
         return [held(t)[0] for t in self.tests]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row a test, indexed by its name."""
+        """Returns one row for each test, with the test's name as index."""
         return by_test(self._rows())
 
     def _repr_html_(self) -> str:
@@ -393,15 +393,15 @@ class Validation(Papers, Result):
 
 @dataclass(frozen=True, repr=False)
 class JudgedValidation(Validation):
-    """A validation against limits, with the verdict on them."""
+    """A validation with limits, and the verdicts on them."""
 
     limits: Certificate
-    """Which limits the damper keeps, and which the model does."""
+    """Verdicts on the damper and on the model for every limit."""
 
     def write_certificate(self, path: Path, *, language: str = "en", date: str | datetime.date | None = None, force: bool = False) -> None:
-        """Writes the verdict on the limits as a page by itself, with every limit and the diagram; as ``dashpot validate --certificate``.
+        """Writes the verdicts on the limits as a separate page, with every limit and a diagram, like ``dashpot validate --certificate``.
 
-        Parameters and errors as of :meth:`write_report`. A certificate names the table of :func:`dashpot.read_limits`; of limits that
-        stand in no table it names none.
+        Parameters and errors are those of :meth:`write_report`. A certificate names the table of limits that :func:`dashpot.read_limits` read.
+        For limits without a table, it names none.
         """
         self._write("certificate", path, language, date, force)

@@ -1,11 +1,11 @@
-//! Open questions that these records leave, tests that would resolve them, and remarks.
+//! Effects that the diagnosed records cannot show, tests that would resolve open questions, and remarks.
 
 use crate::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// Builds the section of proposed tests and of the limits of these records.
+/// Builds the section of proposed tests, and of the effects that the diagnosed records cannot show.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if !found.next_tests.is_empty() {

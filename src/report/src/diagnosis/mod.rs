@@ -45,7 +45,7 @@ use std::path::{Path, PathBuf};
 pub struct DiagnosisReport<'a> {
     /// Name of the diagnosed model file.
     pub model_file: String,
-    /// Name of the data.
+    /// Files or folders of the records, as named in the subtitle.
     pub data: String,
     /// Result of the diagnosis.
     pub found: &'a Diagnosis,

@@ -17,7 +17,7 @@ use dashpot_records::setting_in_words;
 pub struct SettingsReport<'a> {
     /// Name of the diagnosed model file.
     pub model_file: String,
-    /// Name of the data.
+    /// Files or folders of the records, as named in the subtitle.
     pub data: String,
     /// Unit of the setting.
     pub unit: String,

@@ -159,7 +159,7 @@ mod tests {
     use dashpot_core::family::Axis as SettingAxis;
     use dashpot_core::{list, number};
 
-    /// Makes a damper whose force at every velocity is proportional to one plus the setting.
+    /// Makes a damper whose damping force at every velocity is proportional to one plus the setting. A gas force of 100 N is constant.
     pub fn damper() -> Definition {
         let mut params = Params::new();
         params.disable_all();

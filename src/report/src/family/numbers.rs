@@ -13,7 +13,7 @@ use dashpot_core::parameter::{self, Number, Row};
 use dashpot_identification::family::{FamilyFit, FamilyItem, ForceAtSetting};
 use dashpot_identification::model_file::{Interval, IntervalOverSetting, ModelFile};
 
-/// Parameters that have a figure even if they do not depend on the setting: friction levels and the gas force.
+/// Parameters that have a figure even if they do not depend on the setting: friction forces and the gas force.
 const ALWAYS: [Number; 5] = [
     number!("coulomb_force"),
     number!("stribeck_coulomb_force"),
@@ -35,7 +35,8 @@ pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
     parameter::table().filter_map(|row| wanted(&row)).map(|number| figure(model, number, words)).collect()
 }
 
-/// Returns the 95 % interval of a parameter at a grid position, or `None` if the fit has no interval.
+/// Returns the 95 % interval of a parameter at the grid setting with index `place`, or `None` if the fit has no
+/// interval.
 fn interval(model: &ModelFile, number: Number, place: usize) -> Option<[f64; 2]> {
     let known = &model.identification;
     let found = match known.intervals_over_setting.get(number.name()) {

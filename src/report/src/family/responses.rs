@@ -15,9 +15,9 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, TimeUncertainty, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
-/// Largest overshoot that counts as rounding, percent.
+/// Overshoot, percent, below which the table shows 0, because a smaller one is a rounding error.
 const NO_OVERSHOOT: f64 = 0.05;
-/// Number of points of one branch of the hysteresis loop over the setting.
+/// Number of points of the hysteresis loop over the setting while the setting increases, and again while it decreases.
 const POINTS: usize = 61;
 /// Velocity at which the hysteresis is drawn, as a fraction of the tests' largest velocity.
 const VELOCITY: f64 = 0.5;

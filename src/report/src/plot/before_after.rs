@@ -95,21 +95,21 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     svg.finish()
 }
 
-/// Draws force over velocity: measured, before, after.
+/// Draws force over velocity: the measurement, and the model before and after the diagnosis.
 pub fn force_velocity(test: &TestOutcome, words: &Words) -> String {
     let velocity = &test.curves.velocity;
     let series = forces(test, words, |i| 1e3 * velocity[i]);
     plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Draws force over displacement: measured, before, after.
+/// Draws force over displacement: the measurement, and the model before and after the diagnosis.
 pub fn force_displacement(test: &TestOutcome, words: &Words) -> String {
     let displacement = &test.curves.displacement;
     let series = forces(test, words, |i| 1e3 * displacement[i]);
     plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
-/// Draws the residual before and after, over velocity.
+/// Draws the residual over velocity, before and after the diagnosis.
 pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     let curves = &test.curves;
     let line = |role, label, force: &[f64]| {

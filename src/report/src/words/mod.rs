@@ -14,13 +14,13 @@ mod texts;
 
 pub use texts::Words;
 
-/// English.
+/// Texts of the reports in English.
 pub static EN: LazyLock<Words> = LazyLock::new(|| read("en", include_str!("../../locales/en.ftl")));
-/// German.
+/// Texts of the reports in German.
 pub static DE: LazyLock<Words> = LazyLock::new(|| read("de", include_str!("../../locales/de.ftl")));
-/// French.
+/// Texts of the reports in French.
 pub static FR: LazyLock<Words> = LazyLock::new(|| read("fr", include_str!("../../locales/fr.ftl")));
-/// Chinese, simplified.
+/// Texts of the reports in simplified Chinese.
 pub static ZH: LazyLock<Words> = LazyLock::new(|| read("zh", include_str!("../../locales/zh.ftl")));
 
 fn read(code: &'static str, source: &str) -> Words {

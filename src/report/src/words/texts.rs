@@ -10,7 +10,7 @@ dashpot_messages::interface! {
         pub code: &'static str,
         pub(super) catalog: &'static Catalog,
         ;
-        // The page.
+        // Controls and help of the HTML page.
         decimal_sign,
         note,
         all_tests_shown,
@@ -23,7 +23,7 @@ dashpot_messages::interface! {
         save_about,
         sort_help,
         printed_brief,
-        // Figures.
+        // Titles, axes and legends of figures.
         measured,
         model,
         fv_curve,
@@ -54,7 +54,7 @@ dashpot_messages::interface! {
         measured_peaks,
         model_peaks,
         window,
-        // Validation: title and answer.
+        // Title and result of a validation.
         title_validation,
         subtitle_validation(model data),
         answer,
@@ -88,7 +88,7 @@ dashpot_messages::interface! {
         parameters_section,
         parameters_range,
         made_section,
-        // Tables.
+        // Columns, rows and captions of tables.
         col_tests,
         col_number,
         col_force_of,
@@ -141,7 +141,7 @@ dashpot_messages::interface! {
         assumed_dimensions(source),
         assumed_default,
         assumed_held,
-        // Single tests.
+        // Sentences about single tests.
         notes_of_test,
         motion_periodic(amplitude frequency velocity cycles),
         motion_other(velocity),
@@ -224,7 +224,7 @@ dashpot_messages::interface! {
         against_caption,
         col_model,
         col_meaning,
-        // Limits.
+        // Limits, and the certificate.
         certificate_title,
         certificate_subtitle(data limits),
         certificate_section,
@@ -271,7 +271,7 @@ dashpot_messages::interface! {
         col_bytes,
         made_all(count hash),
         made_files,
-        // Manoeuvres.
+        // The report of a manoeuvre.
         manoeuvre_title(name),
         manoeuvre_subtitle(model step),
         manoeuvre_answer(force curve corner difference share),
@@ -352,7 +352,7 @@ dashpot_messages::interface! {
         range(low high),
         before,
         after,
-        // Figures before and after.
+        // Figures before and after a diagnosis.
         axis_residual,
         axis_residual_rms,
         axis_resistance,
@@ -368,7 +368,7 @@ dashpot_messages::interface! {
         fitted_tests,
         left_out,
         stretch(test place count),
-        // Diagnosis: title and answer.
+        // Title and result of a diagnosis.
         diagnosis_title,
         errors_caption,
         error_unseen(tests before after),
@@ -460,20 +460,20 @@ dashpot_messages::interface! {
         changed_caption,
         col_change,
         shifts_caption,
-        // Loops.
+        // Loops before and after a diagnosis.
         loops_section,
         more_loops_section,
         loops_about,
         loop_heading(test kind),
         loop_errors(before after noise closed),
         loop_closed(gap),
-        // Errors by amplitude and peak velocity, before and after.
+        // Errors by amplitude and peak velocity, before and after the diagnosis.
         map_before,
         map_after,
         map_before_caption,
         map_after_caption,
         mean_cycles_rule,
-        // Tested hypotheses.
+        // Hypotheses that a diagnosis tested.
         tried_section,
         tried_about,
         col_form,
@@ -500,7 +500,7 @@ dashpot_messages::interface! {
         // Parameters of the improved model.
         source_refitted,
         source_added(effect),
-        // Many dampers.
+        // The report on groups of dampers.
         groups_title,
         groups_subtitle(model reference),
         groups_section,

@@ -30,7 +30,7 @@ pub struct Args {
     seed: u64,
 }
 
-/// Rows of the matrix that the fit does not use: two large strokes and a small one.
+/// Name patterns of the tests that the fit does not use: all tests of the matrix at 40, 25 and 2 mm.
 const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
 
 /// Runs the verb.

@@ -15,7 +15,7 @@ use dashpot_report::{Print, replace_file};
 use dashpot_rig::{CHECK_PREFIX, InjectedCase, Options, Plan};
 use std::path::{Path, PathBuf};
 
-/// Injected effect and its strength.
+/// Injected effect and its strength. A strength of 1 is a typical strong case.
 const HIDDEN: (&str, f64) = ("free_play", 1.0);
 
 /// Runs the second half of the demo and writes its results to a subfolder. Returns the path of the report.

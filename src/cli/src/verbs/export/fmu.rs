@@ -1,4 +1,4 @@
-//! `dashpot export fmu`: export of a model in the format that most simulators import.
+//! `dashpot export fmu`: export of a model as a functional mock-up unit (FMU), the format that most simulators import.
 
 use super::super::host_step::HostArgs;
 use crate::quantity::metres;
@@ -205,7 +205,8 @@ fn binary(text: &str) -> anyhow::Result<Binary> {
     Binary::read(platform, Path::new(file)).context("--binary")
 }
 
-/// Returns the static library: the given library, or the library that cargo or a package installed.
+/// Returns the path of dashpot's static library: the given library, or the library that cargo or a package installed.
+/// Returns an error if there is no such file.
 fn library(named: Option<&Path>) -> anyhow::Result<PathBuf> {
     let path = named.map_or_else(exports::static_library, |named| Ok(named.to_path_buf()))?;
     if !path.is_file() {

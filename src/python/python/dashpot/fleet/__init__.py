@@ -1,19 +1,19 @@
-"""Thousands of campaigns: each fitted, judged against limits, and diagnosed against a reference damper.
+"""Evaluation of thousands of campaigns: fit of each damper, check against limits, and diagnosis against a reference damper.
 
-A campaign is a job; Dask runs the jobs, on this computer, on any Dask cluster by its address, or as Slurm jobs. Results are
-written in parts as they come, each part whole or not at all: a run that was killed goes on where it was when it is started
-again. A campaign that cannot be read or fitted is a row with its reason. ``python -m dashpot.fleet --help`` says how.
+Each campaign is a job. Dask runs the jobs on this computer, on a Dask cluster at a given address, or as Slurm jobs. Finished results are
+written atomically in parts, so that a killed run continues at the next start. A campaign that cannot be read or fitted gives a row with the
+reason. ``python -m dashpot.fleet --help`` describes the usage.
 
-| file | what |
+| file | content |
 |---|---|
-| ``jobs`` | which campaigns, with serial number, batch and date |
-| ``files`` | which files a campaign is made of, and when they changed |
-| ``checks`` | what a plan may say |
-| ``examine`` | one campaign becomes one row |
-| ``store`` | parts on the disk, and the one table made of them |
-| ``cluster`` | where the work runs |
-| ``schedule`` | hands out the work, retries, tells progress |
-| ``statistics``, ``report`` | the fleet in one HTML file |
+| ``jobs`` | list of campaigns with serial number, batch and date |
+| ``files`` | files of a campaign with size and time of change |
+| ``checks`` | checks of a plan |
+| ``examine`` | evaluation of one campaign, which gives one row |
+| ``store`` | parts on disk, and the table that is made from them |
+| ``cluster`` | Dask client and workers |
+| ``schedule`` | distribution of the jobs, retries, progress |
+| ``statistics``, ``report`` | statistics of the fleet, and the report as one HTML file |
 """
 
 from ..limits import Limit, read_limits

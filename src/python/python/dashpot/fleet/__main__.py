@@ -1,4 +1,4 @@
-"""``python -m dashpot.fleet``: thousands of campaigns from the command line."""
+"""``python -m dashpot.fleet``: evaluation of thousands of campaigns from the command line."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def _split(text: str | None) -> tuple[str, ...]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command; 0, 1 where every campaign failed, or 2 after a sentence that says what to do."""
+    """Runs the command and returns its exit code: 0, 1 if every campaign failed, 2 after an error message, or 130 after Ctrl-C."""
     args = _parser().parse_args(arguments)
     try:
         mapping: dict[str, Any] = {

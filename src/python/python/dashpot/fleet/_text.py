@@ -1,4 +1,4 @@
-"""Tables as spreadsheets write them: other separators than the comma, other encodings than UTF-8."""
+"""Reading of tables that spreadsheets write, with separators other than the comma and encodings other than UTF-8."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .._native import DashpotError
 
 
 def text_of(path: Path) -> str:
-    """The text of a file; where it is no UTF-8 it is what a spreadsheet saves, UTF-16 with a mark or the Windows code page."""
+    """Reads the text of a file. The encoding is UTF-16 with a byte order mark, UTF-8, or otherwise the Windows code page 1252."""
     data = path.read_bytes()
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16", errors="replace")
@@ -23,12 +23,12 @@ def text_of(path: Path) -> str:
 
 
 def delimiter_of(heading: str) -> str:
-    """The separator that makes most columns of a heading; a comma where none is there."""
+    """Returns the most frequent separator of a heading, or a comma without any separator."""
     return max(",;\t|", key=heading.count)
 
 
 def rows_of(text: str, delimiter: str, at: Path) -> Iterator[tuple[int, list[str]]]:
-    """Rows with the number of their line, cells trimmed; empty ones and those that begin with # are left out."""
+    """Yields the line number and the trimmed cells of each row. Empty rows, and rows that begin with #, are skipped."""
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter, skipinitialspace=True)
     try:
         for row in reader:
@@ -40,5 +40,5 @@ def rows_of(text: str, delimiter: str, at: Path) -> Iterator[tuple[int, list[str
 
 
 def heading_of(text: str) -> str:
-    """The first line that says something."""
+    """Returns the first line that is neither empty nor a comment."""
     return next((line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")), "")

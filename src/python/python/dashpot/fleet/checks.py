@@ -1,4 +1,4 @@
-"""What a plan may say, looked at before any campaign is computed."""
+"""Checks of a plan before the first campaign is evaluated."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from ..limits import Limit, rows
 from ..model import Model
 from .examine import Plan
 
-#: Which campaigns are diagnosed.
+#: Allowed values of ``Plan.diagnose``, which selects the campaigns to diagnose.
 DIAGNOSED = ("all", "failed", "none")
 
 
 def checked(plan: Plan) -> Plan:
-    """The plan with text for paths and tuples for names.
+    """Checks a plan. Returns it with paths as absolute texts and names as tuples.
 
-    :raises DashpotError: naming the argument that cannot be.
+    :raises DashpotError: if an argument is invalid. The message names the argument.
     """
     if plan.diagnose not in DIAGNOSED:
         raise DashpotError(f"Plan.diagnose is {plan.diagnose!r}; it is {', '.join(DIAGNOSED)}")
@@ -77,7 +77,10 @@ def _names(name: str, given: str | Iterable[str] | None) -> tuple[str, ...] | No
 
 
 def _mapping(mapping: dict[str, Any]) -> None:
-    """Whether records can be read in this manner, whatever they are."""
+    """Checks the arguments for reading records, without records.
+
+    :raises DashpotError: if an argument is unknown or invalid.
+    """
     known = [name for name in inspect.signature(Campaign.read).parameters if name not in ("path", "progress")]
     for name in mapping:
         if name not in known:
@@ -90,7 +93,7 @@ def _mapping(mapping: dict[str, Any]) -> None:
         json.dumps(mapping)
         Campaign.read([], **mapping)
     except RecordError as error:
-        # That nothing was named comes last.
+        # The reader checks its arguments first, so the error for missing records means that they are valid.
         if "no record given" not in str(error):
             raise DashpotError(f"how records are read (Plan.mapping): {error}") from None
     except (TypeError, ValueError, AttributeError) as error:
@@ -98,19 +101,22 @@ def _mapping(mapping: dict[str, Any]) -> None:
 
 
 class _Begun(Exception):
-    """The work has begun, so its names are understood."""
+    """Raised at the first progress report of a fit or diagnosis, whose arguments are then valid."""
 
 
 def _stop(_: float, __: str) -> None:
     raise _Begun
 
 
-#: The least damper: what a diagnosis needs to begin.
+#: Text of a minimal model file, with which a diagnosis can start.
 _DAMPER = 'format = 1\nelements = ["fv_curve"]\nfv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [-1000.0, 0.0, 1000.0]\n'
 
 
 def _known(plan: Plan) -> None:
-    """Whether family, elements and candidates are names that there are: asked of a test of a hundred samples."""
+    """Checks the names of family, elements and candidates. A fit and a diagnosis of one small synthetic test are started and then stopped.
+
+    :raises DashpotError: if a name is unknown.
+    """
     if plan.family == "thesis" and plan.elements is None and plan.candidates is None:
         return
     with tempfile.TemporaryDirectory() as folder:
@@ -129,6 +135,6 @@ def _begin(work: Callable[[], object]) -> None:
     except _Begun:
         pass
     except (FitError, DiagnosisError) as error:
-        # Anything else is of this campaign.
+        # Any other error concerns the synthetic test, not the names.
         if str(error).startswith(("there is no ", "elements chooses")):
             raise DashpotError(str(error)) from None

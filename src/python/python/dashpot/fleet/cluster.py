@@ -1,4 +1,4 @@
-"""Where the work runs: this computer, a Dask cluster, or Slurm."""
+"""Dask clients on this computer, on a Dask cluster, or on Slurm."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from .._native import DashpotError
 
 @dataclass(frozen=True)
 class Place:
-    """Where the work runs. This computer where neither an address nor Slurm jobs are given."""
+    """Location of the workers. Without an address and Slurm jobs, it is this computer."""
 
     workers: int | None = None
-    """Worker processes on this computer; one for each processor if not given."""
+    """Number of worker processes on this computer; one for each processor if not given."""
     address: str | None = None
-    """Scheduler of a Dask cluster, such as ``tcp://10.0.0.5:8786``."""
+    """Address of the scheduler of a Dask cluster, such as ``tcp://10.0.0.5:8786``."""
     slurm_jobs: int | None = None
-    """Slurm jobs, one worker each; those that end before the work does are replaced."""
+    """Number of Slurm jobs, each with one worker. Jobs that end too early are replaced."""
     slurm_queue: str | None = None
     slurm_memory: str = "2GB"
     slurm_walltime: str = "24:00:00"
 
 
 def has_dashboard() -> bool:
-    """Whether Dask's dashboard can run here; without it there is progress on the terminal alone."""
+    """Returns whether Dask's dashboard can run on this computer. It requires Bokeh."""
     return importlib.util.find_spec("bokeh") is not None
 
 
 @contextlib.contextmanager
 def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
-    """A Dask client at that place; what was started for it ends with it.
+    """Context of a Dask client. Workers that were started for it are stopped at its end.
 
-    :param logs: folder for what Slurm jobs say.
+    :param logs: folder for the output of Slurm jobs.
     """
     try:
         import distributed
@@ -49,8 +49,8 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
     from dask import config
 
     with contextlib.ExitStack() as stack:
-        # A chunk whose worker died is taken apart and tried again by us, one campaign at a time. Were it handed to fresh workers
-        # right away, each would die while it starts, and a worker that dies so early is not started again.
+        # Dask must not retry a chunk whose worker died. It would give the chunk to new workers, which would die during their start, and such
+        # workers are not restarted. Instead, `schedule` retries the campaigns of the chunk one at a time.
         stack.enter_context(config.set({"distributed.scheduler.allowed-failures": 0}))
         if place.address is not None:
             target: Any = place.address
@@ -62,7 +62,7 @@ def client_of(place: Place, logs: str | None = None) -> Iterator[Any]:
                     n_workers=place.workers,
                     threads_per_worker=1,
                     processes=True,
-                    # Any free port: another cluster may have the usual one.
+                    # Port 0 selects a free port, because another cluster may use the default port.
                     dashboard_address=":0",
                     silence_logs=logging.ERROR,
                 )
@@ -76,7 +76,7 @@ def _connected(target: Any) -> Any:
 
     try:
         if isinstance(target, str):
-            # A client of an address that cannot be would hold up the end of the program for a minute.
+            # Rejects an invalid address, because a client with it would delay the end of the program by a minute.
             get_address_host_port(target)
         return distributed.Client(target, set_as_default=False)
     except (OSError, ValueError, distributed.TimeoutError) as error:
@@ -86,12 +86,12 @@ def _connected(target: Any) -> Any:
         raise DashpotError(f"there is no Dask scheduler at {target}: {said}; an address is such as tcp://10.0.0.5:8786") from error
 
 
-#: How long is waited for a first worker, s, before that is said, and said again.
+#: First waiting time for a worker, s, after which a message is shown. Each further waiting time is four times longer, up to 600 s.
 _PATIENCE = 5.0
 
 
 def wait_for_workers(client: Any, say: Callable[[str], object]) -> None:
-    """Waits until the cluster has a worker, and says so where it has none for long."""
+    """Waits until the cluster has a worker. Passes messages to ``say`` while it has none."""
     import distributed
 
     pause = _PATIENCE
@@ -103,12 +103,15 @@ def wait_for_workers(client: Any, say: Callable[[str], object]) -> None:
             pause = min(600.0, 4 * pause)
 
 
-#: How often it is looked whether jobs are missing.
+#: Interval of the check for missing Slurm jobs.
 _LOOK = "5s"
 
 
 def slurm_cluster() -> Any:
-    """The class of clusters on Slurm. Its package ends the process at Ctrl-C from its import on; here Ctrl-C keeps its handler."""
+    """Imports the class of Slurm clusters, and restores the handler of Ctrl-C afterwards.
+
+    The import of dask-jobqueue installs a handler that ends the process.
+    """
     handler = signal.getsignal(signal.SIGINT)
     try:
         from dask_jobqueue.slurm import SLURMCluster
@@ -134,14 +137,16 @@ def _slurm(place: Place, jobs: int, logs: str | None) -> Any:
     except BaseException:
         cluster.close()
         raise
-    # Not `scale`: jobs that the scheduler ends (walltime, somebody with more right to the computer) would not come back, and
-    # with the last of them the run would wait forever.
+    # With `scale`, jobs that Slurm ends (walltime, preemption) would not be replaced, and the run would wait forever after the last one.
     cluster.adapt(minimum_jobs=jobs, maximum_jobs=jobs, interval=_LOOK)
     return cluster
 
 
 def _ask_slurm(script: str) -> None:
-    """Whether Slurm would take the job; a job that it refuses is never heard of again otherwise."""
+    """Checks with ``sbatch --test-only`` that Slurm accepts the job, because the cluster does not report a rejected job.
+
+    :raises DashpotError: if Slurm rejects the job, or this computer has no ``sbatch``.
+    """
     with tempfile.NamedTemporaryFile("w", suffix=".sh") as file:
         file.write(script)
         file.flush()

@@ -1,4 +1,4 @@
-"""One campaign becomes one row: read, fitted, compared, judged, diagnosed."""
+"""Evaluation of one campaign, which gives one row of the table: reading, fit, validation, check of limits, diagnosis."""
 
 from __future__ import annotations
 
@@ -21,64 +21,65 @@ from ..certificate import missed
 from .files import Stamp, stamps
 from .jobs import Job
 
-#: Velocities, m/s, at which the force of every damper is told, so that curves with other points can be compared: peak
-#: velocities of the thesis's matrix.
+#: Velocities, m/s, at which rows contain the force of the damper, so that FV curves with different points are comparable. They are peak
+#: velocities of the thesis's test matrix.
 VELOCITIES = (-1.047, -0.524, -0.262, -0.131, -0.052, 0.052, 0.131, 0.262, 0.524, 1.047)
 
-#: Marks a row whose failure may be gone at the next start: files that a worker does not see, a file server that went away.
+#: Key that marks a row with a temporary failure, such as files that a worker cannot access. The next run evaluates the campaign again.
 PASSING = "passing"
 
-#: Which columns rows have; another number has campaigns done anew whose rows have others.
+#: Version of the columns of rows. Campaigns with rows of another version are evaluated again.
 ROWS = 2
 
-#: Which figures rows keep for limits; another number has what was kept in another form measured anew.
+#: Version of the measured values for limits in rows. Campaigns with values of another version are evaluated again.
 FIGURES = 2
 
-#: By so much a peak velocity may be missed: the end of the curve is where the rig was, not where it was told to be.
+#: Largest ratio of a velocity of :data:`VELOCITIES` to the end of the FV curve at which a row contains the force. The ratio may exceed 1,
+#: because the curve ends at the rig's actual peak velocity, which scatters about the nominal one.
 PEAK_SCATTER = 1.05
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What is done with every campaign."""
+    """Settings of the evaluation of all campaigns."""
 
     family: str = "thesis"
     elements: tuple[str, ...] | None = None
     hold_out: tuple[str, ...] = ()
     mapping: dict[str, Any] = field(default_factory=dict)
-    """How records are read: arguments of :meth:`dashpot.Campaign.read`."""
+    """Arguments of :meth:`dashpot.Campaign.read`, by name."""
     limits: tuple[Limit, ...] = ()
     reference: str | None = None
-    """Campaign of the reference damper."""
+    """Path of the reference damper's campaign."""
     reference_model: str | None = None
-    """Text of the model file of the reference damper; fitted to its campaign if not given."""
+    """Text of the model file of the reference damper; if not given, the model is fitted to ``reference``."""
     diagnose: str = "all"
-    """Which are diagnosed against the reference: ``all``, ``failed`` (those that miss a limit), ``none``."""
+    """Campaigns to diagnose against the reference: ``all``, ``failed`` (those that violate a limit), ``none``."""
     max_effects: int = 1
     candidates: tuple[str, ...] | None = None
-    """Effects that may be named; all if not given."""
+    """Effects that a diagnosis may find; all if not given."""
     retries: int = 2
-    """How often a campaign is tried again after a fault that is not its own, such as a file server that went away."""
+    """Number of retries after a failure that the campaign did not cause, such as an unreachable file server."""
     threads: int = 1
-    """Threads inside one worker; campaigns, not tests, are what is shared out."""
+    """Number of threads in one worker. It is 1 by default, because the workers already run campaigns in parallel."""
 
     @property
     def subfolders(self) -> bool:
-        """Whether records in the subfolders of a campaign are its tests whatever its ``campaign.toml`` says."""
+        """Whether records in subfolders belong to a campaign, even if its ``campaign.toml`` does not state this."""
         return bool(self.mapping.get("subfolders", False))
 
     def said(self) -> str:
-        """All that decides what comes out, as text, and which columns that has."""
+        """Returns as JSON everything that affects the rows, including the version of their columns."""
         decides = {k: v for k, v in asdict(self).items() if k not in ("retries", "threads")}
         if self.diagnose != "failed" or self.reference is None:
-            # Rows keep what was measured, and the table is judged when it is made.
+            # The values of the limits do not affect the rows. Rows contain the measured values, and the table applies the limits later.
             decides["limits"] = FIGURES if self.limits else False
         made_of = stamps(self.reference, self.subfolders) if self.reference is not None else []
         return json.dumps([_native.VERSION, ROWS, decides, made_of], sort_keys=True)
 
 
 def in_two_directions(positive: Iterable[str | None], confidence: Iterable[float | None]) -> str | None:
-    """A sentence where some campaigns were found to count rebound positive and others compression: of one rig, some were taken the wrong way round."""
+    """Returns a message if different positive directions were determined for the campaigns, because one rig has only one. None otherwise."""
     counts = Counter(p for p, c in zip(positive, confidence, strict=True) if p is not None and c is not None)
     if len(counts) < 2:
         return None
@@ -87,18 +88,21 @@ def in_two_directions(positive: Iterable[str | None], confidence: Iterable[float
 
 
 def force_column(velocity: float) -> str:
-    """Name of the column with the force at a velocity."""
+    """Returns the name of the column with the force at a velocity, m/s."""
     return f"force_at_{velocity:+g}_m_s"
 
 
 @lru_cache(maxsize=2)
 def _reference(path: str, mapping: str, made_of: tuple[Stamp, ...]) -> Campaign:
-    """The campaign of the reference damper as its files are now: workers of a cluster outlive a run, and the files may change."""
+    """Reads the campaign of the reference damper.
+
+    The cache depends on the stamps ``made_of`` of its files, because the files may change while a worker of a cluster lives.
+    """
     return Campaign.read(path, **json.loads(mapping))
 
 
 def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
-    """The row of a campaign. Never raises: what goes wrong is in the row."""
+    """Evaluates a campaign and returns its row. A failure is not raised, but is stated in the row."""
     row: dict[str, Any] = {"key": key, **asdict(job), "status": "ok", "reason": None}
     if not os.path.exists(job.campaign):
         return {**row, "status": "failed", "reason": f"{job.campaign}: there is no such file or folder", PASSING: True}
@@ -106,7 +110,7 @@ def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
         try:
             return {**row, **_figures(job, plan)}
         except (_native.DashpotError, ValueError) as error:
-            # The campaign's own: trying again changes nothing.
+            # The campaign caused the error, so a retry would fail too.
             return {**row, "status": "failed", "reason": str(error)}
         except (KeyboardInterrupt, SystemExit):
             raise
@@ -123,7 +127,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     validation = model.validate(campaign)
     measured = None
     if plan.limits:
-        # The records as they were compared, which are those that the command judges.
+        # Limits apply to the corrected records, as in the command.
         measured = _native.Figures.measure((validation.campaign or campaign)._native)
     figures: dict[str, Any] = {
         "tests": len(campaign),
@@ -140,14 +144,14 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
             {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing}
             for e in model.fit.parameters
         ],
-        # Tests and files that were left out first: a row must not look as if it rested on all of them.
+        # Unusable files and tests come first, because a reader of the row must know that they were left out.
         "notes": [*(u.why for u in campaign.unusable), *model.fit.notes],
         "model": model.text,
     }  # fmt: skip
     low, high = model.velocity_range
     forces = model.steady_force(np.array(VELOCITIES))
     for velocity, force in zip(VELOCITIES, forces, strict=True):
-        # Beyond the speeds of the campaign the curve is a guess.
+        # Outside the velocities of the campaign, the curve is extrapolated and therefore omitted.
         shown = low <= velocity / PEAK_SCATTER <= high
         figures[force_column(velocity)] = float(force) if shown else None
     if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and figures["judgement"] == "failed"):
@@ -156,10 +160,10 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
 
 
 def judged(limits: Sequence[Limit], measured: _native.Figures | None) -> dict[str, Any]:
-    """What of a row depends on limits."""
+    """Returns the entries of a row that depend on limits: verdict and descriptions of the limits that are not passed."""
     if not limits or measured is None:
         return {"judgement": None, "missed": []}
-    # Taken as it comes: a table of ten thousand dampers is judged anew whenever it is made.
+    # The JSON is used without conversion to result classes, because every table of ten thousand dampers evaluates all limits again.
     found = json.loads(measured.judge(rows(limits)))
     judgement = {"pass": "passed", "fail": "failed", "incomplete": "incomplete"}[found["overall"]]
     return {"judgement": judgement, "missed": [told for one in found["limits"] if (told := missed(one))]}
@@ -184,6 +188,6 @@ def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
 
 
 def examine_all(jobs: Sequence[tuple[Job, str]], plan: Plan) -> list[Mapping[str, Any]]:
-    """The rows of a chunk of campaigns; runs in a worker."""
+    """Evaluates a chunk of campaigns in a worker and returns their rows."""
     _native.set_threads(plan.threads)
     return [examine(job, key, plan) for job, key in jobs]

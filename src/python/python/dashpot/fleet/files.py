@@ -1,4 +1,4 @@
-"""Which files a campaign is made of, and when they changed: what the reader looks at, without reading it."""
+"""Files of a campaign, with their sizes and times of change. The files are those that the reader would open."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from .._native import DashpotError
 from ..campaign import Campaign
 from ._text import text_of
 
-#: Endings of record files: those that the reader takes out of a folder (``EXTENSIONS`` in ``src/records/src/file_extensions.rs``).
+#: Extensions of record files that the reader reads from a folder (``EXTENSIONS`` in ``src/records/src/file_extensions.rs``).
 RECORDS = frozenset(
     f".{e}" for e in ("csv", "txt", "asc", "dat", "tsv", "tra", "lvm", "xlsx", "xlsm", "mat", "mf4", "mdf", "tdms", "rsp", "drv", "tim")
 )
-#: Of these the ones that are text, and those of workbooks.
+#: Extensions of record files that are text, and those of workbooks.
 _TEXTS = frozenset(f".{e}" for e in ("csv", "txt", "asc", "dat", "tsv", "tra", "lvm"))
 _WORKBOOKS = frozenset((".xlsx", ".xlsm"))
-#: What is known about the records of a folder.
+#: Name of the file with the properties of the records in its folder.
 PROFILE = "campaign.toml"
-#: How many folders deep the reader looks for records.
+#: Largest depth of subfolders in which the reader searches records.
 DEEPEST = 4
-#: Rows of numbers from which a text is taken for a record, and characters of it that are looked at.
+#: Smallest number of rows of numbers with which a text counts as a record, and number of its characters that are searched for them.
 _ROWS, _LOOKED_AT = 5, 65536
 
-#: Name, size and time of change of a file.
+#: Name, size in bytes, and time of change in ns of a file. A missing file has size and time -1.
 Stamp = tuple[str, int, int]
 
 
 def stamps(campaign: str | os.PathLike[str], subfolders: bool = False) -> list[Stamp]:
-    """The files that decide what a campaign is: its records, and what ``campaign.toml`` beside them says.
+    """Returns the stamps of all files of a campaign: its records and each ``campaign.toml``.
 
-    :param subfolders: whether records in subfolders are read whatever ``campaign.toml`` says.
+    :param subfolders: includes records in subfolders, even if ``campaign.toml`` does not state this.
     """
     path = Path(campaign)
     if path.is_dir():
@@ -55,12 +55,12 @@ def _profiles(folder: Path) -> list[Path]:
 
 
 def has_subfolders(folder: Path) -> bool:
-    """Whether the records in the subfolders of a folder are of the same campaign, as its ``campaign.toml`` says."""
+    """Returns whether the ``campaign.toml`` of a folder states that records in its subfolders belong to the same campaign."""
     return any(re.search(r"^\s*subfolders\s*=\s*true\b", text_of(file), re.MULTILINE) for file in _profiles(folder))
 
 
 def _entries(folder: Path) -> list[Path]:
-    """What lies in a folder, but for hidden files and the lock files of a spreadsheet."""
+    """Returns the entries of a folder, without hidden files and the lock files of spreadsheets. An unreadable folder has none."""
     try:
         return sorted(p for p in folder.iterdir() if not p.name.startswith((".", "~$")))
     except OSError:
@@ -68,12 +68,15 @@ def _entries(folder: Path) -> list[Path]:
 
 
 def folders_in(folder: Path) -> list[Path]:
-    """The folders in a folder."""
+    """Returns the subfolders of a folder."""
     return [p for p in _entries(folder) if p.is_dir()]
 
 
 def _records(folder: Path, deep: int) -> Iterator[Path]:
-    """Files with the name of a record in a folder, and so many folders deep; with what the profiles there say."""
+    """Yields the files with the extension of a record in a folder and its subfolders down to depth ``deep``.
+
+    Also yields each ``campaign.toml`` in the subfolders.
+    """
     for entry in _entries(folder):
         if entry.is_dir():
             if deep > 0:
@@ -84,9 +87,9 @@ def _records(folder: Path, deep: int) -> Iterator[Path]:
 
 
 def is_campaign(folder: Path) -> bool:
-    """Whether a folder is one campaign, and not a folder of campaigns.
+    """Returns whether a folder is one campaign, and not a folder of campaigns.
 
-    Its own records make it one. Where folders with records lie in it, a list or notes beside them do not.
+    A folder with records of its own is a campaign. If its subfolders also contain records, a list or notes in the folder do not count as records.
     """
     if has_subfolders(folder):
         return True
@@ -97,7 +100,7 @@ def is_campaign(folder: Path) -> bool:
 
 
 def _is_record(file: Path) -> bool:
-    """Whether a file with the name of a record may be one, by what is in it."""
+    """Returns whether the content of a file with the extension of a record may be a record."""
     ending = file.suffix.lower()
     if ending in _TEXTS:
         try:
@@ -114,7 +117,7 @@ def _is_record(file: Path) -> bool:
 
 
 def _is_row(line: str) -> bool:
-    """Whether a line is two numbers or more and nothing else."""
+    """Returns whether a line contains two or more numbers and nothing else."""
     cells = [cell for cell in re.split(r"[;\t|,\s]+", line.strip()) if cell]
     try:
         return len([float(cell) for cell in cells]) > 1

@@ -1,4 +1,4 @@
-"""Which campaigns: folders, files, or a list of them with serial number, batch and date."""
+"""Campaigns of a fleet, from folders, from files, or from a list with serial number, batch and date."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .._native import RecordError
 from ._text import delimiter_of, heading_of, rows_of, text_of
 from .files import folders_in, is_campaign, stamps
 
-#: Columns of a list of campaigns; all but the first may be missing.
+#: Columns of a list of campaigns. Only the first is required.
 COLUMNS = ("campaign", "serial", "batch", "date")
 
 
@@ -29,18 +29,18 @@ class Job:
     """ISO date, ``2026-11-23``, with or without a time."""
 
     def key(self, said: str, subfolders: bool = False) -> str:
-        """What makes this work the same as work done before: the campaign, its files as they are now, and the plan.
+        """Returns a hash of the campaign's path, the stamps of its files, and the plan ``said``. Work with an equal key was done before.
 
-        Serial number, batch and date are not in it: they stand in the table and change no figure.
+        The hash does not depend on serial number, batch and date, because they affect no computed value of the table.
         """
         path = os.path.abspath(self.campaign)
         text = json.dumps([path, stamps(path, subfolders), said], sort_keys=True)
         return hashlib.sha256(text.encode("utf-8", "surrogateescape")).hexdigest()[:32]
 
     def checked(self) -> Job:
-        """The job with text in every field, where a table of pandas gave numbers, paths or dates.
+        """Returns the job with text in every field. Numbers, paths and dates, for example from a pandas table, are converted.
 
-        :raises RecordError: naming the field that cannot be.
+        :raises RecordError: if a field is invalid. The message names the field.
         """
         campaign = self.campaign
         if not isinstance(campaign, (str, os.PathLike)):
@@ -50,7 +50,7 @@ class Job:
             raise RecordError(f"Job.campaign is a path as str or pathlib.Path, not {campaign!r}")
         words = {name: _word(name, getattr(self, name), campaign) for name in ("serial", "batch")}
         date: object = self.date
-        if date is None or date != date:  # what pandas writes where there is none
+        if date is None or date != date:  # pandas has NaN or NaT for a missing date
             date = ""
         if isinstance(date, datetime.date):
             date = date.isoformat()
@@ -73,9 +73,9 @@ def _word(name: str, value: object, campaign: str) -> str:
 
 
 def iso(date: str) -> str:
-    """A date in ISO's form, as Python 3.10 reads it too; empty where there is none.
+    """Converts a date to ISO format. A final Z is replaced, because Python 3.10 cannot parse it. An empty text stays empty.
 
-    :raises ValueError: where it is no date.
+    :raises ValueError: if the text is no date.
     """
     date = date.strip()
     if date.endswith(("Z", "z")):
@@ -84,14 +84,14 @@ def iso(date: str) -> str:
 
 
 def find_jobs(paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]]) -> list[Job]:
-    """The campaigns that the paths stand for, in their order, each once.
+    """Returns the campaigns of the paths, in their order and without duplicates.
 
-    A folder with records is a campaign; a folder of such folders is all of them; a CSV file with the column ``campaign`` is a
-    list, whose paths count from its own folder and which may have the columns serial, batch and date. What a list says of a campaign
-    holds where its folder is given too.
+    A folder with records is a campaign. A folder of such folders gives all of them. A CSV file with the column ``campaign`` is a list. Its paths
+    are relative to its own folder, and it may have the columns serial, batch and date. If a campaign is in a list and is also given as a folder,
+    the entry of the list applies.
 
-    :raises RecordError: where a path is not there, a list is wrong, or lists say two things of one campaign. A campaign in a list
-        that is not there becomes a row.
+    :raises RecordError: if a path does not exist, a list is invalid, or lists contradict each other on a campaign. A missing campaign of a list
+        is no error, but becomes a row with the reason.
     """
     found: dict[str, tuple[Job, str]] = {}
     for given in [paths] if isinstance(paths, (str, os.PathLike)) else paths:
@@ -118,11 +118,11 @@ def _is_list(path: Path) -> bool:
 
 
 def _listed(path: Path) -> list[tuple[Job, str]]:
-    """The campaigns of a list, each with the place where it stands."""
+    """Returns the campaigns of a list, each with the file and line of its entry."""
     text = text_of(path)
     rows = rows_of(text, delimiter_of(heading_of(text)), path)
     first, head = next(rows)
-    # Headings and their mistakes as in a table of limits (src/identification/src/limits/table.rs).
+    # Headings and error messages follow those of a table of limits (src/identification/src/limits/table.rs).
     head = [c.lower().replace(" ", "_").replace("-", "_") for c in head]
     unknown = [c for c in head if c not in COLUMNS]
     if unknown:

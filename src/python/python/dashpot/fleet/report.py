@@ -1,4 +1,4 @@
-"""The fleet in one HTML file: distributions, drift, batches, outliers, control charts."""
+"""Report of a fleet as one HTML file: distributions, drift, batches, outliers and control charts."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from ..plot import plain
 from .examine import VELOCITIES, force_column, in_two_directions
 from .statistics import OUTLIER, Control, Numbers, Places, batches, control, drift, far_off, spread
 
-#: Dampers in the table of outliers, worst first; all are in the Parquet file.
+#: Largest number of dampers in the table of outliers, which begins with the worst. The Parquet file contains all dampers.
 OUTLIERS = 100
-#: How what was found of a limit begins where no test could tell (:func:`dashpot.certificate.missed`).
+#: Beginning of the description of an untested limit (:func:`dashpot.certificate.missed`).
 _UNTESTED = "not tested"
-#: Reasons and refused campaigns told one by one.
+#: Largest number of failed campaigns that the report lists with their reasons.
 REASONS = 20
-#: What stands in the head of every page that dashpot writes.
+#: Pattern of the tag in the head of every page that dashpot writes.
 _GENERATED = re.compile(r'<meta name="?generator"? content="?dashpot')
 _HEAD = """<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="generator" content="dashpot">
 <title>Fleet of dampers</title><style>
@@ -42,24 +42,24 @@ td:first-child,th:first-child{text-align:left}.t{text-align:left}img{max-width:1
 
 @dataclass(frozen=True)
 class Quantity:
-    """One number of every damper."""
+    """Values of one quantity for all dampers."""
 
     name: str
     unit: str
     values: Numbers
     known_to: float = 0.0
-    """Standard deviation to which the fit knows one value, the median over the fleet; 0 where it says none."""
+    """Median over the fleet of the standard deviation of one value in the fit; 0 if the fit states none."""
 
     @property
     def off(self) -> Numbers:
-        """Distance of each damper from the median in robust deviations."""
+        """Distance of each damper from the median, in robust standard deviations."""
         return far_off(self.values, self.known_to)
 
 
 def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) -> None:
-    """Writes the report over a table of results. Needs matplotlib.
+    """Writes the report on a table of results. Requires matplotlib.
 
-    :raises DashpotError: where matplotlib is missing or there is nothing to report.
+    :raises DashpotError: if matplotlib is missing, the table has no rows, or the path is unsuitable.
     """
     target = check_target(path)
     text = report(results)
@@ -75,9 +75,9 @@ def write_report(results: str | os.PathLike[str], path: str | os.PathLike[str]) 
 
 
 def check_target(path: str | os.PathLike[str]) -> Path:
-    """Whether a report can be made and written there.
+    """Checks that a report can be made and written, and returns its path.
 
-    :raises DashpotError: where matplotlib is missing, or the path is no place for a report.
+    :raises DashpotError: if matplotlib is missing, or the path is unsuitable for a report.
     """
     try:
         import matplotlib.figure  # noqa: F401
@@ -88,14 +88,14 @@ def check_target(path: str | os.PathLike[str]) -> Path:
         raise OutputError(f"cannot write {target}: there is no folder {target.parent}; make it first")
     if target.is_dir():
         raise OutputError(f"cannot write {target}: it is a folder; name a file in it")
-    # As the command does: a page of dashpot's names it as what made it.
+    # Like the command, replaces only pages of dashpot, which name it as their generator.
     if target.exists() and target.stat().st_size and not _GENERATED.search(target.read_text(encoding="utf-8", errors="replace")[:4096]):
         raise OutputError(f"cannot write {target}: it is there already and is no report of dashpot; name another file")
     return target
 
 
 def report(results: str | os.PathLike[str]) -> str:
-    """The report as text."""
+    """Renders the report as HTML."""
     file = pq.ParquetFile(results)
     schema = file.schema_arrow
     said = ["campaign", "serial", "batch", "date", "status", "reason", "positive", "positive_confidence", "judgement", "missed", "verdict", "effect",
@@ -107,7 +107,7 @@ def report(results: str | os.PathLike[str]) -> str:
     quantities = list(_quantities(file, schema))
     dates = np.array([_day(d) for d in table["date"]])
     serials = np.array(sorted(range(count), key=lambda k: _natural(table["serial"][k])), dtype=np.intp)
-    # The order in which they were made: by date where there is one, then by serial number.
+    # The assumed order of manufacture: by date, then by serial number. Dampers without a date come last.
     order = serials[np.argsort(np.where(np.isfinite(dates), dates, np.inf)[serials], kind="stable")]
     parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count)]
     parts.append(_dampers(table, quantities))
@@ -126,24 +126,24 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
     units |= {force_column(v): "N" for v in VELOCITIES} | {"error_percent": "%"}
     titles = {force_column(v): f"force at {1e3 * v:+g} mm/s" for v in VELOCITIES}
     for name, unit in units.items():
-        # One column at a time: the models themselves stay on the disk.
+        # Columns are read one at a time, and the model texts are not read, to limit the memory.
         values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
         if np.isfinite(values).any():
             factor, shown = _shown(unit)
             yield Quantity(titles.get(name, name), shown, factor * values, factor * _known_to(file, name) if name in names else 0.0)
 
 
-#: Units of the workshop, as every other report has them; the table of results stays in SI.
+#: Factors from SI units to the units of reports, and these units. The table of results stays in SI units.
 _WORKSHOP = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s"), "N/m": (1e-3, "N/mm"), "-": (1.0, "")}
 
 
 def _shown(unit: str) -> tuple[float, str]:
-    """Factor from an SI unit to the one that a reader of the report expects, and that unit."""
+    """Returns the factor from an SI unit to the unit of reports, and the latter unit."""
     return _WORKSHOP.get(unit, (1.0, unit))
 
 
 def _known_to(file: Any, name: str) -> float:
-    """The median standard deviation of a parameter, from its 95 % intervals."""
+    """Returns the median standard deviation of a parameter over the fleet, from its 95 % intervals; 0 without intervals."""
     ends = file.read(columns=[f"{name}_low", f"{name}_high"]).to_pydict()
     low, high = (np.array(ends[f"{name}_{end}"], dtype=float) for end in ("low", "high"))
     width = (high - low)[np.isfinite(high - low)]
@@ -151,7 +151,7 @@ def _known_to(file: Any, name: str) -> float:
 
 
 def _natural(text: str) -> list[tuple[int, int, str]]:
-    """Orders D9 before D10."""
+    """Returns a sort key that compares numbers in a text by value, so that D9 precedes D10."""
     return [(0, int(part), "") if part.isdecimal() else (1, 0, part) for part in re.split(r"(\d+)", text or "")]
 
 
@@ -167,7 +167,7 @@ def _number(value: float) -> str:
     return "–" if not np.isfinite(value) else f"{value:.4g}"
 
 
-#: Beyond so many robust deviations a damper is another thing, and the figure says no more.
+#: Largest distance from the median, in robust standard deviations, that the report shows as a number. A larger one appears as "beyond +99".
 _FARTHEST = 99.0
 
 
@@ -175,13 +175,13 @@ def _distance(deviations: float) -> str:
     return f"{deviations:+.1f}" if abs(deviations) <= _FARTHEST else f"beyond {'+' if deviations > 0 else '-'}{_FARTHEST:.0f}"
 
 
-#: Dampers listed one by one; of more, those that miss a limit and those that are far off come first.
+#: Largest number of dampers in the table of dampers. Of a larger fleet, it lists failed dampers and dampers far from the median.
 DAMPERS = 300
 _VERDICTS = {"passed": "PASS", "failed": "FAIL", "incomplete": "INCOMPLETE"}
 
 
 def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str:
-    """One row a damper."""
+    """Renders the table of dampers, with one row for each damper."""
     count = len(table["campaign"])
     signed = np.nan_to_num(np.array([q.off for q in quantities])).reshape(-1, count)
     off = np.abs(signed)
@@ -221,11 +221,11 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
         counts = [(judged["passed"], "PASS"), (judged["failed"], "FAIL"), (judged["incomplete"], "INCOMPLETE (no limit missed, not all tested)")]
         out.append(f" Limits: {', '.join(f'{count} {word}' for count, word in counts if count)}.")
     out.append("</p>")
-    # A table of an earlier version has no such columns.
+    # A table of an earlier version lacks these columns.
     turned = in_two_directions(table.get("positive", ()), table.get("positive_confidence", ()))
     if turned:
         out.append(f'<p class="warn">{html.escape(turned[0].upper() + turned[1:])}.</p>')
-    # A name may hold a colon; what was found stands behind the last.
+    # The description of a limit follows the last colon, because the name of a limit may contain colons.
     told = [text.rsplit(": ", 1) for all_of in table["missed"] for text in all_of or ()]
     missed = Counter(name for name, found in told if not found.startswith(_UNTESTED))
     untested = Counter(name for name, found in told if found.startswith(_UNTESTED))
@@ -238,7 +238,7 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
         rows = "".join(_row(pair) for pair in effects.most_common())
         out.append(f"<h2>What changed against the reference</h2><table>{_row(('effect', 'dampers'), 'th')}{rows}</table>")
     if failed:
-        # Most reasons begin with the file, and with that with the campaign.
+        # Most reasons begin with the path of a file, which includes the campaign. Other reasons get the campaign as a prefix.
         reasons = [r if str(r).startswith(c) else f"{c}: {r}" for c, r in failed[:REASONS]]
         rows = "".join(f'<li class="warn">{html.escape(text)}</li>' for text in reasons)
         more = f"<p>{len(failed) - REASONS} more are in the table.</p>" if len(failed) > REASONS else ""
@@ -247,7 +247,7 @@ def _summary(table: dict[str, list[Any]], count: int) -> str:
 
 
 def _change(change: dict[str, Any]) -> str:
-    """The two values in one unit: "2 to 2.4 N/mm"."""
+    """Formats the reference's value and the damper's value in one unit: "2 to 2.4 N/mm"."""
     factor, unit = _shown(change["unit"])
     return f"{_number(factor * change['reference'])} to {_number(factor * change['value'])} {unit}"
 
@@ -258,12 +258,12 @@ def _named(change: dict[str, Any]) -> str:
 
 
 def _effect(table: dict[str, list[Any]], k: int) -> str:
-    """What makes a damper so, where a diagnosis says it."""
+    """Formats the result of the diagnosis of a damper: effect, suspect, changed values or verdict."""
     if table["effect"][k]:
         return f"{table['effect'][k]} ({100 * table['effect_confidence'][k]:.0f} % sure)"
     if table["suspect"][k]:
         return f"suspect: {table['suspect'][k]}"
-    # The same effects as the reference: then it is numbers that differ, those first that move the force most.
+    # The damper has the effects of the reference, so only values differ. The change with the largest force comes first.
     changed = sorted(table["changes"][k] or (), key=lambda c: -c["force_n_rms"])
     if changed:
         return "changed: " + ", ".join(
@@ -322,7 +322,7 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
 
     figure = Figure(figsize=(12.5, 2.9))
     axes = figure.subplots(1, 4, width_ratios=[1, 1.2, 1.6, 1])
-    # Fixed places: working them out takes longer than drawing.
+    # The margins are fixed, because automatic layout takes longer than drawing.
     figure.subplots_adjust(left=0.055, right=0.995, bottom=0.27, top=0.97, wspace=0.32)
     there = q.values[np.isfinite(q.values)]
     axes[0].hist(there, bins=min(40, max(5, int(np.sqrt(len(there))))), color="#4f7cac")
@@ -353,7 +353,8 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
     else:
         _empty(axes[3], "no batches")
     for axis in axes:
-        # At 90 dots an inch 9 points are 11 px. Few ticks with whole numbers: an offset in a corner (1e6 + ...) cannot be read.
+        # At 90 dots per inch, 9 points are 11 px. Few ticks with complete numbers are used, because an offset in a corner (1e6 + ...) is hard to
+        # read.
         axis.tick_params(labelsize=9)
         for way, formatter in ((axis.xaxis, axis.xaxis.get_major_formatter()), (axis.yaxis, axis.yaxis.get_major_formatter())):
             if isinstance(formatter, ScalarFormatter):
@@ -361,7 +362,7 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
                 formatter.set_useOffset(False)
                 formatter.set_powerlimits((-4, 6))
     out = io.BytesIO()
-    # No version and no date inside: the same results make the same bytes.
+    # The image contains no version and no date, so that equal results give equal bytes.
     figure.savefig(out, format="png", dpi=90, metadata={"Software": None})
     return f'<img alt="{html.escape(q.name)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
 

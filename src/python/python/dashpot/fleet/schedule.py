@@ -1,4 +1,4 @@
-"""Hands campaigns to workers, writes what comes back, and goes on where a killed run was."""
+"""Distribution of campaigns to workers, storage of their rows, and continuation of a killed run."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from .examine import PASSING, Plan, examine_all, in_two_directions, judged
 from .jobs import Job
 from .store import NOT_DONE, Store
 
-#: Campaigns in a chunk: what one part holds and what a killed run may lose for each worker. At a second each, a part every
-#: quarter of a minute; the scheduler's own work, some milliseconds a chunk, does not show.
+#: Number of campaigns in a chunk, whose rows form one part. A killed run can lose the work on one or two chunks of each worker. At 1 s per
+#: campaign, a worker completes a chunk every 16 s, so the scheduler's few milliseconds per chunk are negligible.
 CHUNK = 16
-#: Chunks under way for each worker: one at work and one waiting, so that none idles while a part is written.
+#: Number of submitted chunks for each worker: one in work and one waiting, so that no worker is idle while a part is written.
 AHEAD = 2
 
 Chunk = list[tuple[Job, str]]
@@ -32,14 +32,14 @@ Chunk = list[tuple[Job, str]]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a run did."""
+    """Result of a run."""
 
     campaigns: int
-    """Rows of the table."""
+    """Number of rows of the table."""
     done_before: int
-    """Of these, found finished."""
+    """Number of rows that an earlier run had finished."""
     failed: int
-    """Rows with a reason instead of figures."""
+    """Number of rows with the reason of a failure instead of results."""
     seconds: float
 
 
@@ -53,11 +53,11 @@ def run(
     again: bool = False,
     tell: Callable[[str], object] | None = None,
 ) -> Outcome:
-    """Examines all campaigns and writes the table.
+    """Evaluates all campaigns and writes the table.
 
-    :param again: do campaigns once more that failed before.
-    :param tell: is told progress, a line at a time.
-    :raises DashpotError: naming what of jobs, plan or place cannot be, before any campaign is computed.
+    :param again: evaluates failed campaigns of earlier runs again.
+    :param tell: function that receives progress messages, one line at a time.
+    :raises DashpotError: if jobs, plan or place are invalid, before the first campaign is evaluated. The message names the invalid argument.
     """
     if isinstance(chunk, bool) or not isinstance(chunk, int) or chunk < 1:
         raise DashpotError(f"chunk is {chunk!r}; it is a whole number above 0")
@@ -97,7 +97,7 @@ def run(
                     say(f"{now} of {len(keys)} campaigns, {failed} failed, {60 * rate:.1f} a minute, {left / 60:.1f} min left")
 
         def finish(place: int, row: Mapping[str, Any]) -> Mapping[str, Any]:
-            """What the list says of the damper, and what the limits of this run say of what was measured."""
+            """Returns the entries of the job list for this row, and the verdict of this run's limits on its measured values."""
             measured = Figures.parse(row["measured"]) if row["measured"] else None
             return {**asdict(given[place]), **judged(plan.limits, measured)}
 
@@ -118,14 +118,14 @@ def _job(job: Job) -> Job:
 
 
 def _kept(row: Mapping[str, Any]) -> Mapping[str, Any]:
-    """A row as it is kept. One that failed for what lies outside its campaign is told but not done."""
+    """Prepares a row for storage. A row with a temporary failure of an existing campaign gets a key that does not count as finished."""
     if not row.get(PASSING) or not os.path.exists(row["campaign"]):
         return row
     return {**row, "key": row["key"] + NOT_DONE, "reason": f"{row['reason']}; the next run tries it again"}
 
 
 def _ready(plan: Plan) -> Plan:
-    """The plan with the model of the reference damper, which is the same for all."""
+    """Returns the plan with the model of the reference damper, which is fitted once for all campaigns."""
     if plan.reference is None or plan.reference_model is not None or plan.diagnose == "none":
         return plan
     good = Campaign.read(plan.reference, **plan.mapping)
@@ -139,22 +139,22 @@ def _chunks(rest: Sequence[tuple[Job, str]], size: int) -> Iterator[Chunk]:
 
 
 def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Iterator[list[Any]]:
-    """Rows chunk by chunk as they come. A few chunks are under way at a time, however many there are.
+    """Yields the rows of each chunk when the chunk is finished. Only a few chunks are submitted at a time.
 
-    :param awaited: workers that will come; more may be there already or join later.
+    :param awaited: smallest number of workers for which chunks are submitted, because not all workers may have started yet.
     """
     from distributed import as_completed
 
     running: dict[Any, Chunk] = {}
 
     def submit(chunk: Chunk) -> Any:
-        # The plan goes with every chunk: what is scattered to a worker is lost with it, and all that needs it.
+        # Every chunk contains the plan. Data that is scattered to a worker would be lost with this worker, and so would all dependent tasks.
         future = client.submit(examine_all, chunk, plan, pure=False)
         running[future] = chunk
         return future
 
     def more() -> list[Any]:
-        # Counted each time: jobs of a cluster start when there is room for them, and not all at once.
+        # The number of workers is evaluated each time, because the jobs of a cluster start one after another.
         ahead = AHEAD * max(awaited, sum(client.nthreads().values()))
         return [submit(chunk) for chunk in itertools.islice(chunks, max(0, ahead - len(running)))]
 
@@ -170,7 +170,7 @@ def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Ite
             suspects.extend(chunk)
         else:
             yield rows
-    # Some campaign ended the process of its worker, which takes what waited there with it: each by itself, to find which.
+    # A campaign that ends the process of its worker loses all chunks of this worker. Therefore each of their campaigns is submitted alone.
     for job, key in suspects:
         client.wait_for_workers(1)
         future = submit([(job, key)])
@@ -182,13 +182,16 @@ def _work(client: Any, plan: Plan, chunks: Iterator[Chunk], awaited: int) -> Ite
 
 
 def _rows(future: Any) -> list[Any] | None:
-    """Rows of a chunk; none where its worker died on it again and again."""
+    """Returns the rows of a chunk, or None if its worker died or its rows were lost.
+
+    :raises DashpotError: if the cluster is no longer reachable.
+    """
     if future.exception() is None:
         try:
             rows: list[Any] = future.result()
             return rows
         except Exception:  # noqa: BLE001
-            # The work raises nothing. Its worker ended between the end of the work and the fetching of what came out, and took it along.
+            # `examine_all` raises no exception. So the worker ended after the work, before the rows were fetched, and the rows are lost.
             pass
     if future.status != "error":
         raise DashpotError("the cluster went away; what was finished is kept, start the run again to go on")
@@ -196,7 +199,7 @@ def _rows(future: Any) -> list[Any] | None:
 
 
 def to_terminal(stream: IO[str] | None = None) -> Callable[[str], None]:
-    """Progress in place on a terminal, line by line elsewhere."""
+    """Makes a function that writes progress messages. On a terminal, progress replaces its last line; elsewhere, each message is a line."""
     target = stream or sys.stderr
 
     def tell(text: str) -> None:

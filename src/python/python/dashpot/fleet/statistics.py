@@ -1,4 +1,4 @@
-"""Figures over a fleet: what is usual, who is not, what drifts."""
+"""Statistics of a fleet: median and spread, outliers, drift, batches and control charts."""
 
 from __future__ import annotations
 
@@ -11,28 +11,29 @@ import numpy.typing as npt
 Numbers = npt.NDArray[np.float64]
 Places = npt.NDArray[np.intp]
 
-#: Distance from the median, in robust standard deviations, from which a damper is an outlier (Iglewicz and Hoaglin, How to
+#: Distance from the median, in robust standard deviations, above which a damper is reported as an outlier (Iglewicz and Hoaglin, How to
 #: Detect and Handle Outliers, 1993).
 OUTLIER = 3.5
-#: Standard deviation of a normal distribution over its median absolute deviation.
+#: Ratio of the standard deviation of a normal distribution to its median absolute deviation.
 PER_MAD = 1.4826
-#: The same over its mean absolute deviation.
+#: Ratio of the standard deviation of a normal distribution to its mean absolute deviation.
 PER_MEAN = 1.2533
-#: Least deviation that counts, over the size of the values: repeatability of a good rig (ISO 376, class 00 load cells: 0.05 %; doubled).
-#: Numbers that the fit took from what dampers show agree to many digits, and the one damper that differs would be 1e10 deviations off.
+#: Lower bound of the standard deviation relative to the median magnitude of the values. It is twice the repeatability of a good rig (ISO 376,
+#: class 00 load cells: 0.05 %). Values that the fit took from a prior agree to many digits. Without the bound, a damper with a different value
+#: would be 1e10 deviations from the median.
 RESOLUTION = 1e-3
-#: Half-width of the limits of an individuals chart over the mean moving range: 3 / d2 for two values (Montgomery, Introduction to
+#: Ratio of the half-width of the limits of an individuals chart to the mean moving range: 3 / d2 for two values (Montgomery, Introduction to
 #: Statistical Quality Control, 6.4).
 PER_RANGE = 2.66
-#: So many values in a row on one side of the centre are a shift (Nelson's second rule).
+#: Number of consecutive values on one side of the center that count as a shift (Nelson's second rule).
 RUN = 9
-#: Deviations of the slope from which a drift is told: with some dozens of parameters one in a thousand is told by chance.
+#: Ratio of a slope to its standard deviation above which a drift is reported. By chance, about one of a thousand parameters exceeds it.
 DRIFT = 3.3
 
 
 @dataclass(frozen=True)
 class Spread:
-    """What is usual."""
+    """Median, spread and range of the values of a fleet."""
 
     count: int
     median: float
@@ -43,7 +44,7 @@ class Spread:
 
 
 def spread(values: Numbers) -> Spread:
-    """Median, robust deviation and range of the values that are there."""
+    """Computes median, robust standard deviation and range of the finite values. Without finite values, they are NaN."""
     there = values[np.isfinite(values)]
     if not len(there):
         return Spread(0, np.nan, np.nan, np.nan, np.nan)
@@ -53,12 +54,13 @@ def spread(values: Numbers) -> Spread:
 
 
 def far_off(values: Numbers, least: float = 0.0) -> Numbers:
-    """Distance of each from the median in robust deviations; 0 where nothing spreads, not a number where there is no value.
+    """Computes the distance of each value from the median, in robust standard deviations.
 
-    A deviation is :data:`RESOLUTION` of the values at least, and ``least``: what one value is known to.
+    The distance is 0 if all values are equal, and NaN for a missing value. The standard deviation has two lower bounds: :data:`RESOLUTION` times
+    the median magnitude of the values, and ``least``, the uncertainty of one value.
 
-    Where more than half of the values are the same, the median of the deviations is 0; the mean of them stands in its place
-    (Iglewicz and Hoaglin).
+    If more than half of the values are equal, their median absolute deviation is 0. Then the mean absolute deviation replaces it (Iglewicz and
+    Hoaglin).
     """
     usual = spread(values)
     none = 1e-12 * max(1.0, abs(usual.median))
@@ -74,7 +76,7 @@ def far_off(values: Numbers, least: float = 0.0) -> Numbers:
 
 @dataclass(frozen=True)
 class Drift:
-    """A straight line over time or place."""
+    """Slope of a linear regression over time or over the order of manufacture."""
 
     slope: float
     deviation: float
@@ -82,12 +84,15 @@ class Drift:
 
     @property
     def stands_out(self) -> bool:
-        """Whether chance alone hardly makes such a slope."""
+        """Whether the slope is significant, because its magnitude exceeds :data:`DRIFT` times its standard deviation."""
         return self.deviation > 0 and abs(self.slope) > DRIFT * self.deviation
 
 
 def drift(at: Numbers, values: Numbers) -> Drift | None:
-    """Slope of the values by least squares, outliers left out; none with fewer than five values or one time."""
+    """Computes the slope of the values by least squares, without outliers.
+
+    Returns None with fewer than five values, or if all values have the same abscissa ``at``.
+    """
     kept = np.isfinite(at) & np.isfinite(values)
     kept &= np.abs(np.nan_to_num(far_off(values))) <= OUTLIER
     x, y = at[kept], values[kept]
@@ -102,18 +107,18 @@ def drift(at: Numbers, values: Numbers) -> Drift | None:
 
 @dataclass(frozen=True)
 class Batch:
-    """One batch beside the others."""
+    """Mean of one batch, with its interval."""
 
     name: str
     count: int
     mean: float
     low: float
     high: float
-    """Ends of the 95 % interval of the mean."""
+    """Upper end of the 95 % interval of the mean; ``low`` is its lower end. Both are NaN for a single value."""
 
 
 def batches(names: Sequence[str], values: Numbers) -> list[Batch]:
-    """Mean of every batch with its interval, in the order of the names."""
+    """Computes the mean of every batch with its interval, in the order of the batches' names."""
     out = []
     for name in sorted({n for n in names if n}):
         own = values[[n == name for n in names]]
@@ -126,19 +131,19 @@ def batches(names: Sequence[str], values: Numbers) -> list[Batch]:
 
 @dataclass(frozen=True)
 class Control:
-    """An individuals chart: centre and limits from the moving range, and the values that break a rule."""
+    """Individuals control chart: center, limits from the moving range, and the values that violate a rule."""
 
     centre: float
     low: float
     high: float
     beyond: tuple[int, ...]
-    """Places of values outside the limits."""
+    """Indices of values outside the limits."""
     shifted: tuple[int, ...]
-    """Places of values that end a run of nine on one side of the centre."""
+    """Indices of values that are the ninth or a later one in a run on one side of the center."""
 
 
 def control(values: Numbers) -> Control | None:
-    """The chart of values in the order in which they were made; none with fewer than three."""
+    """Computes the control chart of values in the order of manufacture. Returns None with fewer than three finite values."""
     places = np.flatnonzero(np.isfinite(values))
     there = values[places]
     if len(there) < 3:

@@ -1,8 +1,7 @@
-"""Results on the disk: parts that come as the work goes, and the one table made of them.
+"""Results on disk: parts that are written during the run, and the table that is made from them.
 
-A part is written beside its place and then renamed, so it is there whole or not at all; a run that is killed loses the work
-that was under way and nothing else. The table is made of the parts in the order of the campaigns, so its bytes depend neither on the
-number of workers nor on how often the run was interrupted.
+A part is written to a temporary file and then renamed, so that it is complete or absent. A killed run loses only unfinished work. The rows of
+the table have the order of the campaigns. Its bytes therefore do not depend on the number of workers or of interruptions.
 """
 
 from __future__ import annotations
@@ -44,11 +43,11 @@ _CHANGE = pa.struct(
         ("velocity_m_s", pa.float64()),
     ]
 )
-#: Columns of a part that the table has not: names of work, and what limits are judged by.
+#: Columns that only parts contain: keys of the jobs, and measured values for limits.
 OF_PARTS = ("key", "measured")
-#: Stands behind the key of a row that is told but not done: it is tried again by the next run.
+#: Suffix of the key of a row that the table shows but that does not count as finished. The next run evaluates its campaign again.
 NOT_DONE = "~"
-#: Columns of a part; the table has, after these, three for every number of the model that any damper has.
+#: Columns of a part. The table has three further columns (value, low, high) for every parameter that any damper has.
 SCHEMA = pa.schema(
     [
         ("key", pa.string()),
@@ -83,18 +82,18 @@ SCHEMA = pa.schema(
         ("model", pa.string()),
     ]
 )
-#: Rows in a group of the table; what is in memory while it is made.
+#: Number of rows in a row group of the Parquet table. Only one group is in memory while the table is written.
 GROUP = 256
-#: Parts kept in memory while the table is made. Neighbouring campaigns lie in the same few.
+#: Number of parts in memory while the table is written. A few suffice, because neighboring campaigns are in the same parts.
 KEPT = 8
 
 
-#: What is written over a row of the table, for its place and the row.
+#: Function that returns entries to overwrite in a row of the table, from the index of the row and the row.
 Finish = Callable[[int, Mapping[str, Any]], Mapping[str, Any]]
 
 
 class Store:
-    """The parts of one table, in a folder beside it. One run at a time."""
+    """Parts of one table, in the folder ``OUT.parts``. A lock allows only one run at a time."""
 
     def __init__(self, out: str | os.PathLike[str]) -> None:
         self.out = Path(out)
@@ -110,9 +109,9 @@ class Store:
         _lock(self._lock, self.out)
         for half in self.folder.glob(".half-*"):
             half.unlink()
-        #: Key of a finished campaign: its part, and its row there.
+        #: Part and row index of each finished campaign, by its key.
         self.done: dict[str, tuple[str, int]] = {}
-        #: Parts that could not be read and were set aside; their campaigns are done anew.
+        #: Names of unreadable parts, which were renamed. Their campaigns are evaluated again.
         self.damaged: list[str] = []
         for part in self._parts():
             try:
@@ -130,19 +129,19 @@ class Store:
         self.damaged.append(part.name)
 
     def place(self, key: str) -> tuple[str, int]:
-        """Part and row of a campaign that was tried."""
+        """Returns part and row index of a campaign that was evaluated, even if it does not count as finished."""
         return self.done[key] if key in self.done else self.done[key + NOT_DONE]
 
     def _take(self, part: str, keys: Iterable[str]) -> None:
         self.done.update((key, (part, row)) for row, key in enumerate(keys))
 
     def forget(self, keys: Iterable[str]) -> None:
-        """Takes campaigns as not done."""
+        """Removes campaigns from the finished ones."""
         for key in keys:
             self.done.pop(key, None)
 
     def failed(self) -> list[str]:
-        """Keys of campaigns that failed when they were done last."""
+        """Returns the keys of campaigns whose last evaluation failed."""
         out: list[str] = []
         for part in self._parts():
             table = pq.read_table(part, columns=["key", "status"])
@@ -151,16 +150,19 @@ class Store:
         return out
 
     def add(self, rows: Sequence[Mapping[str, Any]]) -> None:
-        """Writes a part."""
+        """Writes rows as a part."""
         keys = [row["key"] for row in rows]
-        # A later part of the same campaign is another file and counts in its stead.
+        # Parts have increasing numbers, because the row of a campaign in a later part replaces that of an earlier part.
         number = 1 + max((int(part.name.split("-")[1]) for part in self._parts()), default=-1)
         name = f"part-{number:07d}-{keys[0][:12]}.parquet"
         _write_whole(self.folder / name, [_table(rows, SCHEMA)], SCHEMA)
         self._take(name, keys)
 
     def rows(self, keys: Iterable[str]) -> Iterator[dict[str, Any]]:
-        """Finished rows in the order of their keys; few parts are in memory at a time."""
+        """Yields the stored rows in the order of ``keys``, with at most :data:`KEPT` parts in memory.
+
+        :raises OutputError: if a part is damaged. The part is renamed.
+        """
         parts: OrderedDict[str, list[dict[str, Any]]] = OrderedDict()
         for key in keys:
             part, row = self.place(key)
@@ -175,13 +177,13 @@ class Store:
                 if len(parts) > KEPT:
                     parts.popitem(last=False)
             parts.move_to_end(part)
-            # A campaign may stand in the table twice.
+            # The row is copied, because the table may contain a campaign twice.
             yield dict(parts[part][row])
 
     def table(self, keys: Sequence[str], finish: Finish | None = None) -> int:
-        """Makes the table of the campaigns with these keys, in their order; returns how many failed.
+        """Writes the table of the campaigns with these keys, in their order. Returns the number of failed campaigns.
 
-        :param finish: gives, for the place of a row and the row, what is written over it.
+        :param finish: function that returns entries to overwrite in a row, from the index of the row and the row.
         """
         units: dict[str, str] = {}
         failed = 0
@@ -206,7 +208,7 @@ class Store:
                 if finish is not None:
                     row.update(finish(at, row))
                 for number in row["parameters"] or ():
-                    # What the data does not determine has no value here: its number is a default.
+                    # A parameter that the data does not determine has no value in the table, because its number is a default.
                     if number["index"] is None and number["standing"] != "not_identified":
                         name = number["name"]
                         row[name], row[f"{name}_low"], row[f"{name}_high"] = number["value"], number["low"], number["high"]
@@ -214,7 +216,7 @@ class Store:
             yield _table(rows, schema)
 
     def close(self) -> None:
-        """Lets another run have the parts."""
+        """Releases the lock on the parts."""
         self._lock.close()
 
 
@@ -252,7 +254,7 @@ def _is_parquet(path: Path) -> bool:
 def _lock(file: IO[str], out: Path) -> None:
     try:
         import fcntl
-    except ImportError:  # Windows: a second run there is refused when it replaces a part that is open.
+    except ImportError:  # Windows has no fcntl. There, a second run fails when it replaces an open part.
         return
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
