@@ -9,7 +9,7 @@ use dashpot_tests::header::{bounds, short};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Formats the prior of a parameter; empty without a prior.
+/// Formats the prior of a parameter. Returns an empty text for a parameter without a prior.
 fn usual(row: Row) -> String {
     match Number::try_from(row).ok().and_then(|number| priors::distribution(number, Scale::CAR)) {
         Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
@@ -20,7 +20,7 @@ fn usual(row: Row) -> String {
     }
 }
 
-/// Formats the bounds of a force-dependent parameter for a car damper, if they differ from the general bounds.
+/// Formats the bounds of a parameter for a car damper. Returns an empty text if they equal the general bounds.
 fn in_proportion(p: &Parameter) -> String {
     let (low, high) = p.of_a_car;
     if (low, high) == (p.low, p.high) { String::new() } else { format!(" (car: {} to {})", short(low), short(high)) }

@@ -1,4 +1,4 @@
-//! The Python package as its users install it.
+//! Tests the Python package as its users install it.
 //!
 //! The test builds a wheel, installs it without the source tree on the path, and tests the installed package.
 //!

@@ -25,8 +25,8 @@ pub fn drawn(cases: u32) -> Config {
     with(cases, asked().unwrap_or_else(of_the_code))
 }
 
-/// Returns the settings of a property test that some cases violate. The seed is fixed, unless [`VARIABLE`] sets another
-/// seed.
+/// Returns the settings of a property test that fails for some seeds. The seed is fixed, unless [`VARIABLE`] sets
+/// another seed.
 ///
 /// A comment at each use states the results of other seeds.
 ///
