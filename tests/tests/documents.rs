@@ -70,8 +70,8 @@ fn every_relative_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
-/// Checks that the table of contents lists every page, and that relative links stay inside the book, because readers
-/// have the book without the surrounding folders.
+/// Checks that the table of contents lists every page, and that relative links stay inside the book. Readers have the
+/// book without the surrounding folders.
 #[test]
 fn the_book_lists_its_pages_and_keeps_to_itself() {
     let source = root().join("docs/book/src");

@@ -23,7 +23,7 @@ fn the_number_of_threads_changes_no_byte() {
     }
 }
 
-/// Returns the fit's estimates: name, index, value, and the width of the interval.
+/// Returns the fit's estimates: name with index, value, and the width of the interval (0 without an interval).
 fn estimates(path: &Path) -> Vec<(String, f64, f64)> {
     let parameters = json(path)["parameters"].as_array().unwrap().clone();
     let of = |p: &Value| {
