@@ -8,8 +8,8 @@ use dashpot_proving::outcome::{Outcome, judged};
 use dashpot_proving::score;
 use dashpot_severity::case::Case;
 
-/// Diagnoses a case at given strengths. Searching for the strengths of its severities would take longer than the
-/// diagnosis.
+/// Diagnoses a case with given strengths of the injected effects. Searching for the strengths that give the case's
+/// severities would take longer than the diagnosis.
 fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
     let measured = case.measure_at(strengths.to_vec(), &[]).unwrap();
     judged(block, case.options.seed, &case.effects, &measured, &Options::default()).unwrap().0
@@ -51,7 +51,8 @@ fn what_is_in_no_catalogue_gets_no_name() {
     assert!(o.named.is_empty(), "{o:?}");
 }
 
-/// Neither effect alone explains half of the disagreement.
+/// Checks that two injected effects are found, although neither alone explains half of the disagreement between model
+/// and records.
 #[test]
 #[ignore = "half a minute on two cores; the benchmark has it too"]
 fn two_effects_are_found_together() {

@@ -12,7 +12,7 @@ use dashpot_records::Record;
 use dashpot_records::record::Noise;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 
-/// Force factors of an instrument's damper and of an aircraft's damper.
+/// Factors from the forces of a car's damper to those of an instrument's and of an aircraft's damper.
 const FACTORS: [f64; 2] = [0.01, 20.0];
 
 fn tests() -> Vec<Sine> {
@@ -84,7 +84,7 @@ fn a_mass_in_a_damper_of_another_size_has_the_same_name() {
     has_the_same_name(&[("moving_mass", &[("moving_mass", 2.0)])]);
 }
 
-/// Injected effects with their parameters.
+/// Injected effect with its parameters.
 type Hidden<'a> = (&'a str, &'a [(&'a str, f64)]);
 
 fn has_the_same_name(hidden: &[Hidden]) {

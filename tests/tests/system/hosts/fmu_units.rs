@@ -1,5 +1,5 @@
-//! An importer that converts units uses the FMU's declarations. At any scale, it gets the damper in SI units, or the
-//! FMU declares no unit.
+//! Units that an FMU declares. At any scale, an importer that converts units gets the damper in SI units, or the FMU
+//! declares no unit.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};

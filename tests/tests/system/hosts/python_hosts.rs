@@ -11,7 +11,7 @@ use std::process::Command;
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \"gas_preload\"]\n\
                      gas_force = 141.5\n";
 
-/// Computes position and force every 10 ms of 1 s, with the parameters of the examples.
+/// Computes position, m, and force, N, every 10 ms of 1 s, with the parameters of the examples.
 fn kernel() -> Vec<[f64; 2]> {
     const MASS: f64 = 100.0;
     const STIFFNESS: f64 = 24000.0;

@@ -1,4 +1,4 @@
-//! An adjustable damper in hosts: the example, and the same control loop through an FMU.
+//! An adjustable damper in hosts: the examples `skyhook.c` and `skyhook.py`, and the same control loop through an FMU.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{Language, Linkage, directory, host, root, shared, succeed};

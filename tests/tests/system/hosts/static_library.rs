@@ -85,7 +85,8 @@ fn sources() -> tempfile::TempDir {
     folder
 }
 
-/// Compiles and runs a program, and compares the force bit for bit.
+/// Compiles and runs a program, and compares its force with the kernel's bit for bit. `LIBRARY` in `words` stands for
+/// the path of the library.
 fn links(at: &Path, compiler: &str, words: &[&str]) {
     let program = at.join("program");
     let library = static_library();
@@ -182,7 +183,7 @@ fn it_links_with_musl() {
     links(folder.path(), "musl-gcc", &["-fno-builtin", "namesakes.c", "LIBRARY"]);
 }
 
-/// Makes a folder with the layout of the package.
+/// Makes a folder with library, header and build files in the layout of the package.
 fn prefix() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
