@@ -1,7 +1,6 @@
 /* The bridge as a host uses it. Arguments: model file, channel map. The third argument, 1 or 4, selects a run with so many corners. It
  * prints their motion and forces, for comparison with other hosts of the kernel. Without this argument the program checks the bridge and
- * prints only failures.
- * */
+ * prints only failures. */
 #include "check.h"
 #include "dashpot_bridge.h"
 #include <math.h>
