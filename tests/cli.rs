@@ -147,8 +147,8 @@ pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (header, rows.collect())
 }
 
-/// Rewrites every record of a folder with a header line. `row` formats each row from time, displacement, velocity and
-/// force.
+/// Copies every record of folder `from` to folder `to`, with the header line `header`. `row` formats each row from
+/// time, displacement, velocity and force.
 pub fn rewrite(from: &Path, to: &Path, header: &str, row: impl Fn([f64; 4]) -> String) {
     std::fs::create_dir_all(to).expect("a folder");
     for entry in std::fs::read_dir(from).expect("a folder") {

@@ -20,7 +20,7 @@ pub type Dataset = BTreeMap<(String, u64), Vec<Argument>>;
 /// Type of an argument's value.
 #[derive(Clone, Copy)]
 enum Kind {
-    /// A word.
+    /// No value: the argument is a word alone.
     Word,
     /// A fixed count of numbers.
     Numbers(usize),
@@ -28,7 +28,7 @@ enum Kind {
     List,
     /// The id of an element of this type.
     Id(&'static str),
-    /// Text.
+    /// Text of any form.
     Text,
     /// A function expression.
     Function,

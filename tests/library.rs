@@ -40,8 +40,8 @@ pub fn directory() -> &'static Path {
         std::fs::create_dir_all(&packed).expect("a folder of the target");
         pack(&release.join("libdashpot.a"), &packed.join("libdashpot.a"), "");
         if release != profile_folder() {
-            // The command uses the library in its own folder. Replace cargo's file there by a copy instead of
-            // overwriting it: it is a hard link, so overwriting would change another file of cargo.
+            // The command uses the library in its own folder. Cargo's file there is a hard link, so overwriting it
+            // would change another file of cargo. Replace cargo's file by a copy instead.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
             let mut library = std::fs::File::open(static_library_in(&packed)).expect("the library");
             std::io::copy(&mut library, &mut copy).expect("room beside the command");
@@ -71,7 +71,7 @@ pub fn shared() -> PathBuf {
     directory().join("libdashpot.so")
 }
 
-/// Runs a command that must succeed. Returns its output.
+/// Runs a command that must succeed. Returns its standard output.
 pub fn succeed(command: &mut Command) -> String {
     let Output { status, stdout, stderr } = command.output().unwrap_or_else(|error| {
         panic!(

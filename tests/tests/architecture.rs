@@ -4,7 +4,7 @@ use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-/// Every crate with the workspace's crates that it uses.
+/// Crates of the workspace, each with the crates of the workspace that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
 /// Returns the folder of a package below `src`.

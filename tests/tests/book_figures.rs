@@ -67,7 +67,7 @@ const SIDE_FORCE: f64 = 1500.0;
 /// Temperature in all cases, °C. It differs from the 20 °C of the FV curve, so that `temperature_fade` is visible.
 const TEMPERATURE: f64 = 80.0;
 
-/// Computes displacement, velocity and force over the last of three cycles.
+/// Computes displacement, m, velocity, m/s, and force, N, over the last of three cycles.
 fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
     const STEPS: u32 = 4000;
     let model = Model::new(params).expect("a model");

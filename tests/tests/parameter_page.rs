@@ -95,7 +95,7 @@ fn the_page_follows_the_table() {
     assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
 }
 
-/// The page and the header contain the same bounds for every parameter.
+/// Checks that the page and the header contain the same bounds for every parameter.
 #[test]
 fn the_header_and_the_page_have_the_same_bounds() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();

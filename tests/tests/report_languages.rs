@@ -143,7 +143,7 @@ fn is_name(word: &str) -> bool {
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());
     let is_symbol = || in_symbols(word) || word.split(['/', '·']).all(|part| in_symbols(part) || is_figure(part));
     // The meaning of a parameter contains symbols of the model's equations (k_p, v_0, x), which are equal in every
-    // language. They have one letter, or an underscore after the first letter, which no English word has.
+    // language. Such symbols have one letter, or an underscore after the first letter.
     let is_short = word.len() == 1 || word.as_bytes().get(1) == Some(&b'_');
     let is_of_an_equation =
         || is_short && parameter::table().any(|row| latin(row.parameter.meaning).any(|w| w == word));

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
-/// Largest age, in days, at which the advisories of the checkout are not reported as old. RustSec publishes several a
-/// week, and cargo-deny has the same limit.
+/// Age, in days, above which the advisories of the checkout are reported as old. RustSec publishes several a week, and
+/// cargo-deny has the same limit.
 const OLD: i64 = 90;
 
 /// Runs cargo-deny in the project's folder. Returns `None` if cargo-deny is not installed.
@@ -66,7 +66,8 @@ fn by_the_checkout(configuration: &str) -> Output {
     std::fs::write(&file, deny_toml.to_string()).expect("a file");
     let file = file.to_str().expect("a path in UTF-8");
     let check = ["--offline", "--color", "never", "--config", file, "check", "advisories"];
-    // The first run prints the path of the repository, whose name cargo-deny derives from the address.
+    // The first run prints the path of the repository. cargo-deny derives the repository's name from the address of the
+    // advisory database.
     let said = String::from_utf8_lossy(&deny(&check).expect("cargo-deny").stderr).into_owned();
     let path = said
         .split('"')

@@ -200,7 +200,7 @@ fn late(record: &Record, delay: f64) -> Record {
 /// Checks that the file of the improved model states the measurement errors of the rig, but that its damper does not
 /// contain them.
 ///
-/// Without these entries, the next evaluation of the same records would attribute the errors to the damper.
+/// If the file did not state the errors, the next evaluation of the same records would attribute them to the damper.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();

@@ -334,7 +334,7 @@ fn a_damper_without_an_actuator_gets_none() {
 }
 
 /// Checks that one test with steps identifies both lags and the dead time, although a common lag for both directions
-/// fits worse than no lag. Without a fall of the current, its lag is reported as not identified.
+/// fits worse than no lag. Without a fall of the current, the lag of a fall is reported as not identified.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);

@@ -257,7 +257,8 @@ fn files_of_adams() {
     });
 }
 
-/// Number of accepted dimension files of which one is used to explain a model, which takes more time than reading.
+/// Number of accepted dimension files per explanation of a model. The other files are only read, because an explanation
+/// takes longer.
 const EXPLAINED: usize = 50;
 
 #[test]

@@ -82,8 +82,8 @@ fn an_oil_column_is_found_by_a_fit() {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Each seed takes three to five seconds on one core. With thirteen seeds, each parameter has thirteen intervals,
-    // and all parameters together have about two hundred.
+    // Each seed takes three to five seconds on one core. With thirteen seeds, each scalar parameter has thirteen
+    // intervals, and all parameters together have about two hundred.
     const SEEDS: u64 = 13;
     let truth = truth();
     let model = Model::new(&truth).unwrap();

@@ -50,7 +50,7 @@ fn through_files(records: &[Record]) -> Campaign {
     read(folder.path())
 }
 
-/// Makes a damper that is six times as strong in rebound as in compression, without gas.
+/// Makes a damper that is six to seven times as strong in rebound as in compression, without gas.
 fn asymmetric() -> Params {
     let mut params = Params::new();
     params.disable_all();

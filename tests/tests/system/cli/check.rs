@@ -3,7 +3,7 @@
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
-/// A damper with friction that reverses within a velocity of one millimeter per second.
+/// Model file of a damper whose friction force reaches its full value at about 1 mm/s.
 const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
 
@@ -105,7 +105,7 @@ fn impossible_hosts_are_refused() {
     assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
 }
 
-/// Checks that the verb checks an adjustable damper at each setting like an ordinary damper.
+/// Checks that `dashpot check` treats an adjustable damper at each setting like an ordinary damper.
 #[test]
 fn a_family_is_checked_at_every_setting() {
     let folder = steep();

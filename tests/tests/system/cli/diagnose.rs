@@ -177,7 +177,8 @@ fn the_json_is_what_scripts_were_promised() {
         let name = word(test, "test");
         assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
-    // The reported `gap_closed` is 1 - (after - noise) / (before - noise), from the errors of the left-out tests.
+    // The reported `gap_closed` is 1 - (after - noise) / (before - noise). All three are rms errors of the left-out
+    // tests, relative to the allowed errors.
     let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
@@ -431,7 +432,7 @@ fn groups_are_compared_with_one_reference() {
     }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
-    // The figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
+    // In the report, the figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
     let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
     assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
     assert!(place("<details><summary>") > place("<td class=\"w\">"));

@@ -5,7 +5,7 @@ use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
 use std::path::Path;
 
-/// Reads the sheets of a workbook by name.
+/// Reads the sheets of a workbook with their names.
 pub fn sheets(path: &Path) -> Vec<(String, Range<Data>)> {
     let mut book: Xlsx<_> = open_workbook(path).expect("a workbook");
     book.worksheets()

@@ -1,4 +1,5 @@
-//! One campaign has one result, independent of the number of threads and of the number format in the files.
+//! One campaign has one result. It is independent of the number of threads, and of signs, units and number format in
+//! the files.
 
 use dashpot_tests::cli::{contents, done, json, rewrite, run_with, small_campaign};
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! The Python examples in independent multibody programs.
 //!
-//! The motion of a mass dropped on spring and damper must match the kernel. The steps are so short that the host's
-//! method is irrelevant.
+//! The motion of a mass dropped on spring and damper must match the kernel. The kernel's steps are so short that its
+//! integration method is irrelevant.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};

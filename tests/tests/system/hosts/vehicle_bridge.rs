@@ -26,7 +26,8 @@ impl Bridge {
         self.from.read_exact(&mut answer).expect("the bridge answers");
         let number = |i: usize| f64::from_le_bytes(answer[8 * i..8 * i + 8].try_into().expect("eight bytes"));
         std::array::from_fn(|corner| {
-            // A velocity beyond the identified curve is a warning; a frozen force would be 0x10000.
+            // The status of a velocity beyond the identified curve is a warning. The status of a force kept after a
+            // rejected input would be 0x10000.
             assert!(number(3 * corner + 2) < 65536.0, "an input was refused");
             [-number(3 * corner), number(3 * corner + 1)]
         })

@@ -1,7 +1,6 @@
-//! The example from the book's page for host authors.
+//! Tests the example from the book's page for host authors.
 //!
-//! Its three loops simulate the same car; with some steps, the implicit loop is stable and the explicit loop is
-//! unstable.
+//! Its three loops simulate the same car, also with a moving mass.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
