@@ -104,8 +104,8 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Term {
         if self.take('-') {
-            // A power has precedence over a sign: -2**2 is -4. In Adams a product has this precedence, too. Here it has
-            // not, which gives equal values.
+            // A power has precedence over a sign: -2**2 is -4. In Adams, a product also has precedence over a sign. In
+            // this parser it has not, but the values are equal.
             return Term::Negative(Box::new(self.power()));
         }
         if self.take('(') {

@@ -39,8 +39,8 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 }
 
 impl Reader<'_> {
-    /// Resolves a path in this file to a path from the crate's root. A path of another crate becomes a path below this
-    /// file. Returns `None` for an empty path.
+    /// Resolves a path that the file uses to a path from the crate's root. A path of another crate becomes a path below
+    /// the file's module. Returns `None` for an empty path.
     fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
@@ -170,7 +170,7 @@ fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) 
         }
     }
     if depth == 0 {
-        // The name is a macro of the crate, or belongs to another crate.
+        // The path begins with a macro of the crate, or with the name of another crate.
         return rooms.iter().find(|(_, room)| room.macros.contains(next)).map(|(place, _)| place);
     }
     Some(place)

@@ -102,7 +102,8 @@ pub fn fit(campaign: &Campaign, family: Family) -> Fit {
 /// Keeps all work on this thread, because callgrind counts only this thread's instructions. Two runs then give equal
 /// counts.
 ///
-/// # Panics If rayon has started its threads before.
+/// # Panics
+/// If rayon has started its threads before.
 pub fn one_thread() {
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global().expect("no threads before");
 }

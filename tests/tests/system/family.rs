@@ -29,7 +29,8 @@ const BETWEEN: f64 = 0.6;
 /// Limits of the relative errors on one small campaign of a semi-active damper.
 ///
 /// [`RANDOM`] applies to the force at a random current. [`LAG`] applies to the lag of the valve at all steps of the
-/// current but the worst. [`WORST_LAG`] applies to the worst step; for the whole protocol, the book states 19 % there.
+/// current but the worst. [`WORST_LAG`] applies to the worst step, for which the book states 19 % with the whole
+/// protocol.
 const RANDOM: f64 = 0.03;
 const LAG: f64 = 0.1;
 const WORST_LAG: f64 = 0.2;
@@ -299,7 +300,7 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     }
 }
 
-/// Returns sines at five currents, and two tests with steps of the current.
+/// Returns sine tests at five currents, and two tests with steps of the current.
 fn sines_and_steps(seed: u64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
     tests.extend(steps(seed).into_iter().take(2));

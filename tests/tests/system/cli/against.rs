@@ -98,8 +98,8 @@ fn mistakes_are_told_before_anything_is_fitted() {
     assert!(told.contains("--elements"), "{told}");
 }
 
-/// Fits the FV curve without the tests `hold_out`, and compares all models of the literature with it. Returns the JSON
-/// of the validation.
+/// Fits the FV curve without the tests `hold_out`, and compares the fitted curve with all models of the literature.
+/// Returns the JSON of the validation.
 fn left_out(data: &Path, hold_out: &str, further: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let (dir, data) = (folder.path(), data.to_str().unwrap());

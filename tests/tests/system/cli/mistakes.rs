@@ -99,7 +99,7 @@ fn gaps_stubs_and_strays_are_named() {
     let told = run(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
     assert!(told.code == Some(0) && told.out.contains("a15mm_v0262mm_s: 1 of"), "{told:?}");
     assert!(told.err.contains("holds the same samples as"), "{told:?}");
-    // `validate` reports the duplicate, too.
+    // `validate` also reports the duplicate file.
     let told = run(dir, &["validate", "m.toml", "data", "--json", "v.json"]);
     assert!(told.code == Some(0) && told.err.contains("holds the same samples as"), "{told:?}");
 }

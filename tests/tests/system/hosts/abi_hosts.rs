@@ -176,7 +176,8 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
-/// Checks the 16 KB that the header promises. The program measures each function on its own stack.
+/// Checks that no function needs more stack than the 16 KB that the header promises. The program measures each function
+/// on a separate stack.
 #[test]
 fn no_function_takes_more_than_16_kilobytes_of_stack() {
     let directory = tempfile::tempdir().expect("a directory");

@@ -527,7 +527,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
         assert!(said.contains(&why), "{said}");
         assert!(said.contains("is of an earlier export"), "{said}");
         assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
-        // The reason comes first, after notes on this damper.
+        // In the README.txt, the reason precedes the list of files.
         let (why, list) =
             (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
         assert!(why < list, "{read_me}");
@@ -536,7 +536,8 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     assert!(said.contains("act on the internal mass"), "{said}");
 }
 
-/// Checks the functions of the exported file, evaluated unchanged between two markers that an actuator moves.
+/// Checks that the function expressions of the exported native.adm give the model's force within 1 % of the largest
+/// force. The expressions are evaluated unchanged between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {
     native_agrees(
@@ -545,7 +546,8 @@ fn the_native_elements_agree_with_the_model() {
     );
 }
 
-/// Checks the elements of a default fit of the virtual rig, and other forms of presliding friction.
+/// Checks the native elements of a damper with the elements of a default fit of the virtual rig, and with other forms
+/// of presliding friction.
 #[test]
 fn the_native_elements_hold_the_default_fit() {
     let fit = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\", \"presliding_friction\"]\n\

@@ -20,7 +20,7 @@ fn missing() -> Option<&'static str> {
     (!there).then_some("the Rust target (rustup target add x86_64-pc-windows-gnu)")
 }
 
-/// Builds the library as its README describes.
+/// Builds the library for Adams as `adams-usersub/README.md` describes.
 fn built(folder: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--release", "--quiet", "-p", "dashpot-dll", "--target", TARGET]).current_dir(root());

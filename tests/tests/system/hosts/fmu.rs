@@ -395,7 +395,7 @@ fn a_binary_for_another_platform_goes_inside() {
         told.contains("fmi2DoStep") && told.contains("fmi2GetDerivatives") && !told.contains("dashpot_step"),
         "{told}"
     );
-    // Every Windows has these libraries.
+    // The DLL needs only libraries that every Windows has.
     let needs: Vec<&str> = told.lines().filter_map(|l| l.trim().strip_prefix("DLL Name: ")).collect();
     assert!(
         needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),

@@ -251,7 +251,8 @@ fn pkg_config_names_it() {
     links(folder.path(), "g++", &[&["program.cc", "-Wl,-Bstatic"], flags.as_slice(), &["-Wl,-Bdynamic"]].concat());
 }
 
-/// Builds cargo's archive for 64-bit Windows, with rustup's target or Debian's second compiler, if available.
+/// Builds cargo's archive for 64-bit Windows, with rustup's target or else with Debian's Rust compiler. Returns `None`
+/// if neither is available.
 fn windows_archive() -> Option<PathBuf> {
     const TARGET: &str = "x86_64-pc-windows-gnu";
     let folder = Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]).output().ok()?;
