@@ -97,8 +97,8 @@ static double trial_step(struct body *body, dashpot_state *state, double t, doub
     return force;
 }
 
-/* 3. The host solves for the velocity at the end of the step with the force at this time, by Newton's method with the damper's derivatives.
- * */
+/* 3. The host solves for the velocity at the end of the step with the force at this time. It uses Newton's method with the damper's
+ * derivatives. */
 static double implicit_step(struct body *body, dashpot_state *state, double t, double dt, double rest)
 {
     struct body next = *body;
