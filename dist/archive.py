@@ -1,7 +1,7 @@
 """Packs a folder as .tar.gz, .zip or .whl so that the same files give the same bytes: sorted, one owner, the time in SOURCE_DATE_EPOCH.
 
     archive.py tar|zip FOLDER NAME ARCHIVE       NAME is the folder inside the archive
-    archive.py wheel FOLDER ARCHIVE              the list of a wheel's files with their checksums is written anew
+    archive.py wheel FOLDER ARCHIVE              writes a new RECORD, the list of the wheel's files with their checksums
 """
 
 import base64
@@ -19,7 +19,7 @@ TEXT = 0o644
 
 
 def entries(folder):
-    """Every file with its name below the folder, in the order of the names' bytes."""
+    """Returns every file with its name below the folder, sorted by the bytes of the names."""
     files = [path for path in Path(folder).rglob("*") if path.is_file()]
     return sorted(((path.relative_to(folder).as_posix(), path) for path in files), key=lambda entry: entry[0].encode())
 
@@ -29,13 +29,13 @@ def mode(path):
 
 
 def folders(names):
-    """Every folder of these files, parents first."""
+    """Returns every folder of these files, parents first."""
     found = {parent.as_posix() for name in names for parent in Path(name).parents}
     return sorted(found - {"."})
 
 
 def tar(folder, name, archive, moment):
-    # The header of gzip holds a name and a time of its own.
+    # The header of gzip has its own name and time, which are set here.
     with open(archive, "wb") as raw, gzip.GzipFile("", "wb", 9, raw, mtime=moment) as packed:
         with tarfile.open(mode="w", fileobj=packed, format=tarfile.USTAR_FORMAT) as out:
 
@@ -57,11 +57,11 @@ def tar(folder, name, archive, moment):
 
 
 def write_zip(files, archive, moment):
-    """Each file is its name in the archive, its content and its mode."""
+    """Writes a zip archive. Each of `files` is a name in the archive, the content and the mode."""
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
         for inside, content, permissions in files:
             info = zipfile.ZipInfo(inside, time.gmtime(moment)[:6])
-            # As made on Unix, so that the mode counts where it is unpacked there.
+            # Mark the archive as made on Unix, so that unpacking on Unix sets the mode.
             info.create_system, info.external_attr = 3, (0o100000 | permissions) << 16
             info.compress_type = zipfile.ZIP_DEFLATED
             out.writestr(info, content, compresslevel=9)
@@ -77,7 +77,7 @@ def wheel(folder, archive, moment):
     if len(metadata) != 1:
         sys.exit(f"archive.py: {folder} holds {len(metadata)} files *.dist-info/METADATA, and a wheel has one")
     record = metadata[0].removesuffix("METADATA") + "RECORD"
-    # The standard of wheels asks for what describes them at the end of the archive.
+    # The wheel standard recommends the files of .dist-info at the end of the archive.
     files = sorted((file for file in files if file[0] != record), key=lambda file: ".dist-info/" in file[0])
 
     def row(inside, content):

@@ -1,6 +1,6 @@
-"""What is in the packages, and under which licences: from cargo's own list and the files of the crates themselves.
+"""Lists the contents of the packages and their licenses, from cargo's list of crates and the files of the crates.
 
-    licences.py texts TARGET PACKAGE...     the licence texts of every crate that these packages hold
+    licences.py texts TARGET PACKAGE...     the license texts of every crate that these packages contain
     licences.py bill TARGET PACKAGE...      a bill of materials, CycloneDX 1.6 as JSON (needs cyclonedx-python-lib)
 """
 
@@ -13,15 +13,15 @@ import uuid
 from datetime import datetime, timezone
 from pathlib import Path
 
-# Licences that ask for no more than their text beside the program. Another one is looked at by a person before it is shipped.
+# Licenses that require no more than their text with the program. A person reviews any other license before it is shipped.
 ALLOWED = {
     "MIT", "Apache-2.0", "Apache-2.0 WITH LLVM-exception", "BSD-1-Clause", "BSD-2-Clause", "BSD-3-Clause", "ISC", "Zlib", "0BSD", "MIT-0",
     "BSL-1.0", "CC0-1.0", "Unlicense", "Unicode-3.0",
-    # Fonts of the window, as they are and under their own names, which is what these two ask for.
+    # Licenses of the window's fonts, which are unchanged and have their own names, as these two licenses require.
     "OFL-1.1", "Ubuntu-font-1.0",
 }
 
-# What is linked in beside crates: name, licence, what it is.
+# Linked parts that are not crates: name, license, description.
 BESIDE = {
     "linux": [
         ("Rust standard library", "MIT OR Apache-2.0", "the libraries that come with the Rust compiler"),
@@ -44,7 +44,7 @@ def cargo(target):
 
 
 def held(metadata, roots):
-    """Every crate that goes into these packages, by name and version; what only builds or tests is left out."""
+    """Returns every crate that is part of these packages, by name and version, without those that only build or test."""
     packages = {package["id"]: package for package in metadata["packages"]}
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
     todo = [identity for identity, package in packages.items() if package["name"] in roots and package["source"] is None]
@@ -62,12 +62,14 @@ def held(metadata, roots):
 
 
 def expression(package):
-    """The licence as SPDX writes it; older crates part choices by a slash."""
+    """Returns the license as an SPDX expression. Older crates separate choices by a slash."""
     return re.sub(r"\s*/\s*", " OR ", package["license"] or "")
 
 
 def may_ship(words):
-    """Takes an expression off the front of a list of words: AND binds closer than OR; at least one choice of each OR must be allowed."""
+    """Parses and removes an expression from the front of a list of words, and returns whether it is allowed.
+
+    AND has precedence over OR. At least one choice of each OR must be allowed."""
     def one():
         if words[0] != "(":
             return words.pop(0) in ALLOWED
@@ -91,7 +93,7 @@ def may_ship(words):
 
 
 def check(package):
-    """A licence that nobody has looked at stops the build."""
+    """Stops the build if the license of a crate was not reviewed."""
     said = expression(package)
     words = re.sub(r"\s+WITH\s+", "_WITH_", said)
     words = [word.replace("_WITH_", " WITH ") for word in re.findall(r"[()]|[^\s()]+", words)]
@@ -100,10 +102,10 @@ def check(package):
 
 
 def own_texts(package):
-    """Licence and notice files that the crate brings along."""
+    """Returns name and text of the license and notice files in a crate."""
     folder = Path(package["manifest_path"]).parent
     files = [f for f in folder.iterdir() if re.match(r"(?i)(licen[cs]e|copying|notice|unlicense|copyright)", f.name) and f.is_file()]
-    # A font has its licence beside it.
+    # The license of a font is in the font's folder.
     files += [f for f in folder.glob("fonts/*.txt")]
     return [(f.name, f.read_text(encoding="utf-8", errors="replace").strip()) for f in sorted(files)]
 
@@ -134,7 +136,7 @@ def texts(target, roots):
             missing.append(title)
             out += ["", "The crate brings no text of its own; that of its licence stands under another crate here."]
         for name, text in own:
-            # The same words broken into other lines are the same text.
+            # Equal words with other line breaks are the same text.
             key = " ".join(text.split())
             if key in seen:
                 out += ["", f"{name}: as under {seen[key]}"]
@@ -176,7 +178,7 @@ def bill(target, roots):
     beside = [component(name, None, licence) for name, licence, _ in BESIDE["windows" if "windows" in target else "linux"]]
     bom = Bom(components=[*made.values(), *beside])
     bom.metadata.component, bom.metadata.timestamp = whole, moment
-    # The same parts have the same number: a random one would make every build another.
+    # The serial number follows from the parts. A random number would make every build differ.
     parts = "\n".join(sorted(part.bom_ref.value for part in [whole, *made.values(), *beside]))
     bom.serial_number = uuid.uuid5(uuid.NAMESPACE_URL, f"dashpot {target}\n{parts}")
     for identity, part in made.items():

@@ -1,4 +1,4 @@
-"""One damper from a model file, by ctypes: what the Python hosts beside this file share. Needs libdashpot.so or dashpot.dll alone."""
+"""One damper from a model file, by ctypes, for the Python hosts in this folder. Needs only libdashpot.so or dashpot.dll."""
 import ctypes as c
 from typing import Any
 
@@ -36,7 +36,7 @@ ABI_VERSION, KNOWS_DISPLACEMENT, KNOWS_SETTING = 9, 1, 8
 
 
 def aligned(kind: Any) -> Any:
-    """A zeroed structure at an address divisible by 16, which Params and Model need and ctypes does not promise."""
+    """Makes a zeroed structure at an address divisible by 16, which Params and Model need and ctypes does not guarantee."""
     block = c.create_string_buffer(c.sizeof(kind) + 16)
     made = kind.from_buffer(block, -c.addressof(block) % 16)
     made._block = block
@@ -44,7 +44,9 @@ def aligned(kind: Any) -> Any:
 
 
 class Damper:
-    """Extension velocity and tension are positive; SI. `evaluate` is for hosts whose solver integrates the states, `step` for all others."""
+    """A damper in SI units; extension velocity and tension are positive.
+
+    `evaluate` is for hosts whose solver integrates the states, `step` for all others."""
 
     def __init__(self, library: str, model_file: str, position: float = 0.0) -> None:
         self.library = c.CDLL(library)
@@ -66,17 +68,17 @@ class Damper:
             raise ValueError(before + self.library.dashpot_status_text(c.c_int32(status)).decode())
 
     def rest(self, position: float) -> float:
-        """At rest at a position (m); its static force."""
+        """Puts the damper at rest at a position, m. Returns its static force, N."""
         self.check(self.library.dashpot_state_init(c.byref(self.model), c.c_double(position), c.byref(self.state)))
         return self.try_step(position, 0.0, 0.0)[0]
 
     def motion(self, displacement: float, velocity: float, setting: float | None = None) -> Input:
-        """What the damper is told: motion and, of one that depends on a setting, the commanded one."""
+        """Makes the damper's input from the motion and, for a damper that depends on a setting, the commanded setting."""
         known = KNOWS_DISPLACEMENT | (KNOWS_SETTING if setting is not None else 0)
         return Input(c.sizeof(Input), known, displacement, velocity, 0.0, 0.0, setting or 0.0)
 
     def try_step(self, displacement: float, velocity: float, dt: float, setting: float | None = None) -> tuple[float, State]:
-        """Force and state at the end of a step of dt to this motion; the damper itself stays where it is."""
+        """Returns force, N, and state at the end of a step of dt, s, to this motion. The damper itself does not change."""
         motion = self.motion(displacement, velocity, setting)
         reached = State()
         self.check(self.library.dashpot_step(
@@ -84,12 +86,12 @@ class Damper:
         return self.output.force, reached
 
     def step(self, displacement: float, velocity: float, dt: float, setting: float | None = None) -> float:
-        """The same, and the damper goes there."""
+        """Advances the damper by dt, s, to this motion. Returns the force, N."""
         force, self.state = self.try_step(displacement, velocity, dt, setting)
         return force
 
     def evaluate(self, state: State, displacement: float, velocity: float) -> tuple[float, State]:
-        """Force and the rates of all states at one instant."""
+        """Returns the force, N, and the time derivatives of all states at a state and a motion."""
         motion, rate = self.motion(displacement, velocity), State()
         self.check(self.library.dashpot_evaluate(
             c.byref(self.model), c.byref(state), c.byref(motion), c.byref(self.output), c.byref(rate)))

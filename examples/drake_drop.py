@@ -1,5 +1,5 @@
-"""A mass on a spring and a dashpot damper in Drake (PyPI): the damper is a LeafSystem that holds its states as Drake's own continuous
-states, and Drake's error-controlled integrator runs all of them. The internal mass is told by its deflection from the driven end.
+"""A mass on a spring and a dashpot damper in Drake (PyPI). The damper is a LeafSystem whose states are continuous states of Drake, and Drake's
+error-controlled integrator integrates all of them. The state of the internal mass is its deflection from the moving end.
 
     python examples/drake_drop.py target/release/libdashpot.so demo/damper.toml
 
@@ -14,7 +14,7 @@ MASS, STIFFNESS, DROP, END = 100.0, 24000.0, 0.03, 1.0
 
 
 class Drop(LeafSystem):
-    """States: position and velocity of the mass; deflection and velocity of the internal mass, eight of the elements."""
+    """States: position and velocity of the mass; deflection and velocity of the internal mass; eight internal states of the elements."""
 
     def __init__(self, damper):
         super().__init__()

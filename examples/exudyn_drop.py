@@ -1,5 +1,5 @@
-"""A mass on a spring and a dashpot damper in exudyn (PyPI), an implicit multibody solver: the damper is a user function of a
-SpringDamper, asked as often as Newton likes in a step, and moved on when the step is done.
+"""A mass on a spring and a dashpot damper in exudyn (PyPI), an implicit multibody solver. The damper is a user function of a SpringDamper. Newton's
+method evaluates it any number of times within a step, and it advances at the end of the step.
 
     python examples/exudyn_drop.py target/release/libdashpot.so demo/damper.toml
 
@@ -25,7 +25,7 @@ last = [0.0]
 
 
 def force(system, t, item, u, v, *given):
-    """The force that pulls the mass back; the static one is carried by the standing spring."""
+    """Returns the force that pulls the mass back, N. The spring's preload balances the static force of the damper."""
     dt = max(t - last[0], 0.0)
     return STIFFNESS * u + damper.try_step(u, v, dt)[0] - rest
 

@@ -1,12 +1,13 @@
-/* A semi-active damper under a skyhook controller, against the same damper at a constant setting: quarter cars on a rough road, one or all four corners
- * of a car in one batch call, the controller at 1 ms.
+/* Compares a semi-active damper under a skyhook controller with the same damper at a constant setting. Quarter cars drive on a rough road:
+ * one corner, or all four corners of a car in one batch call. The controller runs at 1 ms.
  *
  *   cc -O2 -I include examples/skyhook.c target/release/libdashpot.a -lm -o skyhook
  *   ./skyhook examples/semi_active.toml 1        quarter car
  *   ./skyhook examples/semi_active.toml 4        four corners, each at a setting of its own
  *
- * The controller wants the force of a dashpot between the body and the sky, as far as a damper can give it, and finds the setting by one step of Newton's
- * method with dashpot_d_force_d_setting(). Prints rms of the body's acceleration (weighted bands as well) and of the tire's deflection. */
+ * The controller requests the force of a dashpot between body and sky, as far as a damper can give it. It finds the setting by one step of
+ * Newton's method with dashpot_d_force_d_setting(). The program prints the rms of the body's acceleration, in total and in frequency bands,
+ * and of the tire's deflection. */
 #include "dashpot.h"
 #include <math.h>
 #include <stdio.h>
@@ -38,14 +39,15 @@ static void check(int32_t status)
     }
 }
 
-/* White noise of the road's rate, with a bound below which the road is level again: an average road at 20 m/s. The same numbers everywhere. */
+/* Returns the rate of the road's height, m/s: white noise, and a term that keeps the mean height at zero. It is an average road at 20 m/s,
+ * with equal numbers on every platform. */
 static double road_rate(struct corner *corner)
 {
     corner->seed = corner->seed * 1664525u + 1013904223u;
     return ((double)(corner->seed >> 8) / 8388608.0 - 1.0) * 1.1 - 0.8 * corner->road;
 }
 
-/* The setting at which the damper gives the force that the sky would, from the force at the setting that it has. */
+/* Returns the setting at which the damper gives the skyhook force, from the force at the present setting. */
 static double command(const dashpot_state *state, const struct corner *corner, const dashpot_setting *grid, double force)
 {
     const double low = grid->grid[0], high = grid->grid[grid->count - 1], rate = corner->body_rate - corner->wheel_rate;
@@ -53,13 +55,13 @@ static double command(const dashpot_state *state, const struct corner *corner, c
     double gain, wanted = SKY * corner->body_rate, setting = low;
 
     check(dashpot_d_force_d_setting(&model, state, &at, STEP, &gain));
-    /* Only where it takes energy can a damper give what is wanted; else it is as soft as it can be. */
+    /* A damper can give the requested force only if it dissipates energy. Otherwise it is as soft as possible. */
     if (wanted * rate > 0.0)
         setting = fabs(gain) > 1.0 ? corner->setting + (wanted - force) / gain : high;
     return setting < low ? low : setting > high ? high : setting;
 }
 
-/* Mean square of the acceleration between two frequencies, by a discrete Fourier sum over the last 16.384 s. */
+/* Returns the mean square of the acceleration between two frequencies, Hz, by a discrete Fourier sum over the last 16.384 s. */
 static double band(const double *acceleration, double from, double to)
 {
     enum { LENGTH = 16384 };
@@ -83,7 +85,7 @@ static double band(const double *acceleration, double from, double to)
     return sum;
 }
 
-/* All corners over the road; `controlled`, or at a constant setting. */
+/* Drives all corners over the road, with the controller if `controlled`, else at the setting `constant`. */
 static void drive(int corners, int controlled, double constant, const dashpot_setting *grid, struct result result[CORNERS])
 {
     static double acceleration[CORNERS][STEPS];

@@ -1,4 +1,4 @@
-"""The quarter cars of skyhook.c, in Python: the same loop, which prints the same lines.
+"""The quarter cars of skyhook.c in Python, which prints the same lines.
 
     python skyhook.py target/release/libdashpot.so examples/semi_active.toml 1        quarter car
     python skyhook.py target/release/libdashpot.so examples/semi_active.toml 4        four corners
@@ -18,7 +18,7 @@ LENGTH = 16384  # samples of the spectrum, a power of two
 
 def command(damper: Damper, motion: tuple[float, float], body_rate: float, setting: float, force: float,
             low: float, high: float) -> float:
-    """The setting at which the damper gives the force that the sky would, where it can."""
+    """Returns the setting at which the damper gives the skyhook force, or the lowest setting if it cannot."""
     gain, wanted = c.c_double(), SKY * body_rate
     at = damper.motion(*motion, setting)
     damper.check(damper.library.dashpot_d_force_d_setting(
@@ -30,7 +30,7 @@ def command(damper: Damper, motion: tuple[float, float], body_rate: float, setti
 
 
 def fourier(values: list[complex]) -> list[complex]:
-    """The discrete Fourier transform of a power of two of values."""
+    """Returns the discrete Fourier transform of a list whose length is a power of two."""
     half = len(values) // 2
     if half == 0:
         return values
@@ -40,7 +40,7 @@ def fourier(values: list[complex]) -> list[complex]:
 
 
 def bands(acceleration: list[float]) -> list[float]:
-    """Rms of the acceleration between the edges, over the last 16.384 s."""
+    """Returns the rms of the acceleration, m/s^2, in each frequency band over the last 16.384 s."""
     lines = fourier([complex(a) for a in acceleration[-LENGTH:]])
 
     def rms(low: float, high: float) -> float:
@@ -51,7 +51,7 @@ def bands(acceleration: list[float]) -> list[float]:
 
 
 def drive(damper: Damper, seed: int, controlled: bool, setting: float, low: float, high: float) -> tuple[list[float], float]:
-    """Accelerations of the body (m/s^2) and the rms of the tire's deflection (m) of one corner."""
+    """Drives one corner. Returns the accelerations of the body, m/s^2, and the rms of the tire's deflection, m."""
     start = damper.motion(0.0, 0.0, setting)
     damper.check(damper.library.dashpot_state_init_motion(c.byref(damper.model), c.byref(start), c.byref(damper.state)))
     force = rest = damper.try_step(0.0, 0.0, 0.0, setting)[0]

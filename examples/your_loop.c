@@ -17,8 +17,8 @@ static const double END = 2.0;                         /* s */
 static dashpot_params params = DASHPOT_PARAMS_INIT;
 static dashpot_model model;
 
-/* Body position and velocity, up positive, from where it stands still. The damper is between body and wheel: it extends where the
- * body rises. */
+/* Body position, m, relative to its equilibrium, and velocity, m/s, upward positive. The damper is between body and wheel, so it extends if
+ * the body rises. */
 struct body {
     double position, velocity;
 };
@@ -46,13 +46,14 @@ static dashpot_input motion(const struct body *body, double t)
     return dashpot_input_motion(body->position - road(t), body->velocity - road_rate(t));
 }
 
-/* Tension pulls the body down. `rest` is the damper's force at rest, which the standing spring carries. */
+/* Returns the acceleration of the body, m/s^2. Tension pulls the body down. `rest` is the damper's static force, N, which the spring's
+ * preload balances. */
 static double acceleration(const struct body *body, double t, double force, double rest)
 {
     return (-STIFFNESS * (body->position - road(t)) - (force - rest)) / MASS;
 }
 
-/* 1. The host moves on with the force of the last step, then asks for the next: one call a step, on one state. */
+/* 1. The host advances the body with the force of the last step, and then computes the next force: one call per step, on one state. */
 static double explicit_step(struct body *body, dashpot_state *state, double t, double dt, double force, double rest)
 {
     dashpot_output output;
@@ -65,8 +66,8 @@ static double explicit_step(struct body *body, dashpot_state *state, double t, d
     return output.force;
 }
 
-/* 2. The host tries a step, looks at it and takes it or tries a shorter one. Trials start at the committed state and write
- * elsewhere, so that as many may be made as it likes; committing is an assignment. */
+/* 2. The host tries a step, and commits it or tries a shorter one. Trials start at the committed state and write to another state, so that
+ * any number of them is possible. A commit is an assignment. */
 static double trial_step(struct body *body, dashpot_state *state, double t, double dt, double force, double rest)
 {
     double done = 0.0, h = dt;
@@ -96,7 +97,8 @@ static double trial_step(struct body *body, dashpot_state *state, double t, doub
     return force;
 }
 
-/* 3. The host solves for the velocity at the step's end with the force there: Newton, with the damper's own slopes. */
+/* 3. The host solves for the velocity at the end of the step with the force at this time. It uses Newton's method with the damper's
+ * derivatives. */
 static double implicit_step(struct body *body, dashpot_state *state, double t, double dt, double rest)
 {
     struct body next = *body;
@@ -141,7 +143,7 @@ int main(int argc, char **argv)
     fclose(file);
     check(dashpot_model_init(&model, &params));
     check(dashpot_state_init(&model, 0.0, &state));
-    /* A step of no length: the static force. */
+    /* A step with dt = 0 gives the static force. */
     check(dashpot_step(&model, &state, &still, 0.0, &state, &output));
     rest = force = output.force;
     steps = (long)(END / dt + 0.5);

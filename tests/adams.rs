@@ -1,4 +1,4 @@
-//! The shipped library for Adams, and a stand-in solver that loads the library as Adams does.
+//! Builds the library for Adams as it ships, and runs it in a stand-in solver that loads the library as Adams does.
 
 use crate::library::{root, static_library, succeed};
 use dashpot_core::{Input, Model, Params, model_file, step};
@@ -13,7 +13,7 @@ fn folder() -> &'static Path {
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a directory")).path()
 }
 
-/// Returns the path of the library. The first call builds it with its makefile.
+/// Returns the path of the Adams library. The first call builds the library with `adams-usersub/Makefile`.
 pub fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
     LIBRARY.get_or_init(|| built("dashpot_adams.so", "-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"))
@@ -35,7 +35,8 @@ fn objects(flags: &[&str]) -> Vec<PathBuf> {
         .iter()
         .map(|name| {
             let object = folder().join(format!("{name}{}.o", flags.concat()));
-            // Tests run in parallel, so each test builds in its own folder and then moves the file.
+            // Tests run in parallel. Each test builds in its own folder and then moves the file, so that no other test
+            // reads an incomplete file.
             let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
             let built = build.path().join("object.o");
             let mut compiler = compiler();
@@ -63,7 +64,7 @@ fn linked(name: &str, flags: &[&str], objects: &[PathBuf], arguments: &[String])
     program
 }
 
-/// Returns the stand-in solver with all its utility functions.
+/// Returns the path of the stand-in solver, which exports all utility functions (`c_...`) that the library may call.
 pub fn solver() -> PathBuf {
     static SOLVER: OnceLock<PathBuf> = OnceLock::new();
     SOLVER.get_or_init(|| linked("solver", &[], plain_objects(), &["-rdynamic".into()])).clone()
@@ -74,8 +75,8 @@ fn plain_objects() -> &'static [PathBuf] {
     OBJECTS.get_or_init(|| objects(&[]))
 }
 
-/// Returns the stand-in solver and the library, both built with the compiler's race detector. `None` without such a
-/// detector.
+/// Returns the paths of the stand-in solver and the library, both built with the compiler's race detector. Returns
+/// `None` if the compiler has no working race detector.
 pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
     let flag = "-fsanitize=thread";
     let probe = folder().join("probe.c");
@@ -90,14 +91,14 @@ pub fn watched_for_races() -> Option<(PathBuf, PathBuf)> {
     Some((solver, built("dashpot_adams_races.so", &format!("-std=c99 -O1 -g {flag}"))))
 }
 
-/// Lists the utility functions of the stand-in solver.
+/// Lists the names of the utility functions (`c_...`) that the stand-in solver exports.
 pub fn utilities() -> Vec<String> {
     let listed = succeed(Command::new("nm").args(["--defined-only", "-g"]).arg(&plain_objects()[0]));
     let names = listed.lines().filter_map(|l| l.split(' ').nth(2));
     names.filter(|n| n.starts_with("c_")).map(String::from).collect()
 }
 
-/// Returns a stand-in for a release of the solver that lacks a utility function.
+/// Builds a stand-in for a release of Adams that lacks the utility function `utility`. Returns the path of the program.
 pub fn solver_without(utility: &str) -> PathBuf {
     let others: String = utilities().iter().filter(|n| *n != utility).map(|n| format!("{n};")).collect();
     let list = folder().join(format!("without-{utility}"));
@@ -106,30 +107,30 @@ pub fn solver_without(utility: &str) -> PathBuf {
     linked(&format!("solver-without-{utility}"), &[], plain_objects(), &[export])
 }
 
-/// An accepted time point, in model units: s, mm, mm/s, N with the sign of an SFORCE.
+/// Time point that the solver has accepted, in the units s, mm and N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accepted {
-    /// Time.
+    /// Time, s.
     pub t: f64,
-    /// Displacement, extension positive.
+    /// Displacement, mm, extension positive.
     pub x: f64,
-    /// Velocity.
+    /// Velocity, mm/s, extension positive.
     pub v: f64,
-    /// SFORCE, negative if the damper is in tension.
+    /// Value of the SFORCE, N, negative if the damper is in tension.
     pub sforce: f64,
 }
 
-/// Output of a run.
+/// Output of a run of the stand-in solver.
 #[derive(Debug, Clone)]
 pub struct Run {
-    /// Exit code: 0, or 3 if a routine stopped the run.
+    /// Exit code: 0, or 3 if a user subroutine of the library stopped the run.
     pub code: Option<i32>,
     /// All lines of the standard output, then those of the standard error.
     pub text: String,
 }
 
 impl Run {
-    /// Parses the numbers of all lines that begin with a word.
+    /// Parses the numbers in all lines of the output that begin with `word`.
     fn lines_of(&self, word: &str) -> Vec<Vec<f64>> {
         let lines = self.text.lines().filter_map(|l| l.strip_prefix(word)?.strip_prefix(' '));
         lines.map(|l| l.split(' ').map(|n| n.parse().expect("a number")).collect()).collect()
@@ -140,30 +141,34 @@ impl Run {
         self.lines_of("at").iter().map(|n| Accepted { t: n[0], x: n[1], v: n[2], sforce: n[3] }).collect()
     }
 
-    /// Returns the eight results of the request at the end.
+    /// Returns the eight results of the REQUEST at the last accepted time point.
     pub fn request(&self) -> Vec<f64> {
         self.lines_of("request")[0].clone()
     }
 
-    /// Returns displacement, mm, and SFORCE, N, of the static equilibrium.
+    /// Returns the displacement, mm, and the value of the SFORCE, N, in the static equilibrium.
     pub fn statics(&self) -> (f64, f64) {
         let n = &self.lines_of("static")[0];
         (n[0], n[1])
     }
 
-    /// Returns the largest difference between the supplied partial derivatives and finite differences, relative to the
-    /// largest derivative of a row.
+    /// Returns the largest difference between the partial derivatives that the library supplies and finite differences.
+    /// It is relative to the largest entry in the row of the Jacobian, and 0 without the argument `partials=2`.
     pub fn partials_off(&self) -> f64 {
         self.lines_of("partials_off")[0][0]
     }
 
-    /// Returns the last partial derivative of the force with respect to the variable of the setting.
+    /// Returns the last partial derivative of the force with respect to the VARIABLE that holds the damper's setting,
+    /// in units of the solver's model. Returns 0 without such a VARIABLE.
     pub fn by_variable(&self) -> f64 {
         self.lines_of("by_variable")[0][0]
     }
 
-    /// Returns the cases of a spatial GFORCE: ends, velocities, guide force, force on I, moment, error of the partial
-    /// derivatives.
+    /// Returns one row for each case of a GFORCE between two bodies in space.
+    ///
+    /// A row has the positions of both ends (6 numbers, mm), their velocities (6, mm/s) and the guide force (3, N).
+    /// Then it has the force on marker I (3, N), the sum of the moment's absolute components, and the relative error of
+    /// the partial derivatives.
     pub fn in_space(&self) -> Vec<Vec<f64>> {
         self.lines_of("space")
     }
@@ -178,12 +183,14 @@ impl Run {
         parts.map(one).collect()
     }
 
-    /// Returns two sums for each thread: computed alone, and computed in parallel.
+    /// Returns two sums of forces and state derivatives for each thread: computed alone, and computed in parallel with
+    /// the other threads.
     pub fn threads(&self) -> Vec<(f64, f64)> {
         self.lines_of("thread").iter().map(|n| (n[0], n[1])).collect()
     }
 
-    /// Returns a counter of the last line: calls, differencing, iterations, rejected, threadsafe.
+    /// Returns the counter `what` from the last line of the output: calls, differencing, iterations, rejected or
+    /// threadsafe.
     pub fn count(&self, what: &str) -> u64 {
         let line =
             self.text.lines().find(|l| l.starts_with("calls ")).unwrap_or_else(|| panic!("no counts in {self:?}"));
@@ -193,12 +200,13 @@ impl Run {
     }
 }
 
-/// Runs the library in a solver.
+/// Runs the library in a stand-in solver: `routine` is one of [`ROUTINES`], and `settings` are further arguments of the
+/// solver.
 pub fn run(solver: &Path, routine: &str, settings: &[String]) -> Run {
     run_library(solver, library(), routine, settings)
 }
 
-/// Runs a build of the library in a solver.
+/// Runs a given build of the library in a stand-in solver. Panics if the exit code is neither 0 nor 3.
 pub fn run_library(solver: &Path, library: &Path, routine: &str, settings: &[String]) -> Run {
     let mut command = Command::new(solver);
     command.arg(library).arg(routine).args(settings);
@@ -219,7 +227,7 @@ pub const PLAIN_STATES: u32 = 2;
 /// Number of states of [`FULL`].
 pub const FULL_STATES: u32 = 3;
 
-/// All routines that compute a force.
+/// Arguments of the stand-in solver for the user subroutines that compute a force: GSESUB, SFOSUB and GFOSUB.
 pub const ROUTINES: [&str; 3] = ["gse", "sfo", "gfo"];
 
 /// Builds the kernel's model from a model file.
@@ -236,14 +244,14 @@ pub fn written(folder: &Path, text: &str) -> PathBuf {
     path
 }
 
-/// Lists the settings of a run with a model file.
+/// Lists the arguments of the stand-in solver for a run with the model file at `path`, followed by `more`.
 pub fn with(path: &Path, more: &[&str]) -> Vec<String> {
     let mut settings = vec![format!("model={}", path.display())];
     settings.extend(more.iter().map(|s| s.to_string()));
     settings
 }
 
-/// Runs the library and asserts that no routine stops the run.
+/// Runs the library in a stand-in solver and asserts that no user subroutine stops the run.
 pub fn started(solver: &Path, routine: &str, settings: &[String]) -> Run {
     let run = run(solver, routine, settings);
     assert_eq!(run.code, Some(0), "{routine} {settings:?}: {}", run.text);
@@ -264,7 +272,10 @@ impl Surroundings {
     pub const NONE: Surroundings = Surroundings { side_force: 0.0, temperature: 20.0 };
 }
 
-/// Computes the kernel's converged SFORCE at the accepted time points of a rig run.
+/// Computes the SFORCE, N, with the kernel at the accepted time points of a rig run. The steps are so short that the
+/// force has converged.
+///
+/// The displacement is a sine with `amplitude` in mm and `frequency` in Hz, and begins at its minimum.
 pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f64, around: Surroundings) -> Vec<f64> {
     let w = TAU * frequency;
     let longest = (0.05 / frequency / 1000.0).min(2e-5).max(2e-5 / frequency.min(1.0) / 10.0);
@@ -292,7 +303,8 @@ pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f
     forces
 }
 
-/// Returns the largest deviation relative to the largest force.
+/// Returns the largest deviation of the solver's SFORCE from the forces `want`, relative to the largest of these
+/// forces.
 pub fn deviation(got: &[Accepted], want: &[f64]) -> f64 {
     let largest = want.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
     got.iter().zip(want).fold(0.0_f64, |m, (g, w)| m.max((g.sforce - w).abs())) / largest

@@ -4,7 +4,7 @@ use crate::library::Language::C;
 use crate::library::{Linkage, host, root};
 use std::path::{Path, PathBuf};
 
-/// Model with the elements of the bridge's tests.
+/// Model file of the bridge's tests.
 pub const MODEL: &str = r#"
 format = 1
 elements = ["fv_curve", "series_compliance", "parallel_spring", "stribeck_friction", "viscous_friction", "side_force_friction", "gas_preload"]
@@ -21,7 +21,8 @@ pub fn sources(folder: &str) -> Vec<String> {
     sources
 }
 
-/// Compiles `tests/hosts/<source>` with the bridge and further flags.
+/// Compiles `tests/hosts/<source>` with the sources of the bridge and further compiler `flags`, in the folder `to`.
+/// Returns the path of the program.
 pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
     let include = format!("-I{}", root().join("vi-crt-bridge/bridge").display());
     let sources = sources("bridge");
@@ -31,7 +32,8 @@ pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
     host(source, C, Linkage::Static, &all, to)
 }
 
-/// Writes the channel map of VI-CarRealTime with a name for the user-defined input channel.
+/// Writes the channel map of VI-CarRealTime into `folder` and returns its path. The copy names the user-defined force
+/// channel, which the shipped map leaves empty.
 pub fn map(folder: &Path) -> PathBuf {
     let path = root().join("vi-crt-bridge/maps/vi-carrealtime.toml");
     let text = std::fs::read_to_string(path).expect("the map");

@@ -18,8 +18,8 @@ pub fn program() -> &'static Path {
 
 /// Builds the command in the profile of the tests, so that most crates are not compiled again.
 ///
-/// This command therefore unwinds on a panic, whereas the shipped command aborts. The build names no package, so that
-/// the features are those of the whole workspace.
+/// A command in the release profile therefore unwinds on a panic, like the tests, whereas the shipped command aborts.
+/// The build names no package, so that the features are those of the whole workspace.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
     let profile = profile_folder().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -49,7 +49,7 @@ pub fn run(folder: &Path, args: &[&str]) -> Ran {
     run_with(folder, args, &[])
 }
 
-/// Runs the command with environment variables.
+/// Runs the command like [`run`], with additional environment variables.
 pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> Ran {
     let mut command = Command::new(program());
     command.args(args).current_dir(folder).envs(environment.iter().copied());
@@ -65,14 +65,15 @@ pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> R
     ran
 }
 
-/// Runs the command, which must succeed; returns its standard output.
+/// Runs the command in `folder`. The command must succeed. Returns its standard output.
 pub fn done(folder: &Path, args: &[&str]) -> String {
     let ran = run(folder, args);
     assert_eq!(ran.code, Some(0), "{args:?}: {}", ran.err);
     ran.out
 }
 
-/// Runs the command, which must reject its input with a message and write nothing. Returns the message.
+/// Runs the command in `folder`. The command must reject its input with a message on standard error and change no file.
+/// Returns the message.
 pub fn refused(folder: &Path, args: &[&str]) -> String {
     let before = contents(folder);
     let ran = run(folder, args);
@@ -105,12 +106,13 @@ pub fn json(path: &Path) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Returns a number from JSON.
+/// Returns the number under `key` of a JSON object.
 pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
 }
 
-/// Measures a small campaign (50, 15 and 1 mm, and slow tests) into the folder `records` below `folder`.
+/// Measures a small campaign on the virtual rig: amplitudes of 50, 15 and 1 mm, and slow tests. The records are in
+/// `records` below `folder`.
 pub fn small_campaign(folder: &Path) {
     done(folder, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
     done(folder, &["rig", "-o", "records", "--matrix", "small.csv", "--seed", "3"]);
@@ -145,8 +147,8 @@ pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (header, rows.collect())
 }
 
-/// Rewrites every record of a folder with a header line. `row` formats each row from time, displacement, velocity and
-/// force.
+/// Copies every record of folder `from` to folder `to`, with the header line `header`. `row` formats each row from
+/// time, displacement, velocity and force.
 pub fn rewrite(from: &Path, to: &Path, header: &str, row: impl Fn([f64; 4]) -> String) {
     std::fs::create_dir_all(to).expect("a folder");
     for entry in std::fs::read_dir(from).expect("a folder") {

@@ -4,7 +4,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// An argument: a word, `key = values`, or a function expression.
+/// Argument of a statement: a word alone, or a key with its value. A function expression is the value of the key
+/// `FUNCTION`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Argument {
     /// A word alone.
@@ -13,21 +14,21 @@ pub enum Argument {
     Value(String, String),
 }
 
-/// Statements by `NAME/id`, each with its arguments.
+/// Statements of a dataset with their arguments, by the name and the id of each statement (`MARKER/11`).
 pub type Dataset = BTreeMap<(String, u64), Vec<Argument>>;
 
 /// Type of an argument's value.
 #[derive(Clone, Copy)]
 enum Kind {
-    /// A word.
+    /// No value: the argument is a word alone.
     Word,
     /// A fixed count of numbers.
     Numbers(usize),
-    /// A list of numbers of any length.
+    /// A list of at least four numbers.
     List,
     /// The id of an element of this type.
     Id(&'static str),
-    /// Text.
+    /// Text of any form.
     Text,
     /// A function expression.
     Function,
@@ -35,7 +36,8 @@ enum Kind {
     Routine,
 }
 
-/// Returns the arguments of an allowed statement, and the number of leading arguments that are required.
+/// Returns the grammar of a statement: how many of its first arguments are required, and all arguments that are
+/// allowed.
 fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
     use Kind::{Function, Id, List, Numbers, Routine, Text, Word};
     match name {
@@ -80,8 +82,8 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(',').map(|n| n.trim().parse().unwrap_or_else(|_| panic!("\"{n}\" is no number"))).collect()
 }
 
-/// Joins each statement to one line with its name and id, and omits comments. A line feed replaces the comma before a
-/// continuation line.
+/// Joins each statement with its continuation lines, and omits comments. A line feed replaces the comma with which a
+/// continuation line begins.
 fn joined(text: &str) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('!')) {
@@ -94,7 +96,7 @@ fn joined(text: &str) -> Vec<String> {
     all
 }
 
-/// Splits the arguments of a statement at commas outside of functions.
+/// Splits the arguments of a statement at commas and line feeds outside of functions.
 fn arguments(text: &str) -> Vec<Argument> {
     let mut all: Vec<Argument> = Vec::new();
     let mut rest = text;
@@ -126,7 +128,7 @@ fn arguments(text: &str) -> Vec<Argument> {
     all
 }
 
-/// Returns the markers in a function expression.
+/// Returns the ids of the markers in the functions DM and VR of an expression.
 fn markers_of(function: &str) -> Vec<u64> {
     let mut all = Vec::new();
     for name in ["DM(", "VR("] {
@@ -227,32 +229,32 @@ fn check(all: &Dataset, label: &str, name: &str, given: &[Argument], others: &[u
     }
 }
 
-/// Returns the value of a key.
+/// Returns the value of the argument `key`.
 pub fn value<'a>(given: &'a [Argument], key: &str) -> &'a str {
     let found = given.iter().find(|a| matches!(a, Argument::Value(k, _) if k == key));
     let Some(Argument::Value(_, value)) = found else { panic!("no {key}") };
     value
 }
 
-/// Returns the numbers of a key.
+/// Returns the numbers in the value of the argument `key`.
 pub fn values(given: &[Argument], key: &str) -> Vec<f64> {
     numbers(value(given, key))
 }
 
-/// A command of a command file.
+/// Command of an Adams command file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     /// Sets the error tolerance of the integrator.
     Integrator(f64),
-    /// Replaces the function of a motion.
+    /// Replaces the function expression of the MOTION with this id.
     Motion(u64, String),
     /// Starts a static analysis.
     Statics,
-    /// Starts a dynamic analysis up to an end time, with a number of output steps.
+    /// Starts a dynamic analysis up to an end time, s, with a number of output steps.
     Dynamics(f64, usize),
 }
 
-/// Reads a command file: names of model and output, and the commands before STOP.
+/// Reads a command file. Returns the names of model and output, and the commands before STOP.
 pub fn commands(text: &str) -> (String, String, Vec<Command>) {
     let mut lines = text.lines();
     let [model, output] = [lines.next(), lines.next()].map(|l| l.expect("a name").to_string());

@@ -2,7 +2,7 @@
 
     python3 tests/draw_comments.py SEED
 
-Prints file, line and text. A line counts if it has at least five words and is neither code nor a link."""
+Prints file, line and text. A line counts if it has at least five words, and is neither in a code block nor a link definition."""
 
 import random
 import re

@@ -104,7 +104,8 @@ impl Reader<'_> {
 
     fn atom(&mut self) -> Term {
         if self.take('-') {
-            // A power binds more tightly than a sign. A product does, too, in Adams; here it does not, and the value is equal.
+            // A power has precedence over a sign: -2**2 is -4. In Adams, a product also has precedence over a sign. In
+            // this parser it has not, but the values are equal.
             return Term::Negative(Box::new(self.power()));
         }
         if self.take('(') {

@@ -31,9 +31,10 @@ pub fn runtimes() {
     });
 }
 
-/// Exports `damper.fmu` of a model for one corner or four, next to the model file.
+/// Writes the model file `text` into the folder `at` and exports it as `damper.fmu` next to it. The FMU has four
+/// corners if `four` is true, and otherwise one.
 pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
-    // An export from source needs the static library next to the command.
+    // If the command compiles the FMU from source, it needs the static library in its own folder.
     directory();
     runtimes();
     std::fs::write(at.join("model.toml"), text).expect("a model file");

@@ -2,7 +2,7 @@
 //!
 //! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual. Every file is a
 //! section, introduced by its module documentation. Parts that exist only in C (guards, initializers) come from
-//! `src/abi/header/`. The last section is the parameter table.
+//! `src/abi/header/`. The last section is the printed list of the parameters.
 
 use dashpot_core::parameter::{Element, Parameter, Params, Shape};
 use std::path::{Path, PathBuf};
@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 use cbindgen::{Builder, Config, DocumentationStyle, Language, Style};
 use dashpot_core::parameter::{GROUPS, names};
 
-/// The sections in order, by source file.
+/// Sections of the header in order, named by the source files in `src/abi/src`.
 const SECTIONS: [&str; 11] =
     ["lib", "version", "status", "params", "model", "input", "state", "step", "partials", "evaluate", "setting"];
-/// Section after the parameter table.
+/// Section of the functions that read the parameter table. The printed list of the parameters follows it.
 const TABLE: &str = "table";
 
 /// Returns the path of the header.
@@ -63,7 +63,7 @@ fn manual(section: &str) -> String {
     lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
 }
 
-/// Returns a part written in C, after an empty line; empty if the section has none.
+/// Returns the text of `src/abi/header/<name>.h` after an empty line, or an empty text if there is no such file.
 fn part(name: &str) -> String {
     let path = root().join(format!("src/abi/header/{name}.h"));
     if path.exists() { format!("\n{}", read(&path)) } else { String::new() }
@@ -77,7 +77,7 @@ fn comment(text: &str) -> String {
     text.lines().map(|line| format!("// {line}").trim_end().to_string() + "\n").collect()
 }
 
-/// Translates the items of one source file to C.
+/// Translates the public items of one source file to C declarations.
 fn translated(section: &str) -> String {
     // cbindgen omits structures that no function of the file uses, unless the configuration lists them.
     let text = read(&source(section));
@@ -107,7 +107,7 @@ fn translated(section: &str) -> String {
     lines.collect::<String>() + "\n"
 }
 
-/// Formats the parameter table as text.
+/// Formats the list of all parameters as text.
 fn parameters() -> String {
     let defaults = Params::new();
     let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");

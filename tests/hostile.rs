@@ -15,7 +15,7 @@ impl Random {
     }
 }
 
-/// Returns the number of damaged files of a test: `usual`, multiplied by the variable DASHPOT_HOSTILE in long runs.
+/// Returns the number of damaged files of a test: `usual`, multiplied by the environment variable DASHPOT_HOSTILE in long runs.
 ///
 /// # Panics
 /// If the variable is not a number.
@@ -23,10 +23,10 @@ pub fn rounds(usual: usize) -> usize {
     usual * std::env::var("DASHPOT_HOSTILE").map_or(1, |times| times.parse().expect("DASHPOT_HOSTILE is a number"))
 }
 
-/// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the variable DASHPOT_SEEDS names.
+/// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the environment variable DASHPOT_SEEDS names.
 ///
-/// One target of the fuzzer reads all small tables and selects the reader by the first byte, so this byte is added.
-/// Without the variable, nothing is stored.
+/// One target of the fuzzer reads all small tables and selects the reader by the first byte, so this byte is put before a table. `place`
+/// makes the file's name unique. Without the variable, nothing is stored.
 ///
 /// # Panics
 /// If the folder is not writable.
@@ -50,7 +50,8 @@ pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
     std::fs::write(folder.join(format!("{place}-{name}")), whole).unwrap();
 }
 
-/// Words that often break readers: limits of number types, distant cells, quotes, terminal escapes, other scripts.
+/// Words that often break readers: limits of number types, addresses of the last cell of a worksheet, quotes, terminal escapes, characters
+/// outside ASCII.
 const POISON: [&[u8]; 32] = [
     b"4294967295",
     b"18446744073709551615",
@@ -119,8 +120,8 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
 
 /// Damages words or lines of a text in one to three positions.
 ///
-/// Unexpected numbers replace others, words are exchanged, and lines are repeated, removed or exchanged. The result
-/// still resembles a valid file. The result still resembles a valid file, so it gets further through a parser than a file with damaged bytes.
+/// Unexpected numbers replace numbers, words replace other words, and lines are repeated, removed or exchanged. The result still resembles
+/// a valid file, so it gets further through a parser than a file with damaged bytes.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",

@@ -1,4 +1,5 @@
-//! Synthetic campaigns from the kernel, with steps shorter than the sample interval: the exact parameters are known.
+//! Synthetic campaigns whose exact parameters are known. The kernel simulates them with steps shorter than the sample
+//! interval.
 
 use dashpot_core::number;
 use dashpot_core::parameter::Element;
@@ -6,7 +7,7 @@ use dashpot_core::{Input, Model, Params, State, evaluate, step};
 use dashpot_records::{Noise, Record};
 use std::f64::consts::TAU;
 
-/// A self-contained random number generator (xorshift64*), so that the data do not change with a library.
+/// Random number generator xorshift64*, written here so that the data do not change with the version of a library.
 pub struct Random(u64);
 
 impl Random {
@@ -33,7 +34,8 @@ impl Random {
     }
 }
 
-/// Returns sine tests of 1 to 50 mm and 52 mm/s to 1.57 m/s (peak), up to the 25 Hz of a rig.
+/// Returns sine tests with amplitudes of 1 to 50 mm and peak velocities of 0.052 to 1.57 m/s. Tests above 25.1 Hz are
+/// omitted, because rigs reach about 25 Hz.
 pub fn strokes_and_speeds() -> Vec<Sine> {
     let mut tests = Vec::new();
     for amplitude in [0.05, 0.025, 0.01, 0.005, 0.002, 0.001] {
@@ -76,7 +78,7 @@ pub struct Sine {
 }
 
 impl Sine {
-    /// Makes a test about the middle position, without side force.
+    /// Makes a test about zero displacement, without side force. `amplitude` is in m, `frequency` in Hz.
     pub fn new(amplitude: f64, frequency: f64) -> Sine {
         Sine { amplitude, frequency, mean: 0.0, side_force: None }
     }
@@ -87,7 +89,8 @@ const CYCLES: usize = 3;
 /// Kernel steps per sample.
 const FINER: usize = 4;
 
-/// Simulates three cycles of every test, with white noise of `noise` times the test's root mean square force.
+/// Simulates three cycles of every test. White noise with a standard deviation of `noise` times the test's root mean
+/// square force is added to the force.
 pub fn campaign(params: &Params, tests: &[Sine], seed: u64, noise: f64) -> Vec<Record> {
     let model = Model::new(params).unwrap();
     let mut random = Random::new(seed);

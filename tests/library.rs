@@ -1,4 +1,4 @@
-//! The shipped library, built as for shipping, and host programs that link it.
+//! Builds the C library as it ships, and host programs that link it.
 
 use dashpot_test_support::{profile_folder, target_folder};
 use std::path::{Path, PathBuf};
@@ -40,8 +40,8 @@ pub fn directory() -> &'static Path {
         std::fs::create_dir_all(&packed).expect("a folder of the target");
         pack(&release.join("libdashpot.a"), &packed.join("libdashpot.a"), "");
         if release != profile_folder() {
-            // The command uses the library next to it. Copy the file, because cargo's file is a hard link to another of
-            // its files.
+            // The command uses the library in its own folder. Cargo's file there is a hard link, so overwriting it
+            // would change another file of cargo. Replace cargo's file by a copy instead.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
             let mut library = std::fs::File::open(static_library_in(&packed)).expect("the library");
             std::io::copy(&mut library, &mut copy).expect("room beside the command");
@@ -55,7 +55,7 @@ fn static_library_in(folder: &Path) -> PathBuf {
     folder.join("libdashpot.a")
 }
 
-/// Packs cargo's static library as for shipping, with binutils of a given name prefix.
+/// Packs cargo's static library as for shipping, with the binutils whose names begin with `prefix`.
 pub fn pack(from: &Path, to: &Path, prefix: &str) {
     succeed(Command::new("sh").arg(root().join("src/dll/static.sh")).args([from, to]).arg(prefix));
 }
@@ -71,7 +71,7 @@ pub fn shared() -> PathBuf {
     directory().join("libdashpot.so")
 }
 
-/// Runs a command that must succeed. Returns its output.
+/// Runs a command that must succeed. Returns its standard output.
 pub fn succeed(command: &mut Command) -> String {
     let Output { status, stdout, stderr } = command.output().unwrap_or_else(|error| {
         panic!(
@@ -84,7 +84,7 @@ pub fn succeed(command: &mut Command) -> String {
     text(&stdout)
 }
 
-/// Returns the compiler with the warning flags that the header must pass.
+/// Returns a command that runs the compiler with the flags under which the header must compile without a warning.
 pub fn compiler(language: Language) -> Command {
     let (variable, default, standard) = match language {
         Language::C => ("CC", "gcc", "-std=c99"),
@@ -96,8 +96,8 @@ pub fn compiler(language: Language) -> Command {
     compiler
 }
 
-/// Compiles `tests/hosts/<source>` (or an absolute path) with further `flags` to a program in directory `to`, linked
-/// with the library.
+/// Compiles `tests/hosts/<source>` (or an absolute path) with further `flags` to a program in the folder `to`, linked
+/// with the library. Returns the path of the program.
 pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], to: &Path) -> PathBuf {
     let name = Path::new(source).file_stem().expect("a source file").to_string_lossy();
     let program = to.join(format!("{name}-{language:?}-{linkage:?}-{}", flags.len()));

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Packages of the hosts.
+/// Python packages of the hosts that the tests run: FMPy, which runs FMUs, and MuJoCo.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
 /// Returns whether the interpreter exists or can be installed. If not, counts the calling test as skipped, with the
@@ -20,7 +20,7 @@ pub fn has_python() -> bool {
     }
 }
 
-/// Returns the interpreter, in an environment that is created on first use and stays for later runs.
+/// Returns the path of the interpreter in an environment that is created on first use and stays for later runs.
 ///
 /// # Panics
 /// If the environment cannot be created, with the reason. A test that calls [`has_python`] first is skipped instead.
@@ -58,7 +58,8 @@ fn made() -> &'static Result<PathBuf, String> {
     })
 }
 
-/// Returns an interpreter with packages, separated by blanks, in an environment named after the first package.
+/// Returns the path of an interpreter with `packages` (separated by blanks), in an environment named after the first
+/// package.
 ///
 /// Returns `None` and reports the test as skipped if the packages cannot be installed.
 pub fn python_with(packages: &str) -> Option<PathBuf> {

@@ -1,19 +1,22 @@
 #!/bin/sh
-# Compiles what `dashpot export fmu` and `dashpot export adams` write for those who have no compiler: the FMU runtime, the kernel as
-# one object, and the Adams library. They go to target/runtimes (CARGO_TARGET_DIR or DASHPOT_RUNTIMES elsewhere); the next build of the command takes them in:
+# Compiles what `dashpot export fmu` and `dashpot export adams` write without a compiler: the FMU runtime, the kernel as one object, and
+# the Adams library. They are written to target/runtimes, unless CARGO_TARGET_DIR or DASHPOT_RUNTIMES names another folder. The next build
+# of the command includes them:
 #
 #   sh vi-crt-bridge/runtimes.sh                  for this platform; for 64-bit Windows too where mingw-w64 is installed
 #   cargo build --release -p dashpot-cli
 #
-# A runtime built of other sources than the command is not taken in: build.rs compares target/runtimes/sources.txt with them.
+# The command does not include runtimes that were built from other sources than its own: build.rs compares target/runtimes/sources.txt with
+# them.
 #
-# For Windows the kernel is built by RUSTC_WINDOWS / CARGO_WINDOWS (Debian: rustc-web, cargo-web and rust-web-src as /usr/bin/rustc and
-# /usr/bin/cargo), or by rustup with `rustup target add x86_64-pc-windows-gnu`. CC names the compiler for this platform.
+# For Windows, rustup builds the kernel if `rustup target add x86_64-pc-windows-gnu` was run. Otherwise RUSTC_WINDOWS and CARGO_WINDOWS
+# build it (by default /usr/bin/rustc and /usr/bin/cargo, which are Debian's rustc-web, cargo-web and rust-web-src). CC names the C compiler
+# for this platform.
 set -eu
 cd "$(dirname "$0")/.."
 build=${CARGO_TARGET_DIR:-target}
 final=${DASHPOT_RUNTIMES:-$build/runtimes}
-# Whole or not at all: the command's build may look while this runs.
+# Build in a temporary folder and rename it at the end, because the command's build may read the runtimes while this script runs.
 to=$final.$$
 trap 'rm -rf "$to"' EXIT
 mkdir -p "$to"
@@ -42,7 +45,7 @@ windows() {
     if rustup target list --installed 2>/dev/null | grep -q $target; then
         cargo build --quiet --release -p dashpot-dll --target $target
     elif [ -x "${RUSTC_WINDOWS:-/usr/bin/rustc}" ] && [ -x "${CARGO_WINDOWS:-/usr/bin/cargo}" ]; then
-        # A compiler that has the sources of core and none of it compiled for Windows.
+        # This compiler has the sources of crate core, but not core compiled for Windows, so core is built, too.
         env -u RUSTUP_TOOLCHAIN -u CARGO RUSTC="${RUSTC_WINDOWS:-/usr/bin/rustc}" RUSTC_BOOTSTRAP=1 \
             CARGO_TARGET_X86_64_PC_WINDOWS_GNU_LINKER=$gcc "${CARGO_WINDOWS:-/usr/bin/cargo}" build --quiet --release -p dashpot-dll \
             -Zbuild-std=core --target $target
@@ -51,11 +54,11 @@ windows() {
         return
     fi
     mkdir -p "$here"
-    # The same sources give the same file: without the time, and without a base address that the linker draws from the path of the file. Windows
-    # moves libraries when it loads them.
+    # The same sources give the same bytes: the linker writes no build time, and does not derive the base address from the path of the file.
+    # Windows relocates libraries when it loads them.
     same_bytes=-Wl,--no-insert-timestamp,--disable-auto-image-base
-    # The kernel's panic handler calls a function that exists nowhere, so that a link fails where it could be reached. Here it
-    # cannot, but unlike elsewhere the linker keeps it.
+    # The kernel's panic handler calls a function that does not exist, so that linking fails if a panic can be reached. It cannot, but this
+    # linker keeps the handler, so abort() replaces the function.
     # shellcheck disable=SC2086
     $gcc $flags -shared -static-libgcc $face "$build/$target/release/libdashpot.a" -Wl,--defsym=dashpot_panic_path_exists=abort -s \
         $same_bytes \
@@ -67,7 +70,7 @@ windows() {
 
 linux
 windows
-# What they were built of, as build.rs lists it: every file of the kernel and of the faces.
+# The sources of the runtimes, in the form that build.rs compares: every file of the kernel, the FMU runtime and the Adams library.
 find src/core/src src/abi/src src/dll/src src/core/Cargo.toml src/abi/Cargo.toml src/dll/Cargo.toml include/dashpot.h \
     vi-crt-bridge/bridge/corner.c vi-crt-bridge/bridge/corner.h vi-crt-bridge/fmu adams-usersub/src \
     \( -name '*.rs' -o -name '*.c' -o -name '*.h' -o -name '*.toml' \) -type f | LC_ALL=C sort | while read -r file; do

@@ -1,4 +1,5 @@
-# The package for 64-bit Arm, run by an emulator: it must say the same digits as that for x86-64. Runs in $here.
+# The package for 64-bit Arm, run by an emulator. Its results must have the same digits as those of the package for
+# x86-64. Runs in $here.
 . "$here/checks/results.sh"
 [ -e "$here/packages/$arm_name.tar.gz" ] || { skip "aarch64" "not built"; exit 0; }
 [ -e "$here/packages/$linux_name.tar.gz" ] || { skip "aarch64" "the package for x86-64, to compare with, is not built"; exit 0; }
@@ -8,7 +9,7 @@ done
 mkdir -p "$here/aarch64" && cd "$here/aarch64"
 tar -xzf "$here/packages/$arm_name.tar.gz" && tar -xzf "$here/packages/$linux_name.tar.gz"
 export QEMU_LD_PREFIX=/usr/aarch64-linux-gnu
-# dashpot FOLDER of arm or x86-64
+# The command of the package for Arm, and that of the package for x86-64.
 on_arm() { qemu-aarch64 "$here/aarch64/$arm_name/bin/dashpot" "$@"; }
 on_intel() { "$here/aarch64/$linux_name/bin/dashpot" "$@"; }
 
@@ -28,7 +29,7 @@ for k in range(5001): print(f'{k / 500!r},{0.02 * math.sin(9 * k / 500) + 0.004 
 }
 check "aarch64: the forces of a motion are those of x86-64, to the last digit" forces
 
-# The library, one model for every element that there is, 20 000 steps each of a motion that strays as a wheel does.
+# The library, with one model for every element and 20,000 steps each of a random motion like that of a wheel.
 programs() {
     aarch64-linux-gnu-gcc -O2 -I "$arm_name/include" "$arm_name/share/dashpot/examples/damper.c" "$arm_name/lib/libdashpot.a" -o arm.static &&
         aarch64-linux-gnu-gcc -O2 -I "$arm_name/include" "$arm_name/share/dashpot/examples/damper.c" -L "$arm_name/lib" -ldashpot -o arm.shared &&
@@ -43,7 +44,7 @@ draw, v = random.Random(5), 0.0
 for k in range(20000):
     v = 0.98 * v + 0.05 * draw.gauss(0, 1)
     print(repr(v))" >velocities
-    # The headings of the page of all parameters are the elements' names.
+    # The headings of the page of parameters are the names of the elements.
     for element in $(sed -n 's/^## `\([a-z_]*\)`.*/\1/p' "$linux_name/share/doc/dashpot/docs/parameters.md"); do
         case $element in fv_curve | series_compliance | integration) continue ;; esac
         printf 'format = 1\nelements = ["fv_curve", "series_compliance", "%s"]\n' "$element" >one.toml

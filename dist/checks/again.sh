@@ -1,8 +1,8 @@
-# The step of the archives a second time, from what was staged: every archive has the same bytes. What this does not show is that the compilers
-# give the same bytes a second time: that is `dist/check reproduce`.
+# Packs the staged files again: every archive must have the same bytes. It does not check that the compilers give the same bytes again,
+# which `dist/check reproduce` does.
 again() {
     cp -r "$packages" "$here/first" || return 1
-    # Other times and another order on the disk must not show.
+    # Other file times and another order on the disk must have no effect.
     for tree in "$staged"/*; do cp -r "$tree" "$tree.again" && rm -rf "$tree" && mv "$tree.again" "$tree"; done
     dist/build pack || return 1
     cmp "$here/first/SHA256SUMS" "$packages/SHA256SUMS" && cat "$packages/SHA256SUMS"

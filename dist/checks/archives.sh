@@ -1,4 +1,4 @@
-# What the archives are, before anything is run.
+# Checks the contents of the archives, before anything runs.
 names() { # archive
     case $1 in
         *.tar.gz) tar -tzf "$1" ;;
@@ -6,7 +6,7 @@ names() { # archive
         *.deb) dpkg-deb -c "$1" | awk '{print $6}' ;;
     esac
 }
-# No archive tells where it was built.
+# No archive contains a path of the machine that built it.
 no_paths() { # archive
     local folder
     folder=$(mktemp -d "$here/paths.XXXXXX")
@@ -15,7 +15,7 @@ no_paths() { # archive
         *.zip | *.whl) unzip -q "$1" -d "$folder" ;;
         *.deb) dpkg-deb -x "$1" "$folder" ;;
     esac
-    # A path of this machine would differ on another and give other bytes.
+    # Such a path would differ on another machine and give other bytes.
     ! grep -rlF -e "$root" -e "$cargo_home" "$folder"
 }
 complete() { # archive, names
@@ -28,7 +28,7 @@ check "checksums" bash -c "cd '$packages' && sha256sum --check --strict SHA256SU
 linux_files=(bin/dashpot$ lib/libdashpot.so$ lib/libdashpot.a$ lib/pkgconfig/dashpot.pc$ lib/cmake/dashpot/dashpotConfig.cmake$ include/dashpot.h$
     lib/dashpot/dashpot_adams.so$ lib/dashpot/dashpot_damper.so$ share/man/man1/dashpot-fit.1$ share/bash-completion/completions/dashpot$
     share/doc/dashpot/THIRD-PARTY.txt$ share/doc/dashpot/dashpot.cdx.json$ share/doc/dashpot/LICENSE-MIT$ share/dashpot/examples/damper.c$)
-# The same without what is for hosts on x86-64.
+# The files of the Linux package without the libraries for hosts, which are x86-64 programs.
 arm_files=()
 for name in "${linux_files[@]}"; do [[ $name == lib/dashpot/dashpot_* ]] || arm_files+=("$name"); done
 windows_files=(/dashpot.exe$ sdk/bin/dashpot.dll$ sdk/lib/dashpot.lib$ sdk/lib/libdashpot.dll.a$ sdk/include/dashpot.h$ adams/dashpot_adams.dll$

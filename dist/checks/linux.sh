@@ -1,8 +1,8 @@
-# The Linux packages, used by somebody without sources. Runs in $here.
+# The Linux packages, used without the sources. Runs in $here.
 . "$here/checks/results.sh"
 cd "$here"
 [ -e "packages/$linux_name.tar.gz" ] || { skip "linux" "not built"; exit 0; }
-# Folders as users have them.
+# A folder name with blanks and umlauts, as users have.
 place="$here/Prüfstand Dämpfer 2"
 mkdir -p "$place"
 tar -xzf "packages/$linux_name.tar.gz" -C "$place"
@@ -62,7 +62,7 @@ C
     cmake -S project -B project/build -DCMAKE_PREFIX_PATH="$prefix" && cmake --build project/build && runs project/build/damper && runs project/build/damper_static &&
         cmp project/build/damper.forces shared.forces && cmp project/build/damper_static.forces shared.forces &&
         objdump -p project/build/damper | grep -q 'NEEDED *libdashpot.so$' || return 1
-    # A program for another line of versions is refused.
+    # CMake must reject a program for an incompatible version.
     sed -i "s/dashpot $version/dashpot 99.1/" project/CMakeLists.txt
     ! cmake -S project -B project/other -DCMAKE_PREFIX_PATH="$prefix"
 }
@@ -96,7 +96,7 @@ check "run folder for Adams holds the library of the package" adams
 debian() {
     local at=$here/debian
     mkdir -p "$at/var/lib/dpkg/updates" "$at/var/lib/dpkg/info" && : >"$at/var/lib/dpkg/status"
-    # Into an empty system: its libc is not there, the one outside is used.
+    # Install into an empty system without libc. The programs use the libc outside.
     dpkg --root="$at" --force-depends --install "$here/packages/dashpot_${version}_amd64.deb" || return 1
     diff -r "$prefix" "$at/usr" && "$at/usr/bin/dashpot" --version &&
         dpkg --root="$at" --remove dashpot && [ ! -e "$at/usr/bin/dashpot" ]

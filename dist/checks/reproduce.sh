@@ -1,5 +1,5 @@
-# What the packages hold a second time, from a clone in another folder with compilers' results of its own: first the libraries that go into every one
-# of them, which takes minutes, then the packages that are there, which takes as long as dist/build took for them.
+# Builds the packages again, from a clone in another folder with its own compiler output. The libraries that are part of every package come
+# first, which takes minutes. Then come the packages that exist, which takes as long as dist/build took for them.
 git clone --quiet . "$here/clone"
 runtimes() {
     (

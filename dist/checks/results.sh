@@ -1,4 +1,4 @@
-# One line for each check. A check is a command whose output is shown only where it fails.
+# Prints one line for each check. A check is a command whose output is shown only if it fails.
 result() {
     echo "$1"
     echo "$1" >>"$here/results"
@@ -16,8 +16,9 @@ check() { # name, command...
 skip() { result "skipped $1: $2"; }
 has() { command -v "$1" >/dev/null; }
 
-# Two model files agree: numbers within a share of themselves, words wholly. Tables below hold intervals and fingerprints of the records' files.
-same_model() { # file, file, share
+# Checks that two model files agree: numbers within a relative tolerance, other values exactly. Tables are ignored, because they contain
+# intervals and fingerprints of the records' files.
+same_model() { # file, file, relative tolerance
     python3 - "$@" <<'P'
 import sys, tomllib
 def damper(path):

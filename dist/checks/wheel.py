@@ -1,6 +1,6 @@
-"""Does with the installed Python package what the command did, and compares: every digit, every byte of a file.
+"""Repeats with the installed Python package what the command did, and compares every digit and every byte of the files.
 
-wheel.py FOLDER     holds records/ and what the command made of them: damper.toml, fit.json, errors.json, motion.csv, force.csv, damper.fmu
+wheel.py FOLDER     contains records/ and the files of the command: damper.toml, fit.json, errors.json, motion.csv, force.csv, damper.fmu
 """
 
 import json
@@ -15,7 +15,7 @@ import dashpot
 folder = Path(sys.argv[1])
 assert Path(dashpot.__file__).parents[1].name == "site-packages", dashpot.__file__
 
-# What the wheel says of itself.
+# The metadata of the wheel.
 told = distribution("dashpot")
 assert told.version == dashpot.__version__, (told.version, dashpot.__version__)
 for name in told.metadata.get_all("License-File"):

@@ -1,11 +1,11 @@
-# The wheels, installed by somebody without sources into empty environments. Runs in $here.
+# The wheels, installed without the sources into empty environments. Runs in $here.
 . "$here/checks/results.sh"
 mkdir -p "$here/Räder 4"
 cd "$here/Räder 4"
 numpy=1.26.4
 python=$(python3 -c 'import sys; print(f"{sys.version_info[0]}.{sys.version_info[1]}")')
 
-# What the command makes of a small campaign; the package must say the same.
+# Runs the command on a small campaign. The Python package must give the same results.
 task() { # folder, command...
     local folder=$1
     shift
@@ -22,7 +22,7 @@ for k in range(501): print(f'{k / 500!r},{0.02 * math.sin(9 * k / 500)!r}')" >mo
 auditors() {
     [ -x tools/bin/auditwheel ] || { python3 -m venv tools && tools/bin/pip install --quiet auditwheel==6.8.2 abi3audit==0.0.26; }
 }
-# A name of Python's that is not in its stable interface would fail under another version than the one that is here.
+# Uses of Python's interface outside of its stable part would fail under another version of Python than the one here.
 stable() { auditors && tools/bin/abi3audit --strict --verbose --assume-minimum-abi3 3.10 "$here/packages/$1"; }
 
 if [ ! -e "$here/packages/$linux_wheel" ]; then
@@ -34,7 +34,7 @@ else
         local newest
         auditors && tools/bin/auditwheel show "$here/packages/$linux_wheel" >shown || return 1
         cat shown
-        # The sentence is broken into lines by its length.
+        # auditwheel breaks the sentence into lines, so join them.
         newest=$(tr '\n' ' ' <shown | sed -n 's/.*consistent with the following platform tag: *"manylinux_\(2_[0-9]*\)_x86_64".*/\1/p' | tr _ .)
         [ -n "$newest" ] && [ "$(printf '%s\n' "$newest" "$glibc" | sort -V | tail -1)" = "$glibc" ]
     }
@@ -77,8 +77,9 @@ imports() {
 }
 check "wheel for Windows needs python3.dll and what every Windows has" imports
 
-# Python for Windows as python.org compiled it: Panda3D's wheel brings its library and its modules in C, for programs made with it. What it does not bring: the
-# program, which is one call; the library of the stable interface, which hands every name on; and the modules in Python, which are Debian's of the same version.
+# Python for Windows, as python.org compiles it. Panda3D's wheel contains its library and its modules in C. Three parts are missing in it
+# and added here: the program, which is one call; the library of the stable interface, which forwards every name; and the modules in Python,
+# taken from Debian's Python of the same version.
 windows_python() {
     local library=python${python/./} names
     mkdir -p windows-python panda/wheel && python3 -m venv panda/venv &&
@@ -99,7 +100,7 @@ windows_python() {
     start_wine windows-python
     wine_python -c 'import numpy; print(numpy.__version__)' | tr -d '\r' | grep -x "$numpy"
 }
-# Under Wine Python starts with pipes alone, not with files in their place.
+# Under Wine, Python starts only if its input and output are pipes, not files.
 wine_python() {
     echo | wine windows-python/python.exe "$@" 2>&1 | cat
     [ "${PIPESTATUS[1]}" = 0 ]

@@ -1,4 +1,4 @@
-# The window on a screen that nobody sees: does it show records and model.
+# Opens the window on a virtual screen and checks that it shows records and model.
 shows_window() { # the command that opens it, with the records of the demonstration
     local screen shown=no colours=0 server opened
     Xvfb -displayfd 3 -screen 0 1440x900x24 3>screen >/dev/null 2>&1 &
@@ -7,8 +7,8 @@ shows_window() { # the command that opens it, with the records of the demonstrat
     screen=:$(cat screen)
     DISPLAY=$screen "$@" >window.said 2>&1 &
     opened=$!
-    # Plots have many colours, for the edges of lines and letters are smoothed: an empty screen has one, the window without records had 273, with those
-    # of the demonstration 12546.
+    # Plots have many colors, because the edges of lines and letters are smoothed. An empty screen has one color. The window had 273 colors
+    # without records, and 12,546 with those of the demonstration.
     for _ in $(seq 90); do
         sleep 1
         colours=$(import -display "$screen" -window root png:- 2>/dev/null | convert png:- -format %k info: 2>/dev/null)

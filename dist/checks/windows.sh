@@ -1,4 +1,4 @@
-# The Windows package under Wine, used by somebody without sources. Runs in $here.
+# The Windows package under Wine, used without the sources. Runs in $here.
 . "$here/checks/results.sh"
 cd "$here"
 [ -e "packages/$windows_name.zip" ] || { skip "windows" "not built"; exit 0; }
@@ -19,7 +19,7 @@ say_version() { dashpot --version | tr -d '\r' | grep -Eq "^dashpot $version \(i
 check "Windows: version" say_version
 read_me() { [ "$(grep -c $'\r$' README.txt)" = "$(grep -c '' README.txt)" ] && [ "$(grep -c $'\r$' 'Try-dashpot.cmd')" -gt 5 ]; }
 check "Windows: texts have the line ends of Windows" read_me
-# `start` has no browser to open; the demonstration itself must have worked.
+# `start` finds no browser here, so its exit code is ignored. The files of the demonstration must exist.
 try_it() { wine cmd /c "Try-dashpot.cmd"; grep -q '<svg' demo/report.html && [ -s demo/damper.toml ]; }
 check "Windows: double-click on 'Try-dashpot.cmd'" try_it
 drag() {
@@ -57,7 +57,7 @@ program() { # import library
 check "Windows: C program with mingw's import library" program sdk/lib/libdashpot.dll.a
 microsoft() {
     program sdk/lib/dashpot.lib && cmp dashpot.lib.forces libdashpot.dll.a.forces &&
-        # The short form, which link.exe writes itself: each member is one import, of machine 0x8664.
+        # The import library has the short form that link.exe writes: each member is one import, of machine 0x8664.
         x86_64-w64-mingw32-objdump -a sdk/lib/dashpot.lib | grep -q dashpot.dll
 }
 check "Windows: C program with Microsoft's import library, linked by mingw" microsoft
@@ -79,8 +79,8 @@ if [ -e "$here/packages/$linux_name.tar.gz" ]; then
 fi
 adams() { dashpot export adams demo/damper.toml -o adamsrun --length 412.5 && cmp adamsrun/dashpot_adams.dll adams/dashpot_adams.dll; }
 check "Windows: run folder for Adams holds the library of the package" adams
-# Wine 8 has no compiler for the shaders of Direct3D 12, so that here the window falls back to OpenGL. Wine's desktop began without a screen: it is
-# ended, so that another begins on the one that the window gets.
+# Wine 8 has no compiler for the shaders of Direct3D 12, so the window uses OpenGL here. Wine's desktop started without a screen. It is
+# ended, so that a new one starts on the screen of the window.
 . "$here/checks/window.sh"
 wineserver -k
 check_window "Windows: the window shows the demonstration's records" wine dashpot-window.exe demo/records demo/damper.toml

@@ -1,7 +1,7 @@
-# Windows programs under Wine: a new Wine of their own, and what Wine 8 lacks.
+# Runs Windows programs under Wine, in a new Wine prefix, and adds a library that Wine 8 lacks.
 export WINEPREFIX=$here/wine WINEDEBUG=-all
 start_wine() { # folder of the program
-    # The library of Windows from which Rust's hash tables take their seed. For the check only; it is in no package.
+    # The Windows library from which Rust's hash tables get their seed. It is for this check only and in no package.
     cat >"$here/primitives.c" <<'C'
 __declspec(dllexport) int ProcessPrng(unsigned char *bytes, unsigned long long count)
 {

@@ -1,4 +1,4 @@
-# find_package(dashpot) gives dashpot::dashpot, the shared library, and dashpot::static.
+# find_package(dashpot) defines dashpot::dashpot, the shared library, and on systems other than Windows dashpot::static.
 get_filename_component(_dashpot "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
 if(NOT TARGET dashpot::dashpot)
@@ -11,7 +11,7 @@ if(NOT TARGET dashpot::dashpot)
             set_target_properties(dashpot::dashpot PROPERTIES IMPORTED_IMPLIB "${_dashpot}/lib/libdashpot.dll.a")
         endif()
     else()
-        # Without a SONAME a library is linked by its path, which would then stand in every program; this makes it -ldashpot.
+        # A library without a SONAME is linked by its path, which every program would then contain. This property links it as -ldashpot.
         set_target_properties(dashpot::dashpot PROPERTIES
             IMPORTED_LOCATION "${_dashpot}/lib/libdashpot.so"
             IMPORTED_NO_SONAME TRUE)

@@ -1,4 +1,4 @@
-# Before 1.0 another second number may bring another interface (VERSIONING.md).
+# Before 1.0, versions that differ in the second number may have incompatible interfaces (VERSIONING.md).
 set(PACKAGE_VERSION "@VERSION@")
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" _dashpot_line "@VERSION@")
 if(PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION)

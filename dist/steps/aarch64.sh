@@ -1,4 +1,5 @@
-# The Linux package for 64-bit Arm: what is there for x86-64, without the window and without the libraries for Adams and FMI hosts, which are x86-64 programs.
+# The Linux package for 64-bit Arm: the contents of that for x86-64, without the window and without the libraries for Adams and FMI hosts,
+# which are x86-64 programs.
 say "command and library for Linux on aarch64"
 PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli -p dashpot-dll --target "$arm_target.$glibc" "${profile[@]}"
 

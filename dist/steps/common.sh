@@ -1,11 +1,11 @@
-# What all steps share: folders, names, and the flags that make the same sources give the same bytes.
+# Folders, names and flags of all steps. With these flags the same sources give the same bytes.
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -1)
 root=$PWD
 work=$root/target/dist
 staged=$work/staged
 packages=$work/packages
 cargo_home=${CARGO_HOME:-$HOME/.cargo}
-# The newest glibc whose symbols a program may ask for: RHEL 8, which Adams and VI-CarRealTime support.
+# The newest glibc whose symbols a program may need: that of RHEL 8, which Adams and VI-CarRealTime support.
 glibc=2.28
 linux_target=x86_64-unknown-linux-gnu
 arm_target=aarch64-unknown-linux-gnu
@@ -17,14 +17,14 @@ windows_name=dashpot-$version-windows-x86_64
 linux_wheel=dashpot-$version-cp310-abi3-manylinux_${glibc/./_}_x86_64.whl
 windows_wheel=dashpot-$version-cp310-abi3-win_amd64.whl
 
-# The time of the commit stands for the time of building in every archive.
+# Every archive has the time of the commit instead of the build time.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH CARGO_TARGET_DIR=$work/cargo LC_ALL=C TZ=UTC
-# Where runtimes.sh writes and the build of the command looks, whatever the caller's own is.
+# The folder that runtimes.sh writes and the build of the command reads, whatever the caller has set.
 export DASHPOT_RUNTIMES=$CARGO_TARGET_DIR/runtimes
-# Panic messages hold the paths of sources: without the folders of this machine.
+# Panic messages contain the paths of sources; remove the folders of this machine from these paths.
 maps="--remap-path-prefix=$root=/dashpot --remap-path-prefix=$cargo_home=/cargo"
-# Only a release build without its names: they would be a third of the file.
+# A release build without symbol names, which would be a third of the file.
 profile=(--config profile.release.strip=true)
 fail() {
     echo "$1" >&2
@@ -33,7 +33,7 @@ fail() {
 say() { echo "dist: $1"; }
 case $root in *[[:space:]]*) fail "dist/build: cargo's flags cannot name a folder with spaces; clone into another one than $root" ;; esac
 
-# What a Linux program asks of the system it starts on: refused here rather than there.
+# Fails if a Linux program needs a newer glibc or other libraries than every supported system has.
 asks_for_no_more() { # folder, file, the system's loader
     local newest needed library
     newest=$(objdump -T "$1/$2" | sed -n 's/.*GLIBC_\([0-9.]*\).*/\1/p' | sort -Vu | tail -1)

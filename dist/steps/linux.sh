@@ -1,4 +1,4 @@
-# The Linux package as a tree below a prefix: what /usr or an unpacked folder holds.
+# The Linux package as a tree below a prefix, which is /usr or the unpacked folder.
 say "command for Linux with glibc $glibc"
 PATH=$work/venv/bin:$PATH RUSTFLAGS="$maps" cargo zigbuild --quiet --release -p dashpot-cli -p dashpot-gui --target "$linux_target.$glibc" "${profile[@]}"
 

@@ -1,4 +1,4 @@
-# Archives of what was staged: sorted, with one owner and one time, so that the same tree gives the same bytes.
+# Packs the staged trees into archives: sorted, with one owner and one time, so that the same tree gives the same bytes.
 say "packing"
 rm -rf "$packages"
 mkdir -p "$packages"

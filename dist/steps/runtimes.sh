@@ -1,4 +1,4 @@
-# What `dashpot export` writes for those without a compiler, and the libraries; the command takes them in as it is built.
+# Builds the libraries that `dashpot export` writes without a compiler. The build of the command includes them.
 say "kernel, FMU runtime and Adams library"
 RUSTFLAGS="$maps" sh vi-crt-bridge/runtimes.sh
 for file in linux64/dashpot_damper.so linux64/dashpot_adams.so win64/dashpot_damper.dll win64/dashpot_adams.dll; do

@@ -1,5 +1,5 @@
-# The Windows package as a folder, built on Linux by Debian's second compiler, which brings the sources of its library: rustup's brings
-# only those compiled for this system. Its version moves with Debian and is never pinned.
+# The Windows package as a folder, built on Linux by Debian's second Rust compiler. This compiler has the sources of its standard library,
+# whereas rustup's has only the library compiled for this system. Its version changes with Debian and is not pinned.
 say "command and library for Windows"
 sources=$(realpath "$(/usr/bin/rustc --print sysroot)/lib/rustlib/src/rust")
 for_windows() {
@@ -9,14 +9,15 @@ for_windows() {
         RUSTFLAGS="$maps --remap-path-prefix=$sources=/rust -Clink-arg=-Wl,--no-insert-timestamp" \
         /usr/bin/cargo build --quiet --release --target $windows_target "${profile[@]}" "$@"
 }
-# The library has no std: with that of the command's build it would bring a second panic handler. It is the quicker one of the two.
+# The library does not use std. Built with the command's std, it would have a second panic handler, so it is built alone, and first because
+# that is faster.
 for_windows -p dashpot-dll -Zbuild-std=core
 for_windows -p dashpot-cli -p dashpot-gui -Zbuild-std=std,panic_abort
 
 tree=$staged/windows
 rm -rf "$tree"
 put() { install -D -m "$1" "$2" "$tree/$3"; }
-# Editors on Windows want their line ends.
+# Editors on Windows expect Windows line ends.
 text() {
     mkdir -p "$tree/$(dirname "$2")"
     sed 's/\r$//; s/$/\r/' "$1" >"$tree/$2"
@@ -25,7 +26,7 @@ built=$CARGO_TARGET_DIR/$windows_target/release
 put 755 "$built/dashpot.exe" dashpot.exe
 put 755 "$built/dashpot-window.exe" dashpot-window.exe
 put 755 "$built/dashpot.dll" sdk/bin/dashpot.dll
-# What a linker of mingw takes, and what Microsoft's link.exe takes: lists of the functions, both made from the library itself.
+# Import libraries for the linkers of mingw and of Microsoft (link.exe). Both are made from the functions of the library itself.
 mkdir -p "$work/import"
 {
     echo "LIBRARY dashpot.dll"
@@ -34,7 +35,7 @@ mkdir -p "$work/import"
 } >"$work/import/dashpot.def"
 [ "$(wc -l <"$work/import/dashpot.def")" -gt 12 ] || fail "dist/build: dashpot.dll exports next to nothing; see $work/import/dashpot.def"
 zig dlltool -m i386:x86-64 -d "$work/import/dashpot.def" -D dashpot.dll -l "$work/import/dashpot.lib"
-# The names of its members would be made from the path of the file, or from the number of the process.
+# Without these options, the names of the members would depend on the path of the file or on the process id.
 (cd "$work/import" && x86_64-w64-mingw32-dlltool --deterministic-libraries --temp-prefix dashpot -m i386:x86-64 -d dashpot.def -D dashpot.dll -l libdashpot.dll.a)
 put 644 "$work/import/dashpot.lib" sdk/lib/dashpot.lib
 put 644 "$work/import/libdashpot.dll.a" sdk/lib/libdashpot.dll.a
@@ -60,14 +61,14 @@ text "$work/said/licences.windows" licences/THIRD-PARTY.txt
 "$work/venv/bin/python" dist/licences.py bill $windows_target dashpot-cli dashpot-gui dashpot-dll >"$work/said/bill.windows"
 put 644 "$work/said/bill.windows" licences/dashpot.cdx.json
 
-# Nothing but what every 64-bit Windows 10 has.
+# The programs may need only libraries that every 64-bit Windows 10 has.
 for file in dashpot.exe dashpot-window.exe sdk/bin/dashpot.dll adams/dashpot_adams.dll fmu/dashpot_damper.dll; do
     needed=$(x86_64-w64-mingw32-objdump -p "$tree/$file" | sed -n 's/^.*DLL Name: //p' | tr 'A-Z\n' 'a-z ')
     say "$file needs $needed"
     for library in $needed; do
         case $library in
             kernel32.dll | msvcrt.dll | ntdll.dll | advapi32.dll | bcrypt.dll | bcryptprimitives.dll | userenv.dll | ws2_32.dll | api-ms-win-*) ;;
-            # What a window needs.
+            # Libraries that a window needs.
             combase.dll | dwmapi.dll | dwrite.dll | dxgi.dll | gdi32.dll | imm32.dll | ole32.dll | oleaut32.dll | opengl32.dll | propsys.dll | rpcrt4.dll | setupapi.dll | shell32.dll | uiautomationcore.dll | user32.dll | uxtheme.dll) ;;
             *) fail "dist/build: $file needs $library, which Windows may not have" ;;
         esac

@@ -15,7 +15,7 @@ static void fail(const char *what)
     exit(1);
 }
 
-/* The next statement or command of a file with its continuation lines, comments left out; 0 at the end. */
+/* Reads the next statement or command of a file with its continuation lines, without comments. Returns 0 at the end of the file. */
 static int statement(FILE *file, char *text, size_t size)
 {
     char line[LONGEST_TEXT];
@@ -45,7 +45,7 @@ static int statement(FILE *file, char *text, size_t size)
     }
 }
 
-/* Numbers after KEY = in a statement, up to the next key; -1 where the key is missing. */
+/* Reads at most `most` numbers after KEY = in a statement. Returns how many it read, or -1 if the key is missing. */
 static int numbers(const char *text, const char *key, double *values, int most)
 {
     size_t length = strlen(key);
@@ -221,7 +221,7 @@ static void read_command(dataset *d, char *text, char *function)
     }
 }
 
-/* Which parts move freely: those that neither are the ground nor driven by the motion against it. */
+/* Numbers the free parts: those that are neither the ground nor driven against the ground by the motion. */
 static void find_free_parts(dataset *d)
 {
     int k, driven;
@@ -316,7 +316,7 @@ void dataset_rates(const dataset *d, double sforce, double *rates)
         push(d, b->i, force, on_part);
         push(d, b->j, -force, on_part);
     }
-    /* Positive pushes the markers apart; I lies above J. */
+    /* A positive SFORCE pushes the markers apart; I is above J. */
     push(d, marker_of(d, d->sforce.i), sforce, on_part);
     push(d, marker_of(d, d->sforce.j), -sforce, on_part);
     for (k = 0; k < d->parts; k++)

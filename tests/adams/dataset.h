@@ -1,6 +1,6 @@
-/* The run that a dataset (.adm) and its command file (.acf) describe, as far as a damper test rig needs: parts on the global
- * z axis, translational joints along it, a motion, bushings, one SFORCE with a routine. Whatever else stands there, or
- * names what is not there, ends the program with the line. */
+/* The simulation that a dataset (.adm) and its command file (.acf) describe, as far as a damper test rig needs. The dataset may have parts
+ * on the global z axis, translational joints along it, a motion, bushings, and one SFORCE with a user subroutine. Any other statement, and
+ * any reference to a missing element, ends the program with a message that names the line. */
 #ifndef DATASET_H
 #define DATASET_H
 
@@ -34,24 +34,25 @@ typedef struct {
     char moving[LONGEST_TEXT];
 } dataset;
 
-/* Reads FILE.acf and the dataset that its first line names, beside it. */
+/* Reads the command file `acf` and the dataset in the same folder that its first line names. */
 void dataset_read(dataset *d, const char *acf);
 const char *dataset_string(const dataset *d, int id);
 
-/* From now on the motion is this function of TIME. */
+/* Sets the function of TIME, mm, that the motion follows from now on. */
 void dataset_move(dataset *d, const char *function);
 
-/* Puts all parts where time and unknowns (z and speed of every free part) say; `is_static` holds time at 0. */
+/* Sets positions and speeds of all parts from the time and the unknowns (z and speed of every free part). If `is_static`, the speed of the
+ * driven part is 0. */
 void dataset_place(dataset *d, double t, int is_static, const double *unknowns);
 
-/* Distance of the SFORCE's markers, and its rate. */
+/* Return the distance of the SFORCE's markers, mm, and its rate, mm/s. */
 double dataset_distance(const dataset *d);
 double dataset_speed(const dataset *d);
 
-/* Rates of the unknowns where the SFORCE has this value, N. */
+/* Computes the rates of the unknowns at this value of the SFORCE, N. */
 void dataset_rates(const dataset *d, double sforce, double *rates);
 
-/* A function expression at a time, and its rate. */
+/* Value and time derivative of a function expression at a time, s. */
 typedef struct { double value, rate; } dual;
 dual expression(const char *text, double time);
 

@@ -1,4 +1,4 @@
-/* Function expressions of TIME: numbers, + - * /, parentheses, SIN, COS, STEP; each with its rate. */
+/* Evaluates function expressions of TIME with their time derivatives: numbers, + - * /, parentheses, SIN, COS, STEP. */
 #include "dataset.h"
 
 #include <ctype.h>
@@ -27,7 +27,7 @@ static int next(reader *r, char c)
     return 1;
 }
 
-/* A cubic from h0 at x0 to h1 at x1. */
+/* Evaluates STEP(x, x0, h0, x1, h1): a cubic from h0 at x0 to h1 at x1, constant outside. */
 static dual step(const dual *a)
 {
     double s = (a[0].value - a[1].value) / (a[3].value - a[1].value), rise = a[4].value - a[2].value;

@@ -1,16 +1,16 @@
-/* A stand-in for Adams Solver: the utility functions that a user subroutine calls, with their documented behaviour, and a
- * small run by a variable-step implicit integrator. It loads the library with dlopen, by name, as Adams does.
+/* A stand-in for Adams Solver: the utility functions that a user subroutine calls, with their documented behavior, and a small simulation
+ * by a variable-step implicit integrator. It loads the library with dlopen, by name, as Adams does.
  *
  *     solver LIBRARY ROUTINE key=value ...
  *
- * ROUTINE: gse, sfo, gfo. Keys: see `settings`. Prints "t x v sforce" in s, mm, mm/s, N at
- * accepted instants, then "calls ..." with counts. Ends with 3 where a routine stopped the run; its message is printed.
- * Towards the routine everything is in the model's units, which may be any; every call of a routine must ask for the same
- * quantities as the call that declared its dependencies.
+ * ROUTINE is gse, sfo or gfo; set() lists the keys. The program prints "at t x v sforce" in s, mm, mm/s, N for each accepted time point,
+ * then a line "calls ..." with counters. If a user subroutine stops the run, the program prints its message and exits with 3. Values pass
+ * to and from a user subroutine in the units of the model, which are arguments. Each call must request the same quantities as the call that
+ * declared the dependencies.
  *
- * The damper lies between marker 11 on a body and marker 12 on an actuator, on an inclined line. rig: the body stands still.
- * mass: the body hangs on a spring. The actuator moves so that the damper's displacement, where the body stands, is
- * -A cos(w t). With the key dataset=FILE.acf the run is instead the one of that command file and its dataset. */
+ * The damper is between marker 11 on a body and marker 12 on an actuator, on an inclined line. The body is fixed; with mass=1 it hangs on a
+ * spring. The actuator moves so that the damper's displacement with a fixed body is -A cos(w t). With dataset=FILE.acf the program instead
+ * runs that command file and its dataset. */
 #define _GNU_SOURCE
 #include "../../adams-usersub/src/entry.h"
 #include "dataset.h"
@@ -27,23 +27,24 @@ enum { MOST = 16 };
 static int I_MARKER = 11, J_MARKER = 12;
 static double LENGTH = 400.0; /* mm at zero displacement */
 static const double AXIS[3] = {0.6, 0.0, 0.8};
-/* Axes of RM in the global frame, as columns: turned about all three. */
+/* Axes of marker RM in the global frame, as columns, rotated about all three global axes. */
 static double RM_AXES[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0.0}, {0.48, 0.64, 0.6}};
 
 /* Settings. */
 static char routine[16], string_text[4096];
 static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npar_change, only_iflag = -1, threads, save_at_half,
     bad_first_step, linear_mode, has_units = 1, units_given, release = 2023, late, space, request_page, simulations = MOST_COMMANDS;
-/* A VARIABLE with the setting of the damper; 0: there is none. It goes from `setting` to `later` at the half of the run. */
+/* Id of the VARIABLE with the setting of the damper; 0: none. Its value changes from setting_first to setting_later at half of the run; a
+ * negative setting_later means no change. */
 enum { VARIABLE_NONE = 0 };
 static double variable = VARIABLE_NONE, setting_first, setting_later = -1;
 static double request_element = 1, request_kind, temperature = 20, joint_marker = GUIDE_I, end_marker = 12, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, told_length = -1;
-/* SI in one unit of the model. */
+/* SI units per unit of the model. */
 static double length_unit = 1e-3, force_unit = 1, time_unit = 1;
 static const char *type = "TRANSLATIONAL";
 static dataset model;
 
-/* What the solver knows at the moment of a call. */
+/* State of the solver at a call of a user subroutine. */
 static double clock_accepted;
 static int mode = 4, recording, partials_wanted;
 static __thread int is_threaded;
@@ -61,20 +62,20 @@ static int saved_count, saved_read;
 
 static int is(const char *name) { return strcmp(routine, name) == 0; }
 
-/* The time that a call asks about, s. */
+/* Time for which a call requests the force, s. */
 static double instant;
 
 static double setting_now(void) { return setting_later >= 0 && instant > 0.5 * end_time ? setting_later : setting_first; }
 
 static double damper_length(void) { return LENGTH + body - actuator; }
 
-/* From mm, s, N to the units of the model. */
+/* Convert mm, s, N to the units of the model. */
 static double of_length(double mm) { return mm * 1e-3 / length_unit; }
 static double of_speed(double mm_s) { return mm_s * 1e-3 / length_unit * time_unit; }
 static double of_force(double newton) { return newton / force_unit; }
 static double of_time(double second) { return second / time_unit; }
 
-/* Place and speed of I against J, and the guide's force, in the global frame. */
+/* Position, mm, and velocity, mm/s, of marker I relative to J, and force of the rod guide, N, in the global frame. */
 static double place_i[3], speed_i[3], guide_force[3];
 
 static void stand_on_axis(void)
@@ -83,16 +84,16 @@ static void stand_on_axis(void)
     for (k = 0; k < 3; k++) {
         place_i[k] = damper_length() * AXIS[k];
         speed_i[k] = (body_speed - actuator_speed) * AXIS[k];
-        /* Across the axis, and something along it that must not count. */
+        /* The side force acts across the axis. The force along the axis must have no effect. */
         guide_force[k] = (k == 1 ? side_force : 0.0) + 50.0 * AXIS[k];
     }
 }
 
-/* Component k in the axes of RM. */
+/* Returns component k of a vector in the axes of marker RM. */
 static double in_rm(const double v[3], int k) { return v[0] * RM_AXES[0][k] + v[1] * RM_AXES[1][k] + v[2] * RM_AXES[2][k]; }
 
-/* What a routine asks for in one call: a number for each question. The first call, which declares the dependencies, is kept
- * for either of the two routines of a GSE. */
+/* Requests of a user subroutine in one call, each as a hash. The requests of the call that declares the dependencies are stored for each of
+ * the two subroutines of a GSE. */
 enum { MOST_QUESTIONS = 64 };
 static unsigned asked[MOST_QUESTIONS], declared[2][MOST_QUESTIONS];
 static int asked_count, declared_count[2];
@@ -109,7 +110,7 @@ static void ask(const char *name, const int *ids, int n)
         asked[asked_count++] = h;
 }
 
-/* After a call of routine `which`: the questions must be those that were declared, or none where none is allowed. */
+/* Checks, after a call of subroutine `which`, that its requests are those that it declared, or none if iflag allows none. */
 static void check_questions(int which, int iflag)
 {
     if (iflag == 1) {
@@ -186,7 +187,7 @@ UTILITY void c_syspar(const char *name, const int *ids, int n, const double *par
     static const struct { const char *name; int ids, size; } known[] = {{"DM", 2, 1}, {"VR", 2, 1}, {"TDISP", 3, 18}, {"TVEL", 4, 18}, {"TFORCE", 3, 18}};
     int i = 0;
     if (strcmp(name, "VARVAL") == 0) {
-        /* As many values as the element has components. */
+        /* The partial derivative has as many values as the element has components. */
         *failed = n != 1 || ids[0] != (int)variable || np != (is("gfo") ? 6 : 1);
         if (*failed) {
             fprintf(stderr, "partials of %s: %d ids, %d values\n", name, n, np);
@@ -236,7 +237,7 @@ UTILITY void c_gtstrg(int id, char *text, int *length, int *status)
     *length = 0;
     if (*status)
         return;
-    /* Not terminated, as a Fortran host would leave it. */
+    /* The text is not terminated, as in a Fortran host. */
     *length = (int)strlen(string_text);
     memcpy(text, string_text, (size_t)*length);
 }
@@ -244,7 +245,7 @@ UTILITY void c_gtstrg(int id, char *text, int *length, int *status)
 UTILITY void c_gtunts(int *exists, double *scales, char *names)
 {
     *exists = has_units;
-    /* Where the units are given with the element nobody should look here. */
+    /* If the USER values give the units, the library must not use these, so they are wrong. */
     scales[0] = units_given ? 7.0 : time_unit;
     scales[1] = units_given ? 7.0 : told_length >= 0 ? told_length : length_unit;
     scales[2] = units_given ? 7.0 : force_unit;
@@ -296,7 +297,7 @@ static void inputs(void)
     gse_u_now[4] = setting_now();
 }
 
-/* The structure of a GSE, written down number by number as 2017.2 and 2023.1 lay it out. */
+/* Returns the structure of a GSE, written number by number in the layout of Adams 2017.2 or 2023.1. */
 static const adams_gse *gse(void)
 {
     static union { unsigned char bytes[80]; double aligned; } block;
@@ -326,7 +327,7 @@ static const adams_gse *gse(void)
     return (const adams_gse *)(const void *)block.bytes;
 }
 
-/* USER values of a force from `first` on; returns how many there are. */
+/* Writes the USER values of a force from index `first` on. Returns the number of all USER values. */
 static int line_values(double *par, int first)
 {
     int n = first;
@@ -348,7 +349,7 @@ static int line_values(double *par, int first)
     return n + npar_change;
 }
 
-/* The force on I in the global frame, N, and what the GFORCE has beside it. */
+/* Computes the force on I in the global frame, N, and the sum of the absolute moment components of the GFORCE. */
 static void force_in_space(double t, int dflag, int iflag, double f[3], double *moment)
 {
     double par[16] = {end_marker, joint_marker, GUIDE_J}, r[6];
@@ -364,7 +365,7 @@ static void force_in_space(double t, int dflag, int iflag, double f[3], double *
     *moment = fabs(r[3]) + fabs(r[4]) + fabs(r[5]);
 }
 
-/* The SFORCE's value now, N. */
+/* Computes the force, N, with the sign of an SFORCE. */
 static double force(double t, int dflag, int iflag)
 {
     double r[MOST] = {0};
@@ -402,12 +403,12 @@ static double force(double t, int dflag, int iflag)
 }
 
 /* ---- the mechanical system ---- */
-/* Unknowns: body and its speed (mass only) or those of the dataset's parts, then the GSE's states. */
+/* Unknowns: position and speed of the body (mass=1) or of the free parts of the dataset, then the states of the GSE. */
 static int mechanical(void) { return model.is_read ? 2 * model.free_parts : with_mass ? 2 : 0; }
 static int unknowns(void) { return mechanical() + (is("gse") ? ns : 0); }
 static const double MASS = 40.0, SPRING = 30.0; /* kg, N/mm */
 
-/* State i of a GSE in the integrator, mm and mm/s, for one in the model. */
+/* Returns the integrator's units (mm, mm/s) per model unit of state i of a GSE. */
 static double state_unit(int i) { return length_unit / 1e-3 / (i == 1 ? time_unit : 1); }
 
 static void place(double t, const double *y)
@@ -436,7 +437,7 @@ static void rates(double t, const double *y, double *f, int dflag)
 {
     int m = mechanical(), i;
     place(t, y);
-    /* A rig without unknowns still asks. */
+    /* A rig without unknowns requests the force, too. */
     last_force = force(t, dflag, 0);
     if (model.is_read) {
         dataset_rates(&model, last_force, f);
@@ -455,10 +456,10 @@ static void rates(double t, const double *y, double *f, int dflag)
     }
 }
 
-/* d(rates)/d(unknowns) from partials that the routine hands over. */
+/* Computes d(rates)/d(unknowns) from the partial derivatives that the user subroutine supplies. */
 static void handed_jacobian(double t, const double *y, double J[MOST][MOST])
 {
-    /* What of a partial in the model's units is one in mm, s, N. */
+    /* Factors from partial derivatives per model unit to those per mm and per mm/s. */
     const double by_mm = 1e-3 / length_unit, by_mm_s = by_mm * time_unit;
     double ox[MOST * MOST], ou[MOST * 5], by_length, by_speed;
     int i, j, m = mechanical();
@@ -521,7 +522,7 @@ static void handed_jacobian(double t, const double *y, double J[MOST][MOST])
     }
 }
 
-/* The same by differencing the routines. */
+/* Computes d(rates)/d(unknowns) by central differences. */
 static void differenced_jacobian(double t, const double *y, double J[MOST][MOST])
 {
     int n = unknowns(), i, j, k;
@@ -538,7 +539,8 @@ static void differenced_jacobian(double t, const double *y, double J[MOST][MOST]
     }
 }
 
-/* partials=1: the handed ones are used; 2: differenced ones are used, and the others held against them. */
+/* Computes the Jacobian, with partials=1 from the supplied partial derivatives, otherwise from differences. With partials=2 it also
+ * compares both. */
 static void jacobian(double t, const double *y, double J[MOST][MOST])
 {
     int n = unknowns(), i, j;
@@ -598,7 +600,7 @@ static void solve(int n, double A[MOST][MOST], double *b)
     }
 }
 
-/* Newton on y = known + beta f(t, y). Returns the number of iterations, 0 where it does not converge. */
+/* Solves y = known + beta f(t, y), or f = 0 in statics, by Newton's method. Returns the number of iterations, or 0 without convergence. */
 static int newton(double t, double beta, const double *known, double *y, int is_static)
 {
     int n = unknowns(), k, i, j;
@@ -629,12 +631,12 @@ static int newton(double t, double beta, const double *known, double *y, int is_
 
 static void print_state(double t) { printf("at %.17g %.17g %.17g %.17g\n", t, body - actuator, body_speed - actuator_speed, last_force); }
 
-/* Speeds of a dataset's parts are held to so many times the tolerance of their places, per second. */
+/* Returns the error tolerance of unknown i relative to that of a position: 100 for the speeds of a dataset's parts. */
 static double speed_share(int i) { return model.is_read && i < mechanical() && i % 2 ? 100 : 1; }
 
 typedef struct { double t, h_before, y[MOST], before[MOST], f[MOST]; int steps; } integrator;
 
-/* One accepted step of the variable-step second-order backward formula. */
+/* Takes one accepted step of the variable-step second-order backward differentiation formula. */
 static void advance(integrator *s, double *h)
 {
     int n = unknowns(), i;
@@ -649,7 +651,7 @@ static void advance(integrator *s, double *h)
             guess[i] = s->y[i] + *h * (1 + w) * s->f[i] - w * w * (s->y[i] - s->before[i]);
         }
         memcpy(y, guess, sizeof y);
-        /* Now and then a solver tries too far, and comes back. */
+        /* Solvers sometimes try a later time and then return to an earlier one. */
         if (bad_first_step && s->steps % 5 == 2) {
             rates(t + *h, y, f, 0);
             rates(t + 0.3 * *h, y, f, 0);
@@ -666,7 +668,7 @@ static void advance(integrator *s, double *h)
             *h *= fmax(0.2, 0.8 / cbrt(error));
             continue;
         }
-        /* late: the last evaluation lies before the last iteration's change, and the accepted instant is never asked for. */
+        /* late=1: the last evaluation precedes the last Newton correction, so the force at the accepted time point is never requested. */
         if (late)
             place(t, y);
         else
@@ -713,7 +715,7 @@ static void initialise(void)
     }
 }
 
-/* What a REQUEST shows at the accepted instant. */
+/* Prints the results of a REQUEST at the accepted time point. */
 static void request(void)
 {
     double par[6], r[8];
@@ -751,8 +753,8 @@ static void statics(integrator *s)
     print_state(0);
 }
 
-/* LINEAR at the operating point: the matrix of the linear system, by the partials that are handed over and by differences. `linear` is the mode
- * that the routine is told. */
+/* Prints the matrix of the linear system at the operating point, from differences and from the supplied partial derivatives. The user
+ * subroutine gets linear_mode as the analysis mode. */
 static void linearise(const integrator *s)
 {
     double J[2][MOST][MOST];
@@ -780,7 +782,7 @@ static void dynamics(integrator *s, double until)
 
 static const adams_gse *gse_of_threads;
 
-/* A thread with its own motion, against the same done alone. */
+/* Body of a thread: sums outputs and rates of a GSE over a motion of its own. */
 static void *thread(void *argument)
 {
     double *sums = (double *)argument;
@@ -824,7 +826,7 @@ static void run_threads(void)
 
 static double random_number(void);
 
-/* The same questions in one order and in another, some of them as differences: each must get the same answer. */
+/* Requests the same forces in two orders, some of them for differencing, and prints the number of differing results. */
 static void shuffle(double t)
 {
     enum { QUESTIONS = 60, TWICE = 2 * QUESTIONS };
@@ -858,8 +860,9 @@ static double random_number(void)
     return (double)(state >> 11) / 4503599627370496.0 - 1.0; /* -1 to 1 */
 }
 
-/* A GFORCE between bodies anywhere in space, turned and turning: place and speed of both ends, guide's force, force on I,
- * all in the global frame, and the GFORCE's own moment; and its partials against differences. */
+/* Prints cases of a GFORCE between bodies that move and rotate in space. A case has positions and velocities of both ends, the guide force
+ * and the force on I, all in the global frame. The moment of the GFORCE and the error of its partial derivatives against differences
+ * follow. */
 static void run_in_space(void)
 {
     enum { CASES = 200 };
@@ -882,7 +885,7 @@ static void run_in_space(void)
                                    {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
             memcpy(RM_AXES, turned, sizeof turned);
         }
-        /* Either end is a point of a body that moves and turns: away from where the body's speed is known. */
+        /* Each end is a point of a moving and rotating body, away from the point whose velocity is given. */
         for (i = 0; i < 2; i++) {
             double arm[3], turn[3];
             for (k = 0; k < 3; k++) {
@@ -898,7 +901,7 @@ static void run_in_space(void)
             speed_i[k] = speeds[0][k] - speeds[1][k];
             guide_force[k] = 800 * random_number();
         }
-        /* A new element each time: what it answers is the steady force at this motion. */
+        /* Each case initializes the element again, so that its force is the steady force at this motion. */
         force_in_space(0, 0, 1, f, &moment);
         partials_wanted = 1;
         force_in_space(0, 0, 0, f, &moment);
@@ -1005,7 +1008,7 @@ int main(int argc, char **argv)
     {
         int (*selftest)(void);
         *(void **)&selftest = entry(library, "dashpot_adams_selftest");
-        if (threads < 2) /* 2: the threads are the first to call */
+        if (threads < 2) /* 2: the threads make the first calls */
             printf("selftest %d\n", selftest());
     }
     if (only_iflag >= 0) {
@@ -1050,7 +1053,7 @@ int main(int argc, char **argv)
     }
     statics(&s);
     if (linear_mode) {
-        /* The actuator stands where it stood in statics; the friction is stuck. */
+        /* The actuator stays at its position in statics, so the friction sticks. */
         frequency = 0;
         linearise(&s);
         return 0;
@@ -1064,7 +1067,7 @@ int main(int argc, char **argv)
             return 0;
         }
         if (save_at_half == 2)
-            saved[0] = 99; /* the version of what was saved */
+            saved[0] = 99; /* a wrong version of the saved state */
         puts("first");
         dynamics(&s, end_time);
         call_all(5);

@@ -1,5 +1,5 @@
-/* A host for the library on Windows. Compiled with -DUTILITIES it is AsUtility.dll, with the few functions that an SFOSUB
- * calls; without, a program that loads it and the library as Adams does, and prints what they answer:
+/* A host for the library on Windows. Compiled with -DUTILITIES it is AsUtility.dll, with the few functions that an SFOSUB calls. Otherwise
+ * it is a program that loads the library and AsUtility.dll, and prints the results of the self-test and of an SFORCE:
  *
  *     host AsUtility.dll dashpot_adams.dll model-file */
 #if defined(UTILITIES)
@@ -67,7 +67,7 @@ int main(int count, char **words)
         (void (*)(const adams_sforce *, double, int, int, double *))(void *)entry(library, "Dashpot_sfosub");
     if (count != 4)
         return 1;
-    /* The library is there before Adams's own, as it is outside a run. */
+    /* The library is loaded before AsUtility.dll, as outside a run, and must find the utilities later. */
     utilities = LoadLibraryA(words[1]);
     ((void (*)(const char *))(void *)entry(utilities, "stand_in_model"))(words[3]);
     printf("selftest %d\n", selftest());

@@ -1,7 +1,7 @@
-"""The force of an FMU in a host for co-simulation beside that of the library itself, over three sine tests.
+"""Compares the force of an FMU in a co-simulation host with that of the library itself, over three sine tests.
 
-The arguments of the program: FMU, shared library, model file. Every step gets displacement and velocity at its end, as a vehicle model
-hands them over. The force has to be that of `dashpot_step` with the same motion, to rounding."""
+Arguments of the program: FMU, shared library, model file. Every step gets displacement and velocity at its end, as a vehicle model
+supplies them. The force must equal that of `dashpot_step` with the same motion, except for rounding."""
 import sys
 from pathlib import Path
 
@@ -21,7 +21,9 @@ def of_library(test):
 
 
 def compare(of_host, share):
-    """`of_host` gives the forces of a test at the ends of its steps; they may differ by so much of the largest force."""
+    """Checks the forces of `of_host`, which gives those of a test at the ends of its steps, N.
+
+    They may differ from those of the library by the fraction `share` of the largest force."""
     for test in TESTS:
         ours, theirs = of_library(test), of_host(test)
         top = max(map(abs, ours))

@@ -1,5 +1,6 @@
-/* The bridge as a host uses it. Arguments: model file, channel map. `trace` as third argument prints the forces of a run in
- * hexadecimal, for comparison with other ways to the same kernel; otherwise everything is checked and nothing printed. */
+/* The bridge as a host uses it. Arguments: model file, channel map. The third argument, 1 or 4, selects a run with so many corners. It
+ * prints their motion and forces, for comparison with other hosts of the kernel. Without this argument the program checks the bridge and
+ * prints only failures. */
 #include "check.h"
 #include "dashpot_bridge.h"
 #include <math.h>
@@ -25,7 +26,7 @@ static dashpot_bridge *made(uint32_t corners, const char *map)
     return bridge;
 }
 
-/* Motion of corner i, compression positive, m. */
+/* Returns the motion of corner i at time t, compression positive, m and m/s. */
 static dashpot_corner_input motion(uint32_t i, double t)
 {
     dashpot_corner_input in = {0};
@@ -49,7 +50,7 @@ static int same(const void *a, const void *b, size_t n)
     return memcmp(a, b, n) == 0;
 }
 
-/* A four-corner bridge is four kernels, bit for bit, with the signs of the map. */
+/* Checks that a bridge with four corners equals four kernels bit for bit, apart from the signs of a host without a channel map. */
 static void agrees_with_the_kernel(void)
 {
     dashpot_bridge *car = made(4, NULL);
@@ -137,7 +138,7 @@ static void holds_the_force_of_a_bad_input(void)
             dashpot_bridge_save(car, &before);
             CHECK(dashpot_bridge_step(car, DT, in, held) & DASHPOT_BRIDGE_LAST_FORCE);
             dashpot_bridge_save(car, &after);
-            /* The corner concerned stands still, the others go on. */
+            /* The corner with the bad input keeps its state, and the others advance. */
             CHECK(same(&before.corner[1], &after.corner[1], sizeof before.corner[1]));
             CHECK(!same(&before.corner[0], &after.corner[0], sizeof before.corner[0]));
             CHECK(held[1].status == DASHPOT_BRIDGE_LAST_FORCE && held[0].status == 0);
@@ -176,7 +177,7 @@ static void answers_statically_at_dt_zero(void)
     dashpot_bridge_destroy(car);
 }
 
-/* Flat vectors with the channels of the map give what structures give. */
+/* Checks that flat vectors with the channels of the map give the same forces as structures. */
 static void vectors_are_the_same_run(const char *map)
 {
     dashpot_bridge *car = made(4, map), *twin = made(4, map);
@@ -214,7 +215,7 @@ static void vectors_are_the_same_run(const char *map)
     dashpot_bridge_destroy(twin);
 }
 
-/* The self-test finds a map whose signs are not the host's, and a right one dissipates whatever its units. */
+/* Checks that the self-test detects a map whose signs are not those of the host. */
 static void the_self_test_tells_wrong_signs(const char *map)
 {
     dashpot_bridge *car = made(4, map);
@@ -226,7 +227,7 @@ static void the_self_test_tells_wrong_signs(const char *map)
     for (push = 0; push < 2; push++)
         for (compresses = 0; compresses < 2; compresses++) {
             int passes = dashpot_bridge_self_test(car, push, compresses, 1.0, 1.0, result);
-            /* The map says compression for both. */
+            /* In the map, motion and force are positive in compression. */
             CHECK(passes == (push == compresses));
             for (i = 0; i < 4; i++) {
                 CHECK((int)result[i].dissipates == passes);
@@ -239,7 +240,7 @@ static void the_self_test_tells_wrong_signs(const char *map)
     dashpot_bridge_destroy(car);
 }
 
-/* v[k+1] = v[k] - a v[k - delay] does what the limits say. */
+/* Iterates v[k+1] = v[k] - a v[k - delay] 400 times. Returns the last |v|, and counts the changes of sign. */
 static double ringing(double a, int delay, int *crossings)
 {
     double v[2] = {1.0, 1.0};
@@ -348,7 +349,7 @@ static void maps_are_read_strictly(void)
     }
     CHECK(dashpot_channel_map_read(&map, good, strlen(good), &fault) == 0);
     for (i = 0; i < 4; i++) {
-        /* An axle's ratio, 1 where there is none, and a corner's own. */
+        /* Ratio of axle 1, ratio 1 of axle 2, which has none, and the ratio of one corner. */
         const double ratio[4] = {0.8, 0.8, 1.0, 0.7};
         CHECK(map.motion_scale[i] == 1e-3 * ratio[i] && map.force_scale[i] == 1e-3 * ratio[i]);
     }
@@ -358,7 +359,7 @@ static void maps_are_read_strictly(void)
     CHECK(dashpot_channel_map_name(&map, DASHPOT_CHANNEL_JOUNCE, 2, name, sizeof name) == -1);
 }
 
-/* The forces of a run, as the FMU's test reads them. */
+/* Prints jounce, jounce rate and force of every corner, one line per step, for the tests of the FMU. */
 static void trace(uint32_t corners)
 {
     dashpot_bridge *car = made(corners, NULL);

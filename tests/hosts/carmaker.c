@@ -79,7 +79,8 @@ void LogErrF(int where, const char *format, ...)
 #define DELETE(class, model) class.Delete(model, "id")
 #endif
 
-/* A damper over a setting: from CtrlIn by its factor, constant, or that of its file; a key for either, not for both. */
+/* Checks a damper that depends on a setting. The setting is CtrlIn times a factor, a constant, or the start setting of
+ * the model file. The keys for factor and constant exclude each other. */
 static void over_a_setting(void)
 {
     struct tSusp_DamperCfgIF config = {0};
@@ -115,7 +116,7 @@ static void over_a_setting(void)
     }
     CHECK(!NEW(one.Susp_Damper, &config, "FamilyBoth") && errors == before + 1);
     {
-        /* Four corners, each at its own. */
+        /* Four corners, each at its own setting. */
         tSusp_DamperSystemIF all = {{0.45, 0.45, 0.45, 0.45}, {0}, {0.0, 0.8, 1.6, 3.2}, {0}};
         void *car = NEW(four.Susp_DamperSystem, &system_config, "FamilyCtrl");
         int i;
@@ -156,13 +157,13 @@ int main(int argc, char **argv)
     car = NEW(four.Susp_DamperSystem, &system_config, "Damp");
     CHECK(model && car && asked == 3 && told == 2);
     CHECK(one.Susp_Damper.DeclQuants && four.Susp_DamperSystem.DeclQuants);
-    /* A version that CarMaker does not take, and an offset in mm. */
+    /* The model must reject a newer version of its kind, and an offset in mm. */
     CHECK(!NEW(one.Susp_Damper, &config, "Newer") && !NEW(one.Susp_Damper, &config, "Far") && told == 2);
     if (!model || !car)
         return 1;
     CHECK(dashpot_corner_load(&kernel, file, &fault) == 0);
 
-    /* Preparation: dt = 0, any number of times, then the run from the last position. */
+    /* Any number of calls with dt = 0 prepares the run, which starts from the last position. */
     io.length = 0.44;
     CALC(one.Susp_Damper, model, &io, 0.0);
     io.length = 0.45;
@@ -180,7 +181,7 @@ int main(int argc, char **argv)
         input = dashpot_input_motion(io.length - 0.45, io.vel);
         dashpot_corner_step(&kernel, &input, 1e-3);
         CHECK(io.Force == -kernel.now.output.force);
-        /* A push gives energy while the damper extends. */
+        /* A push supplies energy while the damper extends. */
         energy += io.Force * io.vel * 1e-3;
         for (i = 0; i < 4; i++) {
             all.length[i] = io.length;
@@ -198,7 +199,7 @@ int main(int argc, char **argv)
             CHECK(all.Force[i] == io.Force);
     }
     CHECK(energy < -10.0);
-    /* With an offset the damper stands at -10 mm where the vehicle's zero is. */
+    /* With position_offset = -0.01, the damper is at -10 mm at the vehicle's zero. */
     DELETE(one.Susp_Damper, model);
     model = NEW(one.Susp_Damper, &config, "Off");
     io.length = 0.45;

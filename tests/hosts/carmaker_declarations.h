@@ -1,5 +1,5 @@
-/* The public layout of CarMaker's damper classes, in declarations of our own after ../../vi-crt-bridge/FACTS.md: what the shim is compiled
- * against here. */
+/* The public layout of CarMaker's damper classes, in our own declarations after ../../vi-crt-bridge/FACTS.md. The tests compile the shim
+ * with them. */
 #ifndef CARMAKER_DECLARATIONS_H
 #define CARMAKER_DECLARATIONS_H
 

@@ -1,5 +1,5 @@
-/* Calls the CarSim shim as the solver does, in mm and N. Arguments: model file, channel map [, map that
- * names a variable for the setting too]. */
+/* Calls the CarSim shim as the solver does, in mm and N. Arguments: model file, channel map [, channel map that also
+ * names a variable for the setting]. */
 #include "check.h"
 #include "corner.h"
 #include "vs_declarations.h"
@@ -66,7 +66,7 @@ static void get_api(void)
     vs_set_stop_run = stop_run;
 }
 
-/* Each corner at a setting of its own, from a variable of the solver. */
+/* Checks each corner at its own setting, which is a variable of the solver. */
 static void over_a_setting(const char *model, const char *map)
 {
     static dashpot_corner kernel[4];
@@ -117,11 +117,11 @@ int main(int argc, char **argv)
     }
     if (argc != 3)
         return 2;
-    /* Before the API is there nothing can be installed. */
+    /* Before get_api() has set the function pointers, nothing can be installed. */
     CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == -2);
     get_api();
     CHECK(dashpot_vs_install("missing.toml", argv[1], argv[2]) < 0 && errors == 1 && !call);
-    /* A solver that lacks an import stops the run and says so. */
+    /* If the solver lacks an import, the shim stops the run with a message. */
     CHECK(dashpot_vs_install(argv[1], argv[1], argv[2]) == 0 && call);
     hidden = 1;
     call(0.0, VS_EXT_EQ_INIT);

@@ -1,4 +1,4 @@
-/* A check that counts its failures and says where they are. */
+/* Macro CHECK: prints file, line and text of a condition that does not hold, and counts it. */
 #ifndef CHECK_H
 #define CHECK_H
 

@@ -1,11 +1,12 @@
-/* A run taken back and repeated, a run in place, four corners in one call: each to the last bit what it must equal. */
+/* Checks bit for bit that a repeated run, a run in place and a batch of four corners equal plain calls. */
 #include "check.h"
 #include "dashpot.h"
 
 #include <stddef.h>
 #include <string.h>
 
-/* A state of an ordinary damper: the commands behind it belong to one that depends on a setting. */
+/* Bytes of the state that an ordinary damper uses. The commands after them belong to a damper that depends on a
+ * setting. */
 #define STATE offsetof(dashpot_state, commands)
 
 enum { CORNERS = 4, STEPS = 400 };
@@ -14,7 +15,7 @@ static const double DT = 1e-3;
 static dashpot_params params = DASHPOT_PARAMS_INIT;
 static dashpot_model front, rear;
 
-/* A motion without a library function: a triangle wave of velocity, different at each corner. */
+/* Returns a velocity, m/s: a triangle wave that differs by corner and needs no library function. */
 static double velocity(int corner, int i) {
   const int period = 40 + 6 * corner, phase = i % period;
   const double rise = (phase < period / 2 ? phase : period - phase) / (double)period;
@@ -46,7 +47,7 @@ int main(void) {
   CHECK(dashpot_params_set_list(&params, "fv_force", list, count) == DASHPOT_OK);
   CHECK(dashpot_model_init(&rear, &params) == DASHPOT_OK);
 
-  /* Four corners in one call are four calls, in place or not. */
+  /* A batch of four corners, in place, equals four single calls that are not in place. */
   for (corner = 0; corner < CORNERS; corner++) {
     CHECK(dashpot_state_init(models[corner], -0.01 * corner, &state[corner]) == DASHPOT_OK);
     batch[corner] = state[corner];
@@ -66,7 +67,7 @@ int main(void) {
   CHECK(state[0].mass_displacement != state[1].mass_displacement && state[3].internal[0] != state[2].internal[0]);
   CHECK(dashpot_step_batch(0, models, batch, inputs, DT, batch, answers) == DASHPOT_OK);
 
-  /* A step is taken back by copying the state; in place or not is the same. */
+  /* A run repeated from a copy of the state, not in place, equals the run in place. */
   for (corner = 0; corner < CORNERS; corner++) {
     saved = state[corner];
     for (i = 0; i < STEPS; i++) {
@@ -78,7 +79,7 @@ int main(void) {
       dashpot_state next, probe;
       input = dashpot_input_motion(again.displacement + DT * velocity(corner, i), velocity(corner, i));
       CHECK(dashpot_step(models[corner], &again, &input, DT, &next, &output) == DASHPOT_OK);
-      /* A probe in between leaves no trace. */
+      /* A trial step in between has no effect. */
       input.velocity += 0.125;
       CHECK(dashpot_step(models[corner], &again, &input, DT, &probe, &answers[0]) == DASHPOT_OK);
       CHECK(!same(&probe, &next, STATE));
@@ -87,7 +88,7 @@ int main(void) {
     CHECK(same(&again, &state[corner], STATE) && same(&output, &kept, sizeof output));
   }
 
-  /* Velocity in, force out is the step with velocity alone. */
+  /* dashpot_force() equals dashpot_step() with the velocity as the only input. */
   CHECK(dashpot_state_init(&rear, 0.02, &again) == DASHPOT_OK);
   saved = again;
   for (i = 0; i < STEPS; i++) {
@@ -97,7 +98,7 @@ int main(void) {
     CHECK(same(&saved, &again, STATE) && same(&force, &output.force, sizeof force));
   }
 
-  /* No time: the static force, and the state as it was. */
+  /* dt = 0 gives the static force and keeps the state. */
   CHECK(dashpot_state_init(&front, 0.0, &again) == DASHPOT_OK);
   saved = again;
   CHECK(dashpot_force(&front, &again, 0.0, 0.0, &force) == DASHPOT_OK);

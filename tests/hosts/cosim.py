@@ -1,4 +1,4 @@
-"""libcosim, the co-simulation host of the Open Simulation Platform, with an exported FMU 2.0: see beside_library.py."""
+"""Runs an exported FMU 2.0 in libcosim, the co-simulation host of the Open Simulation Platform: see beside_library.py."""
 from beside_library import STEP, STEPS, compare, fmu
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimManipulator import CosimManipulator

@@ -1,6 +1,6 @@
-/* Many steps in a row, for counting instructions: cost <steps> [force] [setting] [+<element> | -<element> | <parameter> <value>]...
- * Run it with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of
- * one dashpot_step(), or dashpot_force(). With setting the FV curve and the friction depend on one that changes in every step. */
+/* Makes many steps, so that their instructions can be counted: cost <steps> [force] [setting] [+<element> | -<element> | <parameter>
+ * <value>]... Run it with two numbers of steps; the difference of the counts, divided by the difference of the steps, is the cost of one
+ * dashpot_step(), or dashpot_force(). With `setting`, the FV curve and the friction depend on a setting that changes in every step. */
 #include "dashpot.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 
 enum { INPUTS = 64, SETTINGS = 5 };
 
-/* The FV curve and the friction over five settings. */
+/* Makes the FV curve and the friction depend on a setting with five values. */
 static int32_t depend_on_a_setting(dashpot_params *params) {
   static const double grid[SETTINGS] = {0.0, 0.4, 0.8, 1.2, 1.6};
   double forces[63], stronger[63], friction[SETTINGS];
@@ -48,7 +48,7 @@ int main(int argc, char **argv) {
   }
   if (status == DASHPOT_OK) status = dashpot_model_init(&model, &params);
   if (status == DASHPOT_OK) status = dashpot_state_init(&model, 0.0, &state);
-  /* A periodic motion at 1 ms that passes through all of the FV curve. */
+  /* A periodic motion in steps of 1 ms over the whole FV curve. */
   for (k = 0; k < INPUTS; k++) {
     const double t = (k < INPUTS / 2 ? k : k - INPUTS / 2) / (INPUTS / 2.0), v = (k < INPUTS / 2 ? 6.0 : -6.0) * t * (1.0 - t);
     x += 1e-3 * v;

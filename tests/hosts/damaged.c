@@ -1,5 +1,5 @@
-/* Damaged files through the readers in C, under the compiler's own watch over memory (-fsanitize=address,undefined). Arguments: rounds;
- * "map" and a channel map, or "fmu", the resources folder of a one-corner FMU and its GUID. What is let in is used too. */
+/* Passes damaged files to the readers in C, compiled with memory checks (-fsanitize=address,undefined). Arguments: number of damaged files;
+ * "map" and a channel map, or "fmu", the resources folder of a one-corner FMU and its GUID. Accepted files are also used. */
 #include "channel_map.h"
 #include "fmi2_calls.h"
 #include <stdint.h>
@@ -9,7 +9,7 @@
 
 static uint64_t state = 5;
 
-/* xorshift64* (Vigna 2016). */
+/* Returns a random number from 0 to below n (xorshift64*, Vigna 2016). */
 static size_t below(size_t n)
 {
     state ^= state >> 12;
@@ -36,7 +36,8 @@ static size_t is_part(char c)
     return c && !strchr(" \t\r\n,=[]\"", c);
 }
 
-/* A damaged copy in a block of its own length, so that one byte too far is one beyond the block; `length` is its length. */
+/* Returns a damaged copy in a block of its own size, so that access beyond the text leaves the block. *length becomes the length of the
+ * text. */
 static char *damaged(const char *text, size_t *length)
 {
     static const char *const POISON[] = {"0", "-1", "1", "2", "11", "255", "256", "99999", "4294967296", "-2147483648", "1e308", "nan",
@@ -102,7 +103,7 @@ static int map(const char *text, size_t length)
     char *bytes = malloc(length ? length : 1), name[300];
     int answer, channel;
 
-    /* Without the closing zero. */
+    /* The block has no closing zero, so that the reader must respect the length. */
     memcpy(bytes, text, length);
     dashpot_channel_map_default(&found);
     answer = dashpot_channel_map_read(&found, bytes, length, &fault);
@@ -142,7 +143,7 @@ static int fmu(const char *folder, const char *guid)
     if (fmi2GetFMUstate(damper, &kept) == fmi2OK && fmi2SerializedFMUstateSize(damper, kept, &size) == fmi2OK) {
         bytes = malloc(size);
         fmi2SerializeFMUstate(damper, kept, bytes, size);
-        /* A saved state that was damaged: its head, where the counts stand, is hit more often than not. */
+        /* Damage the first 200 bytes of the saved state, which contain the counts, in half of the cases. */
         if (below(2))
             bytes[below(size < 200 ? size : 200)] ^= (fmi2Byte)(1 << below(7));
         if (fmi2DeSerializeFMUstate(damper, bytes, size, &read) == fmi2OK)
@@ -175,9 +176,9 @@ int main(int argc, char **argv)
         model = file(path);
     }
     if (!(is_map ? map(seed, strlen(seed)) : fmu(argv[3], argv[4])))
-        return 6; /* the seed itself is sound */
+        return 6; /* the undamaged file must be accepted */
     if (!is_map) {
-        /* Found by the fuzzer: fewer corners than the variables before have. */
+        /* A case that the fuzzer found: a second line `corners` with fewer corners than the variables before it use. */
         char *twice = malloc(strlen(seed) + 16);
 
         strcat(strcpy(twice, seed), "corners 1\n");

@@ -1,4 +1,4 @@
-"""Ecos, a co-simulation host of its own FMI library, with an exported FMU of either version: see beside_library.py."""
+"""Runs an exported FMU of either version in Ecos, a co-simulation host with its own FMI library: see beside_library.py."""
 import ctypes
 import sys
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 from beside_library import STEP, STEPS, compare, fmu
 from sine import motion
 
-# Its wheel needs this library of Intel's and does not bring it; a system may have another.
+# The wheel of Ecos needs this library of Intel's and does not contain it; the system's version may differ.
 ctypes.CDLL(str(Path(sys.prefix) / "lib" / "libtbb.so.12"), mode=ctypes.RTLD_GLOBAL)
 from ecospy import EcosSimulation, EcosSimulationStructure  # noqa: E402
 

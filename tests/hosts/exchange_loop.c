@@ -1,5 +1,5 @@
-/* A solver for model exchange: the classical Runge-Kutta method with fixed steps on several sines at once, one per corner. A shared
- * library that a Python host loads and gives the functions of an FMU instance that it has made and initialised. */
+/* A solver for model exchange: the classical Runge-Kutta method with fixed steps on several sines at once, one per corner. A Python host
+ * loads it as a shared library, and passes the functions of an FMU instance that the host has initialized. */
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -62,7 +62,7 @@ static void note(const struct face *f, const struct run *r, int sample)
         r->forces[n * (size_t)sample + i] = r->sign * y[i];
 }
 
-/* 0 where every call has answered OK. */
+/* Returns 0 if every call of the FMU returned OK. */
 int exchange(const struct face *f, const struct run *r)
 {
     static double x[MOST], k[4][MOST], at[MOST];

@@ -1,4 +1,4 @@
-/* The functions of FMI 2.0 that programs call which are linked with the runtime itself (damaged.c, ../fuzz/c/fmu.c). */
+/* Functions of FMI 2.0, for programs that are linked with the FMU runtime itself (damaged.c, ../fuzz/c/fmu.c). */
 #ifndef FMI2_CALLS_H
 #define FMI2_CALLS_H
 

@@ -1,4 +1,4 @@
-"""Drives one damper FMU with FMPy.  Arguments: FMU, trace of the bridge (lines of jounce, rate, force per corner)."""
+"""Tests one damper FMU with FMPy. Arguments: FMU, trace of the bridge (lines with jounce, rate and force of each corner) [, "quick"]."""
 import ctypes
 import math
 import shutil
@@ -18,7 +18,7 @@ def check(condition, text):
 
 
 class Damper:
-    """An instance of either FMI version in either kind, with the same few calls."""
+    """An instance of either FMI version and either kind, with common calls."""
 
     def __init__(self, name, exchange=False):
         self.three = description.fmiVersion.startswith("3")
@@ -112,13 +112,13 @@ def drive(damper, rows, start=1):
 
 
 def motion(row):
-    # One damper counts extension, the bridge without a map compression.
+    # The motion of a single damper is positive in extension, that of the bridge without a map in compression.
     sign = 1.0 if four else -1.0
     return [sign * value for corner in row for value in corner[:2]]
 
 
 def standing(row):
-    """The same place at rest: where the bridge begins."""
+    """Returns the inputs for rest at the displacement of a row of the trace, where the bridge begins."""
     return [0.0 if i % 2 else value for i, value in enumerate(motion(row))]
 
 
@@ -128,7 +128,7 @@ def expected(row):
 
 def bit_for_bit_the_bridge():
     damper = Damper("bridge")
-    # Before the initialization mode, as some hosts set their start values.
+    # Set start values before the initialization mode, as some hosts do.
     damper.set(inputs, standing(trace[0]))
     damper.begin()
     damper.run()
@@ -145,7 +145,7 @@ def instances_reset_and_states():
         damper.begin()
         damper.run()
     first = drive(one, trace[:300])
-    # A second instance that stood still meanwhile.
+    # The second instance was not used in between.
     check(drive(two, trace[:300]) == first, "instances disturb each other")
     state = one.save()
     data = one.serialized(state)
@@ -188,7 +188,7 @@ def steps_of_any_length():
         forces.append(forces_here)
         damper.end()
     peak = max(map(abs, forces[1]))
-    # The first motion is a jump of velocity, which steps of different length answer differently.
+    # The motion begins with a jump of the velocity, to which steps of different lengths respond differently.
     worst = max(abs(a - b) for a, b in zip(forces[0][20:], forces[1][20:]))
     check(worst < 2e-3 * peak, f"steps of different lengths: {worst} of {peak}")
 
@@ -223,7 +223,7 @@ def parameters_act():
     after = damper.get(outputs)
     check(abs(abs(after[0] - before[0]) - 200.0) < 1e-6, f"gas force: {before} {after}")
     check(after[1:] == before[1:], "another corner was tuned")
-    # A number that cannot be is refused at once, and the old one stays.
+    # An invalid number is rejected at once, and the old number remains.
     for wrong in (math.nan, 1e12):
         refused(lambda: damper.set([name], [wrong]), f"gas force {wrong}")
     damper.set(inputs, still)
@@ -250,7 +250,7 @@ def calls_in_the_wrong_order_are_refused():
 
 
 def the_zero_of_the_rig():
-    """With an offset the damper is where it is without, at a displacement that is larger by it."""
+    """Checks that position_offset has the same effect as an equally larger displacement."""
     prefix, sign, offset = ("L1.", -1.0, -0.012) if four else ("", 1.0, -0.012)
     forces = []
     for own in (0.0, offset):
@@ -270,14 +270,14 @@ def the_zero_of_the_rig():
             got.append(damper.get(outputs)[0])
         damper.end()
         forces.append(got)
-    # A sum in another order.
+    # The forces differ by rounding only, because a sum has another order.
     apart = max(abs(a - b) for a, b in zip(*forces))
     check(apart < 1e-6, f"position_offset: {apart} N apart")
 
 
 def inputs_between_points():
-    """An importer that sets what it knows at the beginning of a step, as the standard has it: 10 mm, 3 Hz, steps of 1 ms. The delay of
-    the force is that shift of the right one which comes nearest."""
+    """Checks an importer that sets the inputs known at the beginning of a step, as the standard says: 10 mm, 3 Hz, steps of 1 ms. The delay
+    of the force is the shift of the correct force that fits best."""
     w, amplitude = 2 * math.pi * 3.0, 0.01
     sign = -1.0 if four else 1.0
 
@@ -316,7 +316,7 @@ def inputs_between_points():
         worst = max(abs(a - b) for a, b in zip(got[5:], fine[5:]))
 
         def off(delay):
-            # The right force, `delay` steps late, by straight lines between the steps.
+            # The correct force, delayed by `delay` steps, with linear interpolation between the steps.
             whole, part = math.floor(delay), delay - math.floor(delay)
             late = [(1 - part) * fine[i - whole] + part * fine[i - whole - 1] for i in range(10, len(fine) - 2)]
             return sum((a - b) ** 2 for a, b in zip(got[10:-2], late))
@@ -338,7 +338,7 @@ def inputs_between_points():
 
 
 def solve(rows_of, seconds, h):
-    """The forces of a model exchange by the classical Runge-Kutta method with small steps, as an independent solver."""
+    """Returns the forces of a model exchange, N, by the classical Runge-Kutta method with small steps, as an independent solver."""
     damper = Damper("exchange", True)
     damper.set(inputs, rows_of(0.0))
     damper.begin()
@@ -370,7 +370,7 @@ def solve(rows_of, seconds, h):
 def what_is_fixed_stays():
     prefix = "L1." if four else ""
     damper = Damper("fixed")
-    # Before the run all can be set.
+    # Before the run, all parameters can be set.
     damper.set([prefix + "motion_scale"], [-1.0 if four else 1.0])
     damper.begin()
     damper.run()
@@ -385,11 +385,11 @@ def what_is_fixed_stays():
 
 
 def exchange_is_the_same_damper():
-    """Tests along the edges of the rig matrix (the doubled amplitude of a raised cosine), by the two kinds."""
+    """Compares both kinds on tests along the edges of the rig matrix. The motion is a raised cosine, whose stroke is twice the amplitude."""
     for amplitude, frequency in [
             (0.05, 0.3), (0.05, 3.3), (0.03, 5.6), (0.015, 3.0), (0.005, 20.0), (0.002, 12.0), (0.001, 2.0), (0.001, 20.0)]:
         w = 2 * math.pi * frequency
-        # Begins at rest: half a raised cosine leads into the sine.
+        # A raised cosine begins at rest.
         def rows_of(t):
             return [amplitude * (1 - math.cos(w * t)), amplitude * w * math.sin(w * t)] * len(outputs)
         seconds = min(0.5, 1.0 / frequency)
@@ -408,12 +408,12 @@ def exchange_is_the_same_damper():
         apart = [a - b for p, q in zip(co, exchange) for a, b in zip(p, q)]
         worst, rms = max(map(abs, apart)), math.sqrt(sum(e * e for e in apart) / len(apart))
         print(f"{1e3 * amplitude:g} mm {frequency:g} Hz: {100 * rms / peak:.4f} % rms, {100 * worst / peak:.4f} % at most, of {peak:.0f} N")
-        # The largest is that of the kernel's own table at 1 ms, with a start that jumps in acceleration on top.
+        # The limit of the largest error is higher than the kernel's at 1 ms, because the acceleration jumps at the start.
         check(rms < 1e-3 * peak and worst < 2e-3 * peak, f"{amplitude} m {frequency} Hz: {rms} N rms, {worst} N of {peak} N")
 
 
 def differences(unknowns, knowns, at, derivative, relative):
-    """Derivatives against central differences of a function of the knowns."""
+    """Compares derivatives with central differences of a function of the knowns, with several step sizes."""
     for known in knowns:
         for unknown in unknowns:
             got = derivative(unknown, known)
@@ -453,7 +453,7 @@ def derivatives_of_exchange():
 
     at(inputs[0], 0.0)
     differences([outputs[0]] + rates, inputs[:2] + states, at, damper.derivative, 1e-4)
-    # A side force, which goes through the difference inside, against the model's coefficient times a smooth sign.
+    # The FMU differentiates by the side force with differences. The expected value is the coefficient of the model times a smooth sign.
     side = "Damper_Side_Force_L1" if four else "side_force"
     damper.set([side], [100.0])
     got = damper.derivative(outputs[0], side)
@@ -493,7 +493,7 @@ def derivatives_of_steps():
 
 
 def velocity_alone():
-    """Where the displacement is not given it is integrated from the initial position."""
+    """Checks that a displacement that is not given is integrated from the initial position."""
     prefixes = [f"{c}." for c in ("L1", "R1", "L2", "R2")] if four else [""]
     damper = Damper("velocity")
     for p in prefixes:
@@ -507,7 +507,7 @@ def velocity_alone():
     travel = damper.get([p + "travel" for p in prefixes])
     scale = -1.0 if four else 1.0
     for x in travel:
-        # The first step runs from rest to 0.1 m/s: half a step less.
+        # The first step accelerates from rest to 0.1 m/s, which is half a step of travel less.
         check(abs(x - (-0.02 + scale * 0.1 * 99.5 * DT)) < 1e-9, f"travel {travel}")
     damper.end()
 

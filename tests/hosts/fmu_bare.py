@@ -1,4 +1,6 @@
-"""One instance of an FMU of one corner by bare calls of its library, of either version and kind, and what it says to the importer's log."""
+"""One instance of an FMU with one corner, by direct calls of its library, and its messages to the importer's log.
+
+Both versions of FMI and both kinds, co-simulation and model exchange, are supported."""
 import ctypes
 import sys
 from ctypes import CFUNCTYPE, Structure, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p, memset, sizeof
@@ -26,7 +28,7 @@ class Fmu:
             self.Logger = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
             self.log = self.Logger(lambda environment, status, category, message: self.said.append(message.decode()))
         else:
-            # The rest of the arguments stands behind the format, which is "%s".
+            # The message is the argument after the format, which is "%s".
             self.Logger = CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p)
             self.log = self.Logger(lambda environment, name, status, category, form, message: self.said.append(message.decode()))
 
@@ -36,7 +38,7 @@ class Fmu:
 
 
 class Damper:
-    """One instance. The library is loaded from `where`; the importer names `resources`."""
+    """One instance. The library is loaded from `where`, by default from the FMU; `resources` is the folder that the importer names."""
 
     def __init__(self, fmu, resources, where=None, exchange=False):
         self.fmu, self.exchange = fmu, exchange
@@ -71,13 +73,13 @@ class Damper:
         return status or self.call("EnterInitializationMode")
 
     def real(self, name, value=None):
-        """The number of a variable, or sets it, which must succeed."""
+        """Gets the number of a variable, or sets it to `value`. The call must succeed."""
         status, number = self.asked(name, value)
         self.fmu.check(status == OK, f"{'Get' if value is None else 'Set'} {name}")
         return number
 
     def asked(self, name, value=None):
-        """The same with the status."""
+        """Gets the number of a variable, or sets it to `value`. Returns status and number."""
         number, count = (c_uint * 1)(self.fmu.reference[name]), c_size_t(1)
         room = (c_double * 1)(value or 0.0)
         more = [count] if self.fmu.three else []

@@ -1,8 +1,8 @@
-"""CarMaker's part, as its template files have it: an FMU taken as a damper by the links of the .pluginfo file beside it.
+"""Runs an FMU as CarMaker does according to its template files, with the links in the .pluginfo file next to the FMU.
 
-Arguments: FMU, shared library, model file, length of the damper at the rig's zero. The interface variables are length and vel (extension
-positive) in, Force (positive where the damper pushes) out; for a damper over a setting CtrlIn too, in the unit of the model file. The force has
-to be that of the library, and damp."""
+Arguments: FMU, shared library, model file, length of the damper at the rig's zero, m. The inputs are length and vel (extension positive), and
+for a damper over a setting CtrlIn, in the unit of the model file. The output Force is positive if the damper pushes. The force must equal
+that of the library, and dissipate energy."""
 import math
 import sys
 from pathlib import Path
@@ -42,19 +42,19 @@ def motion(t):
 
 
 for told in (True, False):
-    # An importer may hand over the length before it begins, or not before the first step.
+    # An importer may set the length before initialization, or not before the first step.
     at = motion(0.0)
     damper = begun(description, folder, False,
                    lambda u: told and (u.setFloat64 if three else u.setReal)(place, [zero + at[0], 0.0]))
     get, put = (damper.getFloat64, damper.setFloat64) if three else (damper.getReal, damper.setReal)
     own = Damper(library, model_file, at[0])
     rest, power, worst, top = get(force)[0], 0.0, 0.0, 0.0
-    # With velocity 0 it begins at rest, where the gas pushes the rod out.
+    # With velocity 0 the damper starts at rest, where the gas pushes the rod out.
     assert abs(rest + own.step(at[0], 0.0, 0.0)) < 1e-9 and rest > 50.0, rest
     for k in range(1500):
         x, v = motion((k + 1) * STEP)
         put(place, [zero + x, v])
-        # A controller switches in the run.
+        # The controller switches during the run.
         setting = None if not controlled else 0.6 if k < 500 else 1.4
         if setting is not None:
             put(control, [setting])

@@ -1,4 +1,4 @@
-"""What an FMU says of itself, as JSON. Argument: FMU."""
+"""Prints the description of an FMU and the messages of its validation as JSON. Argument: FMU."""
 import json
 import sys
 import zipfile
@@ -15,7 +15,7 @@ print(json.dumps({
     "messages": validate_fmu(sys.argv[1]),
     "version": description.fmiVersion,
     "kinds": {
-        # FMI 3.0 spells some of them differently.
+        # FMI 3.0 spells some capabilities differently.
         name: {c: any(xml.find(tag).get(s) == "true" for s in (c, c + "s", c.replace("FMUstate", "FMUState"))) for c in capabilities}
         for name, tag in (("cs", "CoSimulation"), ("me", "ModelExchange"))},
     "states": description.numberOfContinuousStates,

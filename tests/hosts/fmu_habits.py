@@ -1,7 +1,7 @@
-"""An FMU in the hands of importers that keep to the standard less than FMPy does. Argument: an FMU of one corner, either version.
+"""Runs an FMU like importers that violate the standard. Argument: an FMU with one corner, of either version.
 
-What is done here, a stock importer was seen to do: QTronic's FMU SDK names a resources folder that is not there, others name none; some
-free the structure with their logger once the instance is made; many free an instance that was never terminated."""
+Stock importers behave so: QTronic's FMU SDK names a resources folder that does not exist, and others name none. Some free the structure
+with their logger after instantiation. Many free an instance without terminating it."""
 import functools
 import math
 import shutil
@@ -17,7 +17,7 @@ Damper = functools.partial(fmu_bare.Damper, fmu)
 
 
 def run(damper):
-    """The force after ten steps of an oscillation."""
+    """Returns the force, N, after ten steps of an increasing motion."""
     check(damper.begin() == OK and damper.call("ExitInitializationMode") == OK, "begun")
     for k in range(10):
         damper.real("displacement", 0.001 * k)
@@ -29,12 +29,12 @@ def run(damper):
 damper = Damper(right)
 wanted = run(damper)
 check(abs(wanted) > 100.0, f"a force: {wanted}")
-# Freed while it runs, and nothing freed at all.
+# Free an instance that runs, and a null pointer.
 damper.free()
 damper.instance = None
 damper.free()
 
-# Many importers set no start value that their user did not give: what the page says is what the instance begins with.
+# Many importers set no start values that their user did not specify. The instance must start with the values of its description.
 for exchange in (False, True):
     damper = Damper(right, exchange=exchange)
     check(damper.begin() == OK, "begun")
@@ -45,14 +45,14 @@ for exchange in (False, True):
     check(len(started) > 40, "start values")
     damper.free()
 
-# No folder, an empty name, one that is not there, and the FMU SDK's: a relative path that is told as an absolute one.
+# Resources: no folder, an empty name, a missing folder, and that of the FMU SDK, a relative path written as an absolute one.
 for resources in [None, b"", b"file:///", b"file:///nowhere/resources", b"file:///fmuTmp/resources/", b"/nowhere"]:
     damper = Damper(resources)
     check(damper.instance, f"resources {resources}")
     check(run(damper) == wanted, f"resources {resources}: another force")
     damper.free()
 
-# Where the library lies in no FMU, there is no model, and the reason is said.
+# If the library is not in an FMU, there is no model, and a message states the reason.
 alone = folder.parent / f"{folder.name}-alone"
 alone.mkdir()
 shutil.copy(path, alone / path.name)
@@ -61,32 +61,32 @@ check(not Damper(b"file:///nowhere", alone / path.name).instance, "a library wit
 check(any("nowhere" in text for text in said), "it does not say what it lacks")
 shutil.rmtree(alone)
 
-# The logger is still known after the structure that named it is gone.
+# The logger must still work after the structure with it was overwritten.
 damper = Damper(right)
 said.clear()
 check(damper.step(0.0, 1e-3) == ERROR and len(said) == 1, "a step before the initialization")
-# Begun twice, at a time that is none, reset again and again: every time as new.
+# Initialization at an invalid time and a second initialization are errors. After every reset, the run is that of a new instance.
 check(damper.begin(float("nan")) == ERROR, "a start that is no time")
 for _ in range(3):
     check(damper.call("Reset") == OK and run(damper) == wanted, "after a reset")
     check(damper.begin() == ERROR, "begun while it runs")
-    # A refusal has changed nothing.
+    # The rejected call has changed nothing.
     check(damper.real("force") == wanted, "refused, and the force is another")
-# Steps of no length, as many as one likes.
+# Any number of steps of zero length is allowed.
 still = [damper.real("force") for _ in range(5) if damper.step(0.01, 0.0) == OK]
 check(len(still) == 5 and len(set(still)) == 1, f"steps of no length: {still}")
 check(damper.step(0.01, 1e-3) == OK and damper.call("Terminate") == OK, "on and to the end")
 damper.free()
 
-# Calls of the other kind are refused in words.
+# Calls of the other kind are rejected with a message.
 damper = Damper(right, exchange=True)
 check(damper.begin() == OK and damper.call("ExitInitializationMode") == OK, "model exchange")
 said.clear()
 check(damper.step(0.0, 1e-3) == ERROR and "model exchange" in said[0], "a step in model exchange")
 damper.free()
 
-# fmusim sets the inputs in every stage of its solver, which steps over the instants at which it asks for outputs, and goes back to those
-# with the states alone. The velocity there is that between the instants, by way of the rate of a state: v = -der(deflection) here.
+# fmusim sets the inputs in every stage of its solver. The solver steps beyond the output times, and then goes back to them with the states
+# alone. The velocity at such a time must be interpolated. It is observed through the rate of a state, here v = -der(deflection).
 damper = Damper(right, exchange=True)
 check(damper.begin() == OK and damper.call("ExitInitializationMode") == OK, "model exchange")
 check(damper.discrete_states() == OK, "discrete states")
@@ -102,7 +102,7 @@ for k in range(6):
 for back in [0.5e-3, 2e-3, 3.9e-3]:
     check(damper.call("SetTime", c_double(t - back)) == OK, "time")
     off = abs(damper.real("der(deflection)") + AMPLITUDE * OMEGA * math.sin(OMEGA * (t - back)))
-    # A held velocity is off by up to 11 %, one on the chord by 0.1 %.
+    # The error of a constant velocity is up to 11 %, that of linear interpolation 0.1 %.
     check(off < 5e-4 * AMPLITUDE * OMEGA, f"{1e3 * back} ms back: off by {100 * off / (AMPLITUDE * OMEGA):.3f} %")
 damper.free()
 

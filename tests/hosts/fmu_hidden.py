@@ -1,4 +1,4 @@
-"""One damper exported open and with its parameters hidden, through FMPy.  Arguments: open FMU, hidden FMU, texts of numbers."""
+"""Compares a damper exported openly and with hidden parameters, in FMPy. Arguments: open FMU, hidden FMU, numbers of the model as texts."""
 import sys
 import zipfile
 
@@ -48,7 +48,7 @@ told = {n.lower().removeprefix("damper_") for n in told}
 check({n for n in told if not any(n.startswith(o) for o in own)} == set(), f"parameters are told: {told}")
 for fmu, there in [(shown, True), (hidden, False)]:
     with zipfile.ZipFile(fmu) as archive:
-        # The kernel's own sources and binaries know names and defaults, which every dashpot has.
+        # The kernel's sources and binaries contain names and default values, which are no secret.
         names = [n for n in archive.namelist() if not n.startswith(("sources/kernel", "sources/lib", "binaries"))]
         text = b"\n".join(archive.read(n) for n in names)
     for number in numbers:

@@ -1,10 +1,10 @@
-"""One instance of an FMU in FMPy, of either version and kind, made and initialised."""
+"""Makes and initializes one instance of an FMU in FMPy, of either version and kind."""
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 
 def begun(description, folder, exchange, prepare=lambda fmu: None):
-    """For model exchange if `exchange`, else for co-simulation; `prepare` sets what is to be set before it is initialised."""
+    """Returns an initialized instance, for model exchange if `exchange`, else for co-simulation. `prepare` sets values before initialization."""
     three = description.fmiVersion.startswith("3")
     kind = {(False, False): FMU2Slave, (False, True): FMU2Model, (True, False): FMU3Slave, (True, True): FMU3Model}
     face = description.modelExchange if exchange else description.coSimulation

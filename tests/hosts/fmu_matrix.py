@@ -1,9 +1,9 @@
-"""Sines through one damper FMU in FMPy, in both kinds. Arguments: FMU, tests (lines of amplitude, frequency, steps of 1 ms),
-solver (shared library of exchange_loop.c), where to write the forces: per test those of co-simulation, of model exchange.
+"""Runs sines through one damper FMU in FMPy, in both kinds. Arguments: FMU, tests (lines of amplitude, m, frequency, Hz, number of steps of
+1 ms), solver (shared library of exchange_loop.c), output file. The file has the forces of co-simulation and of model exchange for each test.
 
-FMPy's own solvers for model exchange hold the inputs through each of their steps: a displacement that is 20 us late at 0.6 m/s is
-36 N on a series spring of 3 MN/m, whatever the damper. So FMPy makes, initialises and ends the instance, and a solver that sets the
-inputs in every stage runs it in between."""
+FMPy's own solvers for model exchange keep the inputs constant within each step. A displacement that is 20 us late at 0.6 m/s gives an error
+of 36 N on a series spring of 3 MN/m. Therefore FMPy only makes, initializes and ends the instance. A solver that sets the inputs in every
+stage runs it."""
 import ctypes
 import math
 import shutil
@@ -31,7 +31,7 @@ inputs = [references[n + c] for c in names for n in ("Damper_Jounce_", "Damper_J
 outputs = [references["Damper_Force_" + c] for c in names] if four else [references["force"]]
 with open(tests) as file:
     sines = [(float(a), float(f), int(n)) for a, f, n in map(str.split, file)]
-# Each corner drives a test of its own; the longest of them says how long.
+# Each corner runs another test; the longest test of a group determines the number of steps.
 groups = [sines[i : i + corners] for i in range(0, len(sines), corners)]
 
 
@@ -53,7 +53,7 @@ def end(fmu):
 
 
 def simulated(group):
-    """Forces at each step, corner by corner."""
+    """Returns the forces of all corners, N, at each step of a co-simulation."""
     fmu = begin(False, group)
     get, put = (fmu.getFloat64, fmu.setFloat64) if three else (fmu.getReal, fmu.setReal)
     forces = [[sign * f for f in get(outputs)]]
@@ -98,7 +98,7 @@ def exchanged(group):
 try:
     with open(out, "wb") as file:
         for group in groups:
-            # A group that is not full drives its first test in the corners that are left.
+            # In a group with fewer tests than corners, the other corners run the first test.
             full = group + [group[0]] * (corners - len(group))
             both = [simulated(full), exchanged(full)]
             for i, (_, _, n) in enumerate(group):

@@ -1,5 +1,5 @@
-"""Directional derivatives of a vehicle's FMU, whose four dampers have elements with memory, against differences.
-Arguments: FMU. Prints how many of the private states moved, corner by corner."""
+"""Compares directional derivatives of a vehicle's FMU, whose four dampers have elements with internal states, with differences.
+Argument: FMU. Prints for each corner how many internal states moved."""
 import ctypes
 import math
 import shutil
@@ -40,15 +40,16 @@ def motion(t):
     for i, hertz in enumerate((1.7, 3.1, 6.3, 11.0)):
         w = 2 * math.pi * hertz
         a = 0.6 / w
-        # A slow part, so that no two strokes are the same.
+        # The slow part makes all strokes differ.
         values += [a * math.sin(w * t) + 0.004 * math.sin(2.1 * t),
                    a * w * math.cos(w * t) + 0.004 * 2.1 * math.cos(2.1 * t)]
     return values
 
 
 def compare(what, got, at, size):
-    """Against central differences, or at a knee against those of both sides, between which the derivative lies (step.md, "Which derivative"); the step
-    is the one that suits the curvature there. `size` of the known."""
+    """Compares a derivative with central differences. At a knee, it must be between the differences of both sides (step.md, "Which derivative").
+
+    The step of the differences is the one that fits best; `size` is the magnitude of the known variable."""
     global worst
     best = None
     here = at(0.0)
@@ -56,7 +57,7 @@ def compare(what, got, at, size):
         up, down = at(by * size), at(-by * size)
         wanted = (up - down) / (2 * by * size)
         sides = sorted(((up - here) / (by * size), (here - down) / (by * size)))
-        # What rounding leaves of a difference.
+        # Rounding error of a difference.
         noise = 1e-9 * (1.0 + abs(up)) / (by * size) * 1e-3
         off = 0.0 if sides[0] <= got <= sides[1] else min(abs(got - side) for side in (*sides, wanted))
         miss = max(0.0, off - noise) / max(abs(wanted), abs(got), 1e-3 / size)
@@ -85,7 +86,7 @@ try:
     for c in CORNERS:
         print(c, sum(s.startswith(c) and "internal" in s for s in alive))
 
-    # Model exchange: force and rates of every state that moves, by inputs and by those states.
+    # Model exchange: derivatives of the force and of the rates of every moving state, with respect to inputs and these states.
     for k, _, x in points:
         def look(names_at, values_at):
             xs, us = list(x), motion(k * DT)
@@ -106,7 +107,7 @@ try:
                 size = max(moved.get(known, 0.0), 1e-3)
 
                 def at(by, cache={}):
-                    # All unknowns at once; the same point is asked for each of them.
+                    # Evaluate all unknowns at once, because each of them needs the same points.
                     key = (k, known, by)
                     if key not in cache:
                         look([known], [by])
@@ -116,7 +117,7 @@ try:
                 for u in unknowns:
                     compare(f"{u})/d({known}", got[u], lambda by: at(by)[u], size)
 
-    # Co-simulation: the force of a step by the inputs at its end.
+    # Co-simulation: derivatives of the force with respect to the inputs at the end of a step.
     for k, before, _ in points:
         for c in CORNERS:
             for known in [n for n in inputs if n.endswith(c)]:

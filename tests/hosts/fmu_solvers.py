@@ -1,6 +1,6 @@
-"""Model exchange in FMPy's own CVODE, with its defaults, against the co-simulation of the same FMU at steps a tenth of the output
-interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency. With DASHPOT_FMUSIM naming the
-program fmusim, the same in it."""
+"""Compares model exchange in FMPy's CVODE, with default options, with the co-simulation of the same FMU at steps of a tenth of the output
+interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency, m and Hz. If DASHPOT_FMUSIM names the
+program fmusim, it runs the tests, too."""
 import contextlib
 import csv
 import io
@@ -41,14 +41,14 @@ def right(test, interval, parts=10):
 
 
 def signals(test):
-    # Longer than the run: a solver steps over its end, and asks there too.
+    # The signals are longer than the run, because a solver steps beyond its end and evaluates there.
     t = np.arange(0.0, 1.1 * SECONDS + 1e-9, 1e-4)
     rows = [(time, *motion(*test, time)) for time in t]
     return np.array(rows, dtype=[("time", "f8"), ("displacement", "f8"), ("velocity", "f8")])
 
 
 def in_fmpy(test):
-    with contextlib.redirect_stdout(io.StringIO()):  # a warning for each input that is left alone
+    with contextlib.redirect_stdout(io.StringIO()):  # suppresses a warning for each input that is not set
         return simulate_fmu(
             path, fmi_type="ModelExchange", stop_time=SECONDS, input=signals(test), output=["force"], model_description=description)
 
@@ -57,7 +57,7 @@ def in_fmusim(test):
     with tempfile.TemporaryDirectory() as at:
         rows = signals(test)
         np.savetxt(f"{at}/in.csv", rows, delimiter=",", header="time,displacement,velocity", comments="", fmt="%.17g")
-        # Older ones, in C, have no verbs.
+        # Older versions of fmusim, which are in C, have no verbs.
         verb = ["simulate"] if subprocess.run([fmusim, "simulate", "--help"], capture_output=True).returncode == 0 else []
         subprocess.run([fmusim, *verb, "--interface-type", "me", "--solver", "cvode", "--stop-time", str(SECONDS), "--output-interval", "1e-3",
                         "--input-file", f"{at}/in.csv", "--output-file", f"{at}/out.csv", "--output-variable", "force", path], check=True)

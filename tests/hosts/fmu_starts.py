@@ -1,5 +1,5 @@
-"""How an FMU starts, how it takes inputs at the beginning of a step, and what it says of steps that are too long. Arguments: an FMU
-exported with --inputs begin, one with --inputs end, and the longest step in microseconds of an explicit solver."""
+"""Tests how an FMU starts, how it uses inputs at the beginning of a step, and its messages on steps that are too long. Arguments: an FMU
+exported with --inputs begin, one with --inputs end, and the longest stable step of an explicit solver, microseconds."""
 import functools
 import math
 import shutil
@@ -24,7 +24,7 @@ def started(fmu, displacement, velocity, exchange=False):
     return damper
 
 
-# In motion: the force is there from the start, and the first steps of the same motion show no jump.
+# Start in motion: the force is correct from the start, and the first steps of the same motion show no jump.
 for velocity in (0.3, -0.3):
     damper = started(end, 0.01, velocity)
     first = damper.real("force")
@@ -37,7 +37,7 @@ for velocity in (0.3, -0.3):
         check(jump < 0.01 * abs(first), f"at {velocity} m/s step {k} jumps by {jump} N of {first} N")
     damper.free()
     rest.free()
-    # The same in model exchange: no state moves.
+    # Model exchange starts with the same force.
     damper = started(end, 0.01, velocity, exchange=True)
     check(abs(damper.real("force") - first) < 1e-6 * abs(first), "model exchange starts with another force")
     damper.free()
@@ -49,7 +49,7 @@ def motion(t):
 
 
 def forces(fmu, ahead):
-    """Forces at the ends of the steps, with the inputs of the instant `ahead` steps after the beginning."""
+    """Returns the forces at the ends of the steps, N, with the inputs of the time `ahead` steps after the beginning of each step."""
     damper = started(fmu, *motion(0.0))
     out = []
     for k in range(300):
@@ -68,7 +68,7 @@ off = {name: max(abs(a - b) for a, b in zip(forces(fmu, 0)[5:], exact[5:])) / la
 print(f"inputs at the beginning: {100 * off['begin']:.2f} % off with --inputs begin, {100 * off['end']:.2f} % with --inputs end")
 check(off["begin"] < 0.02 and off["end"] > 3 * off["begin"], f"off by {off}")
 
-# A step of 1000 s is no step, and changes nothing.
+# A step of 1000 s is rejected and changes nothing.
 damper = started(end, 0.01, 0.1)
 before = damper.real("force")
 end.said.clear()
@@ -79,10 +79,10 @@ check(damper.step(0.0, -1e-3) == ERROR and damper.step(0.0, float("nan")) == ERR
 check(damper.step(0.0, STEP) == OK, "a step after them")
 damper.free()
 
-# An explicit solver with steps far above the limit is told what it lacks.
+# An explicit solver with steps far above the limit gets a message that names the remedy.
 damper = started(end, 0.0, 0.0, exchange=True)
 check(damper.discrete_states() == OK and damper.call("EnterContinuousTimeMode") == OK, "continuous time")
-# FMI 3.0 counts the states as FMI 2.0 does.
+# FMI 3.0 and FMI 2.0 count the states in the same way.
 states = sum(1 for v in end.description.modelVariables if v.derivative is not None)
 vector = c_double * states
 x, rate = vector(), vector()

@@ -1,7 +1,7 @@
-"""What a host that knows units makes of an FMU: it converts by the units that the description declares, and gets the damper in SI.
+"""Runs an FMU in a host that converts units: by the units that the description declares, it must get the damper in SI.
 
-Arguments: FMU in SI, then for each other one of the same damper the FMU and, parted by commas, the units of displacement, velocity, force, stiffness
-and damping that have to be declared, - where none can be."""
+Arguments: FMU in SI, then for each other FMU of the same damper its file and, separated by commas, the units of displacement, velocity, force,
+stiffness and damping that it must declare, or - for no unit."""
 import math
 import sys
 from xml.etree import ElementTree
@@ -13,10 +13,10 @@ from fmpy.validation import validate_fmu
 from fmu_instance import begun
 
 plain, *others = sys.argv[1:]
-# The input of a corner that comes first, and its outputs, in one damper and in a vehicle.
+# Names of the inputs and outputs of the first corner, in an FMU with one damper and in one of a vehicle.
 NAMES = [("displacement", "Damper_Jounce"), ("velocity", "Damper_Jounce_Rate"), ("force", "Damper_Force"),
          ("d_force_d_displacement", "Damper_Force_by_Jounce"), ("d_force_d_velocity", "Damper_Force_by_Jounce_Rate")]
-# By these dimensions a host knows which unit of its own it may convert to.
+# Dimensions of these variables, from which a host chooses its own units.
 DIMENSIONS = [{"m": 1}, {"m": 1, "s": -1}, {"kg": 1, "m": 1, "s": -2}, {"kg": 1, "s": -2}, {"kg": 1, "s": -1}]
 STEP, AMPLITUDE, OMEGA = 1e-3, 0.03, 2 * math.pi * 3
 
@@ -27,7 +27,7 @@ def check(condition, text):
 
 
 class Host:
-    """One corner of an FMU, told and asked in SI where the description has a unit for it, else by what its words and scales say."""
+    """One corner of an FMU, used in SI: converted by the declared unit of a variable, or by the scales if it declares none."""
 
     def __init__(self, fmu):
         check(validate_fmu(fmu) == [], validate_fmu(fmu))
@@ -41,7 +41,7 @@ class Host:
         self.units = [self.variables[name].unit for name in self.names]
         scale = {name: float(self.variables[self.prefix + name].start) for name in ("motion_scale", "force_scale")}
         motion, force = scale["motion_scale"], scale["force_scale"]
-        # What one of the host is in SI, sign and all, by the FMU's own scales.
+        # SI units per unit of the host, with sign, from the scales of the FMU.
         by_scales = [motion, motion, 1 / force, 1 / (force * motion), 1 / (force * motion)]
         self.factor = []
         for unit, dimensions, by_scale, name in zip(self.units, DIMENSIONS, by_scales, self.names):
@@ -61,7 +61,7 @@ class Host:
         self.fmu = begun(self.description, extract(fmu), False)
 
     def rests_in_si(self):
-        """Scales move what the host counts, and nothing inside."""
+        """Checks that variables that the scales do not affect are in SI units."""
         for name, unit in [("side_force", "N"), ("Damper_Side_Force_L1", "N"), ("position_offset", "m"), ("initial_position", "m"),
                            ("speed_margin", "m/s"), ("travel", "m"), ("deflection", "m"), ("mass_velocity", "m/s"),
                            ("der(deflection)", "m/s")]:
@@ -73,7 +73,7 @@ class Host:
         return (self.fmu.getFloat64 if self.three else self.fmu.getReal)(places)
 
     def run(self):
-        """Force and slopes in SI, and what is inside, over an oscillation."""
+        """Returns force and derivatives in SI, and internal variables, over an oscillation."""
         place = [self.variables[name].valueReference for name in self.names[:2]]
         inner = [self.prefix + name for name in ("travel", "deflection", "mass_velocity", "speed_margin")]
         rows = []
@@ -101,6 +101,6 @@ for scaled, wanted in zip(others[::2], others[1::2]):
     for column, name in enumerate(["force", "stiffness", "damping", "travel", "deflection", "mass_velocity", "speed_margin"]):
         top = max(abs(row[column]) for row in right)
         worst = max(abs(a[column] - b[column]) for a, b in zip(got, right))
-        # What is typed for the reciprocal of a pound-force is not that number to the last bit.
+        # The reciprocal of a pound-force in the arguments is rounded.
         check(top > 0 and worst <= 1e-6 * top, f"{scaled} in {wanted}: {name} {worst} apart, of {top}")
         print(f"{wanted}: {name} {worst / top:.1e} apart")

@@ -39,7 +39,7 @@ int main(int argc, char **argv)
     if (!damper)
         return 3;
     for (k = 0; fscanf(trace, "%lf %lf %lf", &row[0], &row[1], &row[2]) == 3; k++) {
-        /* The bridge counts compression, this FMU extension. */
+        /* The motion of the bridge is positive in compression, that of this FMU in extension. */
         double u[2] = {-row[0], -row[1]};
 
         if (((set *)look(library, "fmi2SetReal"))(damper, inputs, 2, u) != fmi2OK)

@@ -1,4 +1,4 @@
-/* The bridge with the distance between the rig's zero and the vehicle's in its map, against the kernel driven from the rig's zero.
+/* Compares a bridge, whose map states the distance between the zeros of rig and vehicle, with the kernel driven from the rig's zero.
  * Arguments: model file, channel map with position_offset_1 = -0.012 and position_offset_R2 = 0.02. */
 #include "check.h"
 #include "dashpot_bridge.h"
@@ -27,7 +27,7 @@ int main(int argc, char **argv)
     dashpot_bridge_init(bridge, in, out);
     for (i = 0; i < 4; i++)
         CHECK(out[i].force == -kernel[i].now.output.force);
-    CHECK(out[0].force != out[2].force); /* the spring of the model tells one place from another */
+    CHECK(out[0].force != out[2].force); /* the model's spring makes the force depend on the position */
     for (k = 1; k <= 500; k++) {
         double jounce = 0.02 * sin(0.03 * k), rate = 0.6 * cos(0.03 * k);
 

@@ -1,4 +1,4 @@
-/* Everything that the library must refuse, and that it then leaves all outputs as they were. */
+/* Checks that the library rejects all invalid calls, and then changes no output. */
 #include "check.h"
 #include "dashpot.h"
 
@@ -32,11 +32,11 @@ static struct {
     CHECK(strncmp(dashpot_status_text(status), "unknown", 7) != 0); \
   } while (0)
 
-/* The same address, off by one byte. */
+/* A pointer that is misaligned by one byte. */
 #define OFF(type, pointer) ((type *)(void *)((char *)(pointer) + 1))
 
 static const double bad_numbers[] = {NAN, INFINITY, -INFINITY, 1.1e9, -1.1e9, 1e300};
-/* Speeds and places that no damper sees. */
+/* Velocities, m/s, and displacements, m, beyond those of any damper. */
 static const double bad_motions[] = {1001.0, -1001.0};
 enum { BAD_NUMBERS = sizeof bad_numbers / sizeof bad_numbers[0] };
 
@@ -61,7 +61,7 @@ static void parameters(void) {
   other.abi_version--;
   CHECK(dashpot_params_default(&other) == DASHPOT_OK);
 
-  /* Also once filled. */
+  /* Size and version are also checked after initialization. */
   other.struct_size++;
   CHECK(dashpot_params_set(&other, "gas_force", 1.0) == DASHPOT_STRUCT_SIZE);
   CHECK(dashpot_model_init(&never_set, &other) == DASHPOT_STRUCT_SIZE);
@@ -100,7 +100,7 @@ static void parameters(void) {
   CHECK(dashpot_params_read(&other, "", 0, NULL) == DASHPOT_FILE_FORMAT);
   CHECK(memcmp(&before, &other, sizeof before) == 0);
 
-  /* A file is refused with line and name, and changes nothing. */
+  /* A file is rejected with line and parameter, and changes nothing. */
   {
     static const char text[] = "format = 1\nelements = [\"fv_curve\"]\ngas_force = 70.0\nseries_stiffness = -1.0\n";
     dashpot_fault fault;
@@ -109,7 +109,7 @@ static void parameters(void) {
     CHECK(memcmp(&before, &other, sizeof before) == 0);
   }
 
-  /* Values that are allowed one by one and do not fit together. */
+  /* Values that are allowed individually, but not together. */
   CHECK(dashpot_params_set_list(&other, "fv_velocity", points, 3) == DASHPOT_OK);
   CHECK(dashpot_params_set_list(&other, "fv_force", falling, 3) == DASHPOT_OK);
   {
@@ -150,7 +150,7 @@ static void states(void) {
   for (i = 0; i < BAD_NUMBERS; i++) REFUSED(dashpot_state_init(&model, bad_numbers[i], &out.state), DASHPOT_BAD_INPUT);
 }
 
-/* The three functions that take an input, seen as one. */
+/* The four functions that take an input, with one signature. */
 static int32_t by_step(const dashpot_model *m, const dashpot_state *s, const dashpot_input *i) {
   return dashpot_step(m, s, i, 1e-3, &out.state, &out.output);
 }
@@ -191,7 +191,7 @@ static void inputs(int32_t (*call)(const dashpot_model *, const dashpot_state *,
     input = good;
     input.displacement = bad_numbers[i];
     REFUSED(call(&model, &state, &input), DASHPOT_BAD_INPUT);
-    /* Members that are not known are not looked at. */
+    /* Members whose bit in `known` is not set are not checked. */
     input = dashpot_input_velocity(0.1);
     input.displacement = input.side_force = input.temperature = bad_numbers[i];
     CHECK(call(&model, &state, &input) == DASHPOT_OK);
@@ -212,7 +212,7 @@ static void inputs(int32_t (*call)(const dashpot_model *, const dashpot_state *,
     input.displacement = bad_motions[i];
     REFUSED(call(&model, &state, &input), DASHPOT_BAD_INPUT);
   }
-  /* The commands behind are only read by a damper that depends on a setting and has a dead time; what is no number is none there. */
+  /* Only a damper that depends on a setting and has a dead time reads the commands after these members. */
   for (k = 0; k < offsetof(dashpot_state, commands) / sizeof(double); k++) {
     static const double wrong[] = {NAN, INFINITY, -INFINITY, 1e61, -1e61};
     for (i = 0; i < 5; i++) {
@@ -253,7 +253,7 @@ static void steps(void) {
   REFUSED(dashpot_jacobian(&model, &state, &good, NULL), DASHPOT_NULL);
   CHECK(memcmp(&kept, &state, sizeof state) == 0);
 
-  /* One bad damper of two: neither is touched. */
+  /* If one damper of a batch is invalid, none changes. */
   memset(&batch, 0x5a, sizeof batch);
   memset(&before, 0x5a, sizeof before);
   models[0] = models[1] = &model;
@@ -279,7 +279,7 @@ static void steps(void) {
   CHECK(memcmp(&batch, &before, sizeof batch) == 0);
 }
 
-/* Usable, with a warning. */
+/* Checks inputs that are accepted with a warning. */
 static void warnings(void) {
   dashpot_output output;
   dashpot_state to;
@@ -292,7 +292,7 @@ static void warnings(void) {
   CHECK(dashpot_evaluate(&model, &state, &fast, &output, &to) == DASHPOT_OUTSIDE_RANGE);
   to = state;
   CHECK(dashpot_force(&model, &to, 5.0, 1e-3, &force) == DASHPOT_OUTSIDE_RANGE && isfinite(force));
-  /* The largest inputs give finite numbers. */
+  /* Inputs near their limits give finite numbers. */
   fast = dashpot_input_motion(400.0, -600.0);
   CHECK(dashpot_step(&model, &state, &fast, 1e-15, &to, &output) > 0);
   CHECK(isfinite(output.force) && isfinite(output.d_force_d_velocity) && isfinite(to.mass_velocity));

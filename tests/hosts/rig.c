@@ -1,4 +1,5 @@
-/* A rig run from a C host: motion in, answers out, both as the bits of doubles so that nothing is lost in text.
+/* Runs a rig test in a C host: reads the motion and writes the outputs. Both are the bits of doubles, so that no digit
+ * is lost.
  *
  *   rig step|force [model file] < motion > answers
  *
@@ -83,7 +84,7 @@ int main(int argc, char **argv) {
       printf("%d", (int)dashpot_force(&model, &state, number(v), number(dt), &force));
       print(&force, sizeof force);
     }
-    print(&state, offsetof(dashpot_state, commands)); /* what lies behind is no damper's without a setting */
+    print(&state, offsetof(dashpot_state, commands)); /* only a damper over a setting uses what follows */
     printf("\n");
   }
   return 0;

@@ -1,4 +1,4 @@
-// A rig run from a C++ host; see rig.c for what goes in and out.
+// Runs a rig test in a C++ host; rig.c describes input and output.
 #include "dashpot.h"
 
 #include <cstddef>
@@ -95,7 +95,7 @@ int main(int argc, char **argv) {
       std::cout << std::dec << status;
       print(force);
     }
-    // What lies behind is no damper's without a setting.
+    // Only a damper over a setting uses the members that follow.
     print(damper.state(), offsetof(dashpot_state, commands));
     std::cout << '\n';
   }

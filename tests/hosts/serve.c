@@ -1,12 +1,13 @@
 /* A bridge behind a pipe, for hosts that are not written in C. Arguments: one model file, or four.
  *
- * Reads requests of doubles: dt, then jounce and jounce rate of every corner; answers each with the force, its change per
- * jounce rate where jounce follows through the step, and the status of every corner. dt below zero is init. Without a channel map: SI, compression positive. */
+ * Reads requests of doubles: dt, s, then jounce and jounce rate of every corner; a negative dt is init. Each output has, for every corner,
+ * the force, d(force)/d(rate) + dt d(force)/d(jounce), and the status. There is no channel map, so units are SI and compression is
+ * positive. */
 #include "dashpot_bridge.h"
 #include <stdio.h>
 #include <unistd.h>
 
-/* A whole block, from a pipe that may give it in pieces. */
+/* Reads a whole block from a pipe that may deliver it in pieces. Returns 0 if the input ends before. */
 static int take(void *block, size_t size)
 {
     size_t got = 0;

@@ -1,5 +1,5 @@
-"""A damper that depends on a setting in a quarter car under an on-off skyhook controller: through the library and through an FMU of it, the same loop
-with the same numbers. By bare calls of FMI 2.0, so it needs Python alone.
+"""Runs a damper that depends on a setting in a quarter car with an on-off skyhook controller, with the library and with an FMU. The forces must be
+equal bit for bit. The calls of FMI 2.0 are direct, so that only Python is needed.
 
     python setting_fmu.py LIBRARY MODEL FMU
 """
@@ -17,7 +17,7 @@ BODY, WHEEL, SPRING, TIRE, STEP, STEPS = 400.0, 45.0, 22e3, 210e3, 1e-3, 3000
 
 
 class Fmu:
-    """One instance in co-simulation."""
+    """One instance of the FMU in co-simulation."""
 
     def __init__(self, path: str) -> None:
         folder = Path(tempfile.mkdtemp())
@@ -59,7 +59,7 @@ class Fmu:
 
 
 def loop(rest, step) -> list[float]:
-    """Forces of the damper under the controller."""
+    """Returns the forces of the damper under the controller, N."""
     force = still = rest(0.6)
     body = body_rate = wheel = wheel_rate = road = 0.0
     seed, forces = 1, []
@@ -108,7 +108,7 @@ def main() -> None:
     theirs = loop(fmu_rest, fmu_step)
     assert own == theirs, max(abs(a - b) for a, b in zip(own, theirs))
     assert max(own) - min(own) > 500.0
-    # Outside the grid it is clamped, with a warning.
+    # A setting outside of the grid is clamped, with a warning.
     fmu_step(0.0, 0.1, 9.0)
     assert fmu.status() == 4, fmu.status()
     print(f"{len(own)} forces, the same to the bit")

@@ -3,6 +3,6 @@ import math
 
 
 def motion(amplitude, frequency, t):
-    """Displacement and velocity, from the shortest length on."""
+    """Returns displacement, m, and velocity, m/s, of a sine that begins at the shortest length."""
     w = 2 * math.pi * frequency
     return [-amplitude * math.cos(w * t), amplitude * w * math.sin(w * t)]

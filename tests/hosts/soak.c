@@ -3,8 +3,8 @@
  *   cc -O2 -I include -I vi-crt-bridge/bridge -o soak tests/hosts/soak.c BRIDGE_SOURCES target/lib/libdashpot.a -lm
  *   ./soak damper.toml 1800
  *
- * The loop runs under a seccomp filter: the kernel ends the process at any system call but read, write and exit, so a run
- * that arrives has made none (the clock is read without one). Page faults are read from a file opened before. */
+ * The loop runs under a seccomp filter: the kernel ends the process at any system call but read, write and exit, so a run that reaches its
+ * end has made none (reading the clock needs none). Page faults are read from a file opened before. */
 #define _GNU_SOURCE
 #include "dashpot_bridge.h"
 #include <fcntl.h>
@@ -23,7 +23,7 @@
 #define TAU 6.283185307179586476925286766559
 #define DT 1e-3
 #define WAVES 16
-/* Step times in bins of 10 ns up to 1 ms. */
+/* Number of bins for the times of steps, of 10 ns each, up to 1 ms. */
 #define BINS 100000
 
 static unsigned bins[BINS + 1];
@@ -52,7 +52,7 @@ static long faults(int file)
     return minor + major;
 }
 
-/* From here on any system call but read, write and exit ends the process. (Strict mode would take the clock away too.) */
+/* From now on, any system call but read, write and exit ends the process. The strict mode of seccomp would also forbid the clock. */
 static int no_more_calls(void)
 {
     struct sock_filter filter[] = {
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
     steps = (long)(atof(argv[2]) / DT);
     srand(7);
     for (k = 0; k < WAVES; k++) {
-        /* Incommensurate, so that the road does not repeat. */
+        /* The frequencies are incommensurate, so that the road does not repeat. */
         double hertz = 0.4 * pow(60.0, (k + 0.37) / WAVES) * (1.0 + 1e-3 * (rand() % 997));
         rate[k] = TAU * hertz;
         amplitude[k] = 0.006 / (1.0 + hertz);
@@ -109,12 +109,12 @@ int main(int argc, char **argv)
     dashpot_bridge_init(car, in, out);
     for (c = 0; c < 4; c++)
         rest[c] = out[c].force;
-    /* One step brings the code's pages in, as a real-time host does with mlockall(). */
+    /* One step loads the pages of the code, as a real-time host does with mlockall(). */
     dashpot_bridge_save(car, &state);
     dashpot_bridge_step(car, DT, in, out);
     dashpot_bridge_restore(car, &state);
     dashpot_bridge_step(car, 0.0, in, out);
-    /* As real-time hosts do; where it is refused, the warm step above has brought most pages in. */
+    /* Lock all pages in memory, as real-time hosts do. If the system rejects this, the step above has loaded most pages. */
     if (mlockall(MCL_CURRENT | MCL_FUTURE))
         fprintf(stderr, "note: mlockall is refused\n");
     warm = open("/proc/self/stat", O_RDONLY);
@@ -125,7 +125,7 @@ int main(int argc, char **argv)
         clock_gettime(CLOCK_MONOTONIC, &now);
         (void)road(0, 1e4);
     }
-    /* The first parse brings its own pages in. */
+    /* The first call loads the pages of the code that reads page faults. */
     (void)faults(warm);
     if (first < 0 || second < 0 || no_more_calls()) {
         fprintf(stderr, "this kernel has no seccomp or /proc\n");
@@ -184,7 +184,7 @@ int main(int argc, char **argv)
                       steps, held, 1e3 * worst_drift, early, late, before < 0 ? -1 : after - before, median, percentile, longest);
     if (write(1, line, (size_t)length) != length)
         syscall(SYS_exit, 1);
-    /* exit() would make calls that are not allowed any more. */
+    /* exit() would make system calls that are no longer allowed. */
     syscall(SYS_exit, 0);
     return 0;
 }

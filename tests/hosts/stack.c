@@ -1,5 +1,5 @@
-/* How deep the stack of the caller goes in every function of the interface, by elements: each call is made on a stack of its
- * own that was filled with a pattern. Prints one line a function: its name and the bytes; ends with 1 if any is above 16 KB. */
+/* Measures how much stack each function of the interface uses, with several sets of elements. Each call runs on its own stack, which was
+ * filled with a pattern. Prints one line per function with its name and the bytes, and exits with 1 if a function uses more than 16 KB. */
 #define _GNU_SOURCE
 #include "dashpot.h"
 
@@ -94,7 +94,7 @@ int main(void) {
   };
   long worst[sizeof calls / sizeof calls[0]] = {0}, thread, most = 0;
   size_t k, s, i;
-  /* Each as an ordinary damper, and with a gas force and an FV curve that depend on a setting. */
+  /* Each set of elements is measured as an ordinary damper, and with a gas force and an FV curve that depend on a setting. */
   for (s = 0; s < 2 * (sizeof sets / sizeof sets[0]); s++) {
     const size_t set = s / 2;
     if (dashpot_params_default(&params) != 0) return 2;
@@ -106,7 +106,7 @@ int main(void) {
     if (dashpot_model_init(&model, &params) != 0 || dashpot_state_init(&model, 0.0, states) != 0) return 2;
     states[1] = states[0];
     inputs[0] = inputs[1] = dashpot_input_motion(1e-4, 0.2);
-    /* What a thread takes before it calls anything. */
+    /* Stack that a thread uses before it calls anything. */
     thread = depth(nothing);
     for (k = 1; k < sizeof calls / sizeof calls[0]; k++) {
       long deep;

@@ -1,5 +1,5 @@
-/* The public part of the VehicleSim API that the CarSim shim calls, in declarations of our own after ../../vi-crt-bridge/FACTS.md: function
- * pointers, which vs_get_api() fills. */
+/* The public part of the VehicleSim API that the CarSim shim calls, in our own declarations after ../../vi-crt-bridge/FACTS.md. They are
+ * function pointers, which vs_get_api() sets. */
 #ifndef VS_DECLARATIONS_H
 #define VS_DECLARATIONS_H
 

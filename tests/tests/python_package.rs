@@ -1,4 +1,4 @@
-//! The Python package as its users install it.
+//! Tests the Python package as its users install it.
 //!
 //! The test builds a wheel, installs it without the source tree on the path, and tests the installed package.
 //!
@@ -77,7 +77,7 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    // The pages load the shared library from the folder of the static library.
+    // The tests of the documentation's pages load the shared library from the folder of the static library.
     let library = wheels.path().join("libdashpot.a");
     std::fs::copy(static_library(), &library).expect("the static library");
     std::fs::copy(shared(), library.with_extension("so")).expect("the shared library");

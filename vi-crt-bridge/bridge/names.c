@@ -1,4 +1,4 @@
-/* Names and numbers of the entries of the flat vectors. */
+/* Names of the entries of the flat vectors, and the lengths of these vectors. */
 #include "bridge.h"
 
 int dashpot_bridge_name_vectors(dashpot_bridge *bridge)

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Compiles this FMU's binary from the sources in this folder alone, into ../binaries.
+# Compiles the binary of this FMU into ../binaries, from the sources in this folder alone.
 #
 #   sh build.sh                                    on the platform the FMU was exported on: a C compiler is enough
 #   KERNEL=cargo sh build.sh                       the kernel from its sources too (needs Rust, https://rustup.rs)
 #   TARGET=x86_64-pc-windows-gnu CC=x86_64-w64-mingw32-gcc sh build.sh      for another platform (rustup target add TARGET)
 #   LIBRARY=/path/to/libdashpot.a CC=your-cc sh build.sh                    with a kernel built elsewhere
 #
-# FMI_PLATFORM names the folder below ../binaries where it cannot be guessed from TARGET.
+# FMI_PLATFORM names the folder below ../binaries if it does not follow from TARGET.
 set -eu
 cd "$(dirname "$0")"
 target=${TARGET:-}
@@ -42,9 +42,9 @@ if [ -z "$platform" ]; then
 fi
 case $platform in
 win* | *-windows)
-    # The kernel's panic handler calls a function that exists nowhere, so that a link fails where it could be reached. Here it
-    # cannot, but unlike elsewhere the linker keeps it.
-    # The same sources give the same file: without the time, and without a base address drawn from the path of the file.
+    # The kernel's panic handler calls a function that does not exist, so that linking fails if a panic can be reached. It cannot, but this
+    # linker keeps the handler, so abort() replaces the function. The same sources give the same bytes: the linker writes no build time, and
+    # does not derive the base address from the path of the file.
     end=.dll position=-static-libgcc
     options=-Wl,--defsym=dashpot_panic_path_exists=abort,--no-insert-timestamp,--disable-auto-image-base
     ;;

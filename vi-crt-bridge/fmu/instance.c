@@ -458,7 +458,7 @@ int instance_set(struct instance *instance, uint32_t reference, enum type type, 
     return 0;
 }
 
-/* ---- serialised state ------------------------------------------------------------------------------------------ */
+/* ---- serialized state ------------------------------------------------------------------------------------------ */
 
 static const char MAGIC[8] = "dashpot";
 #define SUM (sizeof MAGIC + sizeof((struct contents *)0)->guid)

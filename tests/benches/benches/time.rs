@@ -1,4 +1,5 @@
-//! Measures the time of a step, a fit and a reading on this machine: `cargo bench -p dashpot-benches --bench time`.
+//! Measures the time of a thousand steps, of a fit and of reading a campaign on this machine: `cargo bench -p
+//! dashpot-benches --bench time`.
 
 use dashpot_benches::{STEPS, Steps, files, fit, read};
 use dashpot_identification::Family;

@@ -21,8 +21,8 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Makes a damper: `default`, `cheap` (one inexpensive step per host step), or the default with a named additional
-    /// element.
+    /// Makes a damper: `default`, `cheap` (one step of the Euler method per host step), or the default with the element
+    /// that `damper` names.
     ///
     /// # Panics
     /// If the element does not exist.
@@ -80,7 +80,7 @@ pub fn files() -> TempDir {
     folder
 }
 
-/// Reads the campaign.
+/// Reads the campaign that [`files`] wrote.
 ///
 /// # Panics
 /// If the records are not readable.
@@ -89,7 +89,7 @@ pub fn read(files: &TempDir) -> Campaign {
     dashpot_records::load(&[files.path().join("records")], &Default::default(), &|_| {}).expect("a campaign")
 }
 
-/// Fits a model with selection of all elements, or the FV curve alone.
+/// Fits the model of a family: [`Family::Thesis`] selects among all elements, and [`Family::Fv`] is the FV curve alone.
 ///
 /// # Panics
 /// If the fit fails.
@@ -103,7 +103,7 @@ pub fn fit(campaign: &Campaign, family: Family) -> Fit {
 /// counts.
 ///
 /// # Panics
-/// If threads were started before.
+/// If rayon has started its threads before.
 pub fn one_thread() {
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global().expect("no threads before");
 }

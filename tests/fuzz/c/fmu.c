@@ -1,6 +1,6 @@
-/* The resources of an FMU and a saved state, through the readers of its runtime (vi-crt-bridge/fmu): an instance is made or refused, and one that
- * was made runs. The input is contents.txt, a zero, model.toml of every corner, a zero, and what a saved state is to be damaged with: pairs of a
- * place and a byte. */
+/* Passes resources of an FMU and a damaged saved state to the readers of its runtime (vi-crt-bridge/fmu). An instance is made or rejected,
+ * and an instance that was made runs. The input is contents.txt, a zero, the model.toml of every corner, a zero, and the damage to a saved
+ * state. Each damage has three bytes: a position of two bytes, low byte first, and the new value. */
 #include "../../hosts/fmi2_calls.h"
 #include "resources.h"
 #include <stdint.h>
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands in place of the FMU's folder (resources.c is not linked). */
+/* Texts of the FMU's resources, which replace its folder (resources.c is not linked). */
 static const char *contents, *model;
 
 char *resource(const char *folder, const char *name, char *why, size_t room)
@@ -22,7 +22,7 @@ char *resource(const char *folder, const char *name, char *why, size_t room)
     return copy ? strcpy(copy, text) : NULL;
 }
 
-/* Beyond the variables of any FMU of four corners that the readers let in. */
+/* Number of value references that are read and set, from 0 on. */
 enum { VARIABLES = 200 };
 
 static void look(fmi2Component damper, int set)

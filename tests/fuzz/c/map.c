@@ -1,4 +1,5 @@
-/* A channel map through the bridge's reader (vi-crt-bridge/bridge/channel_map.c): taken or refused, and nothing is read beyond its bytes. */
+/* Passes the input as a channel map to the bridge's reader (vi-crt-bridge/bridge/channel_map.c), which accepts or rejects it and must not
+ * read beyond its bytes. */
 #include "channel_map.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     dashpot_channel_map map;
     dashpot_channel_map_fault fault;
     char name[DASHPOT_CHANNEL_NAME + 8];
-    /* A block of its own, without a closing zero: one byte too far is one beyond the block. */
+    /* The text has its own block without a closing zero, so that reading one byte too far leaves the block. */
     char *text = malloc(size ? size : 1);
     int answer, channel;
     uint32_t corner;

@@ -1,5 +1,6 @@
 //! Targets of the fuzzer: every reader of files, and the processing of the reader's output. A reader may accept or
-//! reject a file. A panic, an access out of bounds, a gibibyte of memory or ten seconds are failures.
+//! reject a file. Failures are a panic, an access out of bounds, more than 1.5 GiB of memory, and more than ten
+//! seconds.
 
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
@@ -27,7 +28,7 @@ fn written(name: &str, bytes: &[u8]) -> PathBuf {
     file
 }
 
-/// Reads a file with this extension as a campaign of one record.
+/// Reads the bytes as a file with the extension `ending`, as a campaign of one record.
 pub fn records(ending: &str, bytes: &[u8]) {
     let file = written(&format!("a.{ending}"), bytes);
     let mut options = Options::default();
@@ -37,7 +38,8 @@ pub fn records(ending: &str, bytes: &[u8]) {
     let _ = load(&[file], &options, &|_| ());
 }
 
-/// Reads a model file with the kernel's reader and the command's reader, which must agree, and builds the model.
+/// Reads a model file with the kernel's reader and the command's reader, and builds the model. If neither reader
+/// reports an error, the parameters must agree. The reader of literature models gets the same file.
 pub fn model(bytes: &[u8]) {
     let mut params = Params::new();
     let by_kernel = kernel::read(bytes, &mut params);
@@ -49,7 +51,7 @@ pub fn model(bytes: &[u8]) {
     let _ = literature::read(&FOLDER.path().join("damper.toml"));
 }
 
-/// Reads a campaign's profile or a table of a verb, selected by the first byte.
+/// Reads the profile of a campaign or another small file of a verb. The first byte selects the kind of file.
 pub fn settings(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let text = std::str::from_utf8(bytes);
@@ -90,7 +92,7 @@ pub fn settings(bytes: &[u8]) {
     }
 }
 
-/// Reads a property file, and patches a dataset of Adams.
+/// Reads the bytes as an Adams property file, writes it and reads it again. Then patches the bytes as an Adams dataset.
 pub fn adams(bytes: &[u8]) {
     if let Ok(read) = property::read(bytes) {
         let again = property::read(property::write(&read, property::Form::Xml).as_bytes());
@@ -103,7 +105,7 @@ pub fn adams(bytes: &[u8]) {
     let _ = patch(bytes, &damper, false);
 }
 
-/// Makes a record of three columns whose headings do not name the channels.
+/// Makes a record of three columns whose headings do not name the channels, so that the profile must assign them.
 fn sine() -> String {
     let row = |i: u32| {
         let t = 0.01 * f64::from(i);

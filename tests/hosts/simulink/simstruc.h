@@ -1,5 +1,5 @@
-/* The public calls of Simulink's S-function interface that the block uses, in declarations of our own: what it is compiled
- * against here. In Simulink they are macros over its own structure. */
+/* The public calls of Simulink's S-function interface that the block uses, in our own declarations. The tests compile the block with them.
+ * In Simulink they are macros that access its own structure. */
 #ifndef SIMSTRUC_H
 #define SIMSTRUC_H
 

@@ -1,6 +1,6 @@
-/* What Simulink's own simulink.c is in the block: the host that calls its call-backs, here one of ours. It calls them in the
- * order that Simulink documents, tries outputs several times within a step as an algebraic loop does, and compares with a
- * bridge. Arguments: model file, channel map, model file of a damper over a setting, map with its channel. */
+/* Replaces Simulink's file simulink.c, which a block includes. It is a host that calls the block's call-backs in the order that Simulink
+ * documents. It requests outputs several times within a step, as an algebraic loop does, and compares them with a bridge. Arguments: model
+ * file, channel map, model file of a damper over a setting, map with its channel. */
 #include "check.h"
 #include <math.h>
 #include <stdlib.h>
@@ -58,13 +58,13 @@ void ssSetSimStateCompliance(SimStruct *S, int_T c) { S->compliant = c; }
 const real_T *ssGetInputPortRealSignal(SimStruct *S, int_T port)
 {
     (void)port;
-    /* Without direct feedthrough Simulink lets nobody read the input in mdlOutputs. */
+    /* In Simulink, mdlOutputs of a block without direct feedthrough must not read the input. This is not checked. */
     return S->u;
 }
 real_T *ssGetOutputPortRealSignal(SimStruct *S, int_T port) { (void)port; return S->y; }
 void ssSetErrorStatus(SimStruct *S, const char *text) { S->error = text; }
 
-/* A block up to the start of a run; stops at the first error as Simulink does. */
+/* Initializes a block up to the start of a run. Stops at the first error, as Simulink does. */
 static void begin(SimStruct *S, const char *models, const char *map, double delayed)
 {
     int i;
@@ -108,8 +108,8 @@ static void motion(double t, int inputs, int each, double *u)
     }
 }
 
-/* Forces of the block are the bridge's, at once or one step later, whatever was tried in between; and a run taken back by
- * the work vectors repeats. */
+/* Checks that the forces of the block are those of the bridge, without delay or one step later, whatever trial inputs come in between. A
+ * step repeated from saved work vectors must give equal forces. */
 static void is_the_bridge(const char *models, uint32_t corners, const char *file, const char *map, int each, int delayed)
 {
     const char *files[4] = {file, file, file, file};
@@ -160,7 +160,7 @@ static void is_the_bridge(const char *models, uint32_t corners, const char *file
     dashpot_bridge_destroy(twin);
 }
 
-/* The last channel of a corner is its setting: another one gives another force. */
+/* Checks that another setting, the last channel of a corner, gives another force. */
 static void follows_the_setting(const char *model, const char *map)
 {
     static SimStruct S;

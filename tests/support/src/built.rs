@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// Returns the folder of the build profile of this test.
+/// Returns the folder of the build profile of this test, such as `target/release`.
 ///
 /// # Panics
 /// If the test does not run from cargo's folder.

@@ -1,7 +1,7 @@
 //! Code shared by the tests of all crates.
 //!
-//! It covers the Rust sources, seeds of property tests, random numbers from a seed, skipped tests, and locations of
-//! cargo's build output. It also locates the inputs of situations that users reported.
+//! The crate covers the Rust sources, seeds of property tests, random numbers from a seed, skipped tests, and locations
+//! of cargo's build output. It also locates the inputs of problems that users reported.
 
 mod built;
 mod random;

@@ -1,4 +1,4 @@
-//! Random numbers from a seed.
+//! Random numbers from a seed, the same on every platform.
 
 /// Random number generator SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 pub struct Random(pub u64);

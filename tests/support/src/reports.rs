@@ -1,9 +1,10 @@
-//! Inputs of situations that users reported. The inputs are stored next to the checkout, not inside.
+//! Inputs of problems that users reported. The inputs are stored next to the checkout, not inside.
 
 use super::skips::skipped;
 use std::path::{Path, PathBuf};
 
-/// Returns the inputs of a situation (`../shared/data/reports`). Reports a skip and returns `None` if they are absent.
+/// Returns the path of the inputs of a reported problem, `../shared/data/reports/<name>`. Reports the test as skipped
+/// and returns `None` if the path does not exist.
 #[must_use]
 pub fn reported(name: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/reports").join(name);

@@ -16,7 +16,8 @@ const SOURCES: [&str; 2] = ["../../src", "../../tests"];
 /// Returns the settings of a property test with `cases` cases. Its seed is a hash of the sources, unless [`VARIABLE`]
 /// sets another seed. The seed is printed for reproduction.
 ///
-/// Changed code thus gets new cases, and unchanged code always gets the same cases. Nightly runs set the variable.
+/// Changed code thus gets new cases, and unchanged code always gets the same cases. A run with the variable set gets
+/// other cases.
 ///
 /// # Panics
 /// If the variable is not a number, or the sources are not readable.
@@ -25,8 +26,8 @@ pub fn drawn(cases: u32) -> Config {
     with(cases, asked().unwrap_or_else(of_the_code))
 }
 
-/// Returns the settings of a property test that some cases violate. The seed is fixed, unless [`VARIABLE`] sets another
-/// seed.
+/// Returns the settings of a property test that fails for some seeds. The seed is fixed, unless [`VARIABLE`] sets
+/// another seed.
 ///
 /// A comment at each use states the results of other seeds.
 ///

@@ -9,10 +9,11 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// Age of a run's notes after which the run has certainly ended.
+/// Age of a run's notes after which they are deleted, because the run has certainly ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
-/// Returns the file of this run's skips, below the target directory and named by the parent process, which is cargo.
+/// Returns the file of this run's skips, below the target directory and named by the id of the parent process, which is
+/// cargo.
 fn notes() -> PathBuf {
     #[cfg(unix)]
     let run = std::os::unix::process::parent_id();
@@ -44,7 +45,8 @@ fn note(file: &Path, line: &str) -> std::io::Result<()> {
     OpenOptions::new().create(true).append(true).open(file)?.write_all(line.as_bytes())
 }
 
-/// Formats one line that counts this run's skipped tests, with the reasons, and deletes their notes.
+/// Formats one line that counts this run's skipped tests, with the reasons. Deletes the notes of this run and of runs
+/// that ended long ago.
 #[must_use]
 pub fn counted() -> String {
     taken(&notes())
@@ -63,7 +65,7 @@ fn taken(file: &Path) -> String {
             let _ = fs::remove_file(entry.path());
         }
     }
-    // A test that skips two parts for one reason counts once.
+    // A test that skips several parts counts once, and so does each of its reasons.
     let mut lines: Vec<(&str, &str)> = text.lines().filter_map(|line| line.split_once('\t')).collect();
     lines.sort_unstable();
     lines.dedup();

@@ -1,4 +1,4 @@
-//! The header matches the sources, and every compiler accepts it.
+//! Tests that `include/dashpot.h` matches the sources, and that a C and a C++ compiler accept it without a warning.
 
 use std::fs;
 
@@ -30,7 +30,8 @@ fn compiles_as_c99_and_cxx11_without_a_warning() {
     let directory = tempfile::tempdir().expect("a directory");
     for (language, name) in [(Language::C, "header.c"), (Language::Cxx, "header.cc")] {
         let source = directory.path().join(name);
-        // The double inclusion tests the guard. The program uses the initializers, so that their warnings appear.
+        // The double inclusion tests the include guard. The program uses an initializer and a function of the header,
+        // so that their warnings appear.
         fs::write(
             &source,
             "#include \"dashpot.h\"\n#include \"dashpot.h\"\n\

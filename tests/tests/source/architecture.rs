@@ -4,7 +4,7 @@ use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-/// Every crate with the workspace's crates that it uses.
+/// Crates of the workspace, each with the crates of the workspace that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
 /// Returns the folder of a package below `src`.
@@ -44,7 +44,7 @@ fn of_page() -> Uses {
     .collect()
 }
 
-/// Returns the dependencies that do not follow from others by transitivity.
+/// Returns the dependencies, as pairs (crate, used crate), that do not follow from others by transitivity.
 fn arrows(uses: &Uses) -> Vec<(&str, &str)> {
     fn reaches(uses: &Uses, from: &str, to: &str) -> bool {
         uses[from].iter().any(|next| next == to || reaches(uses, next, to))
@@ -67,10 +67,10 @@ fn level(uses: &Uses, name: &str) -> usize {
 
 const WIDTH: f64 = 860.0;
 const BOX: (f64, f64) = (118.0, 34.0);
-/// Distance of neighboring levels, with space for the arrows.
+/// Vertical distance of neighboring rows of boxes, in units of the SVG, with space for the arrows.
 const STEP: f64 = 84.0;
 
-/// Draws the crates as boxes in levels, with arrows to their dependencies.
+/// Draws the crates as boxes in rows by [`level`], with arrows to their dependencies.
 fn picture(uses: &Uses) -> String {
     let arrows = arrows(uses);
     let mut levels: Vec<Vec<&str>> = Vec::new();

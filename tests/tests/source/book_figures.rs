@@ -29,7 +29,7 @@ const fn case(element: &'static str, set: &'static [(&'static str, f64)], motion
     Case { element, set, motion, over }
 }
 
-/// One case per element, strong enough to be visible.
+/// Cases of all elements, with parameters that make the effect of the element visible.
 const CASES: &[Case] = &[
     case("fv_curve", &[], (25.0, 4.0), Velocity),
     case("series_compliance", &[("series_stiffness", 1e6)], (5.0, 15.0), Velocity),
@@ -62,12 +62,12 @@ const CASES: &[Case] = &[
     case("rebound_stop", &[("rebound_stop_clearance", 0.02)], (40.0, 1.0), Displacement),
 ];
 
-/// Side force, N, for the elements that need one.
+/// Side force in all cases, N, for the elements that respond to it.
 const SIDE_FORCE: f64 = 1500.0;
-/// Temperature, °C; the FV curve applies at 20 °C.
+/// Temperature in all cases, °C. It differs from the 20 °C of the FV curve, so that `temperature_fade` is visible.
 const TEMPERATURE: f64 = 80.0;
 
-/// Computes displacement, velocity and force over the last of three cycles.
+/// Computes displacement, m, velocity, m/s, and force, N, over the last of three cycles.
 fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
     const STEPS: u32 = 4000;
     let model = Model::new(params).expect("a model");
@@ -130,7 +130,7 @@ fn drawing(case: &Case) -> String {
         let count = (most / step).floor() as i32;
         (-count..=count).map(move |i| f64::from(i) * step).collect::<Vec<_>>()
     };
-    // Positions are multiples of a round step; round away the floating-point errors.
+    // Positions of grid lines are multiples of a round step; round away the floating-point errors.
     let number = |value: f64| format!("{}", (1e6 * value).round() / 1e6);
     for value in places(wide) {
         let (at, end) = (x(value), top + height);

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
-/// A path in code, from the crate's root.
+/// Path of a module or an item in code, from the crate's root.
 type Names = Vec<String>;
 
 /// Names that one file of a crate uses, re-exports, or defines as macros.
@@ -27,7 +27,7 @@ struct Room {
     macros: BTreeSet<String>,
 }
 
-/// Reads a file whose module path is `here`.
+/// Visitor that collects the names of a file whose module path is `here`.
 struct Reader<'a> {
     here: &'a [String],
     room: Room,
@@ -39,8 +39,8 @@ fn is_of_tests(attributes: &[syn::Attribute]) -> bool {
 }
 
 impl Reader<'_> {
-    /// Resolves a path from the crate's root. A path of another crate becomes a path below this file. Returns `None`
-    /// for an empty path.
+    /// Resolves a path that the file uses to a path from the crate's root. A path of another crate becomes a path below
+    /// the file's module. Returns `None` for an empty path.
     fn whole(&self, names: &[String]) -> Option<Names> {
         let mut at = self.here.to_vec();
         let mut rest = names;
@@ -153,8 +153,8 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Returns `None` for
-/// a name of another crate.
+/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Follows at most
+/// `hops` re-exports. Returns `None` for a name of another crate.
 fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
     let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
     let (place, room) = rooms.get_key_value(&names[..depth])?;
@@ -170,13 +170,13 @@ fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) 
         }
     }
     if depth == 0 {
-        // The name is a macro of the crate, or belongs to another crate.
+        // The path begins with a macro of the crate, or with the name of another crate.
         return rooms.iter().find(|(_, room)| room.macros.contains(next)).map(|(place, _)| place);
     }
     Some(place)
 }
 
-/// Finds sets of files with circular dependencies.
+/// Finds the sets of files that depend on each other in a circle.
 fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     let arrows: BTreeMap<&Names, BTreeSet<&Names>> = rooms
         .iter()

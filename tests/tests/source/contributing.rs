@@ -50,7 +50,7 @@ fn a_fleet_takes_the_records_that_the_reader_takes() {
     assert_eq!(listed, dashpot_records::EXTENSIONS);
 }
 
-/// Velocities, m/s, between which the force of dry friction is nearly constant and that of a damper is not.
+/// Velocities, m/s. From [`SLOW`] to [`FAST`], the force of dry friction is nearly constant, and that of a damper is not.
 const SLOW: f64 = 1e-3;
 const FAST: f64 = 0.1;
 
@@ -65,7 +65,7 @@ fn a_locked_damper_is_linearized_without_any_dry_friction() {
         params.disable_all();
         params.enable(element, true);
         let Ok(model) = Model::new(&params) else { continue };
-        // Force at x = 0 after travel at a constant velocity, which ends the presliding.
+        // Computes the force at x = 0 after 20 mm of travel at a constant velocity, which ends the presliding.
         let at_zero = |velocity: f64| {
             let (steps, travel) = (100, 0.02);
             let dt = travel / velocity.abs() / f64::from(steps);

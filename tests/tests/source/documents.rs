@@ -70,7 +70,8 @@ fn every_relative_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
-/// Readers have the book without the surrounding folders, so its relative links stay inside the book.
+/// Checks that the table of contents lists every page, and that relative links stay inside the book. Readers have the
+/// book without the surrounding folders.
 #[test]
 fn the_book_lists_its_pages_and_keeps_to_itself() {
     let source = root().join("docs/book/src");
@@ -102,7 +103,7 @@ fn the_book_builds() {
                 model.contains("figures/element-free_play.svg")
                     && folder.path().join("figures/element-free_play.svg").is_file()
             );
-            // The build inserted the included files from outside the book.
+            // Check that mdBook has inserted the files that pages include from outside the book.
             let parameters =
                 std::fs::read_to_string(folder.path().join("parameters.html")).expect("the page of parameters");
             assert!(parameters.contains("free_play_gap") && !parameters.contains("{{#"));

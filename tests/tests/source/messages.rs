@@ -1,4 +1,4 @@
-//! Test that code uses every message that it declares.
+//! Tests that code uses every message that the lists of messages declare.
 //!
 //! The tests of `report` and `gui` check that each message has a text in every language, and that no file of a language
 //! contains another text.
@@ -51,7 +51,7 @@ fn every_message_is_used() {
     for (list, crates, before) in LISTS {
         let file = root().join(list);
         let text = std::fs::read_to_string(&file).expect(list);
-        // The part of a file before its `interface!` is code too.
+        // The part of the list's file before `interface!` is code, too, and may use messages.
         let own = text.split("interface! {").next().filter(|_| before == ".").unwrap_or("");
         let code = crates.iter().map(|name| sources(&root().join(format!("src/{name}/src")), &file));
         let code = code.collect::<String>() + own;

@@ -9,7 +9,7 @@ use dashpot_tests::header::{bounds, short};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Formats the prior of a parameter; empty without a prior.
+/// Formats the prior of a parameter. Returns an empty text for a parameter without a prior.
 fn usual(row: Row) -> String {
     match Number::try_from(row).ok().and_then(|number| priors::distribution(number, Scale::CAR)) {
         Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
@@ -20,7 +20,7 @@ fn usual(row: Row) -> String {
     }
 }
 
-/// Formats the bounds of a force-dependent parameter for a car damper, if they differ from the general bounds.
+/// Formats the bounds of a parameter for a car damper. Returns an empty text if they equal the general bounds.
 fn in_proportion(p: &Parameter) -> String {
     let (low, high) = p.of_a_car;
     if (low, high) == (p.low, p.high) { String::new() } else { format!(" (car: {} to {})", short(low), short(high)) }
@@ -95,7 +95,7 @@ fn the_page_follows_the_table() {
     assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
 }
 
-/// The page and the header contain the same bounds for every parameter.
+/// Checks that the page and the header contain the same bounds for every parameter.
 #[test]
 fn the_header_and_the_page_have_the_same_bounds() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();

@@ -1,4 +1,4 @@
-//! Tests the reports in every language: of a real diagnosis, and of a validation with records of every kind of flaw.
+//! Tests the reports in every language: those of three diagnoses, and those of a validation with flawed records.
 //!
 //! This file lists all texts that stay English in the translated reports.
 
@@ -25,7 +25,7 @@ use std::sync::OnceLock;
 /// Units, symbols, file formats and the words of commands, which are equal in all languages.
 const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n c h x cm dashpot validate diagnose reference CSV FV SHA SHA-256 \
                        sha256sum rms lambda damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
-/// By language, texts that are equal to the English text.
+/// Texts, by language, that may be equal to the English text.
 const SAME: &[(&str, &[&str])] = &[
     ("de", &["Name", "Parameter", "Amplitude, mm"]),
     ("fr", &["compression", "amplitude, mm", "direction", "Identification", "cycles"]),
@@ -101,12 +101,12 @@ fn page(case: &Case, language: Language) -> String {
     .render()
 }
 
-/// Returns every visible text that contains letters, including the texts in drawings.
+/// Returns every visible text of a page that contains letters, including the texts in drawings.
 fn visible(page: &str) -> Vec<String> {
     every_text(page).into_iter().filter(|text| text.chars().any(char::is_alphabetic)).collect()
 }
 
-/// Returns every text, including pure numbers.
+/// Returns every visible text of a page, including pure numbers.
 fn every_text(page: &str) -> Vec<String> {
     let without = |page: &str, tag: &str| -> String {
         let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
@@ -132,9 +132,10 @@ fn latin(text: &str) -> impl Iterator<Item = &str> {
 /// Returns whether a word is a name from a file, a unit or a symbol.
 fn is_name(word: &str) -> bool {
     let is_parameter = || parameter::table().any(|row| row.parameter.name == word);
-    // The parameters of heating, and the effect that no rig can identify, are not in the table.
+    // The parameters of the damper's heating, and `cylinder_expansion`, which no rig can identify, are not in the
+    // parameter table.
     let of_measurement = ["cooling_rate", "heat_capacity", "cylinder_expansion"].contains(&word);
-    // An unnamed hypothesis is identified by its components.
+    // An unnamed hypothesis has the names of its components instead of an effect's name.
     let is_tried =
         || cases().iter().flat_map(|c| c.found.iterations.iter().flatten()).any(|tried| tried.effect == word);
     let is_test = cases().iter().flat_map(|c| &c.records).any(|record| record.name == word);
@@ -142,7 +143,7 @@ fn is_name(word: &str) -> bool {
     let is_figure = |part: &str| !part.chars().any(|c| c.is_ascii_alphabetic());
     let is_symbol = || in_symbols(word) || word.split(['/', '·']).all(|part| in_symbols(part) || is_figure(part));
     // The meaning of a parameter contains symbols of the model's equations (k_p, v_0, x), which are equal in every
-    // language. No word is so short.
+    // language. Such symbols have one letter, or an underscore after the first letter.
     let is_short = word.len() == 1 || word.as_bytes().get(1) == Some(&b'_');
     let is_of_an_equation =
         || is_short && parameter::table().any(|row| latin(row.parameter.meaning).any(|w| w == word));
@@ -155,7 +156,7 @@ fn is_name(word: &str) -> bool {
         || is_tried()
 }
 
-/// Returns whether a text stays English. Only the meanings of parameters do.
+/// Returns whether a text may stay English. Only the meanings of parameters may.
 fn stays(text: &str) -> bool {
     parameter::table().any(|row| row.parameter.meaning == text)
 }
@@ -240,12 +241,12 @@ fn the_cases_have_every_section() {
     }
 }
 
-/// One row of a synthetic record: time, displacement in mm, velocity in mm/s, force; `None` is an empty cell.
+/// One row of a synthetic record: time in s, displacement in mm, velocity in mm/s, force in N; `None` is an empty cell.
 type Row = [Option<f64>; 4];
 
 const RATE: f64 = 1000.0;
 
-/// Makes a sine of 20 mm at 2 Hz on a damper with friction, gas and a small noise.
+/// Makes the rows of a sine test of 20 mm at 2 Hz on a damper with friction and gas. The force has a small noise.
 fn rows() -> Vec<Row> {
     let mut noise = 0.4f64;
     let mut row = |k: usize| {
@@ -376,7 +377,7 @@ fn flawed(folder: &Path) {
     .unwrap();
 }
 
-/// A flawed campaign, and a model with the remarks of its fit.
+/// A flawed campaign, and a model file with the notes of its fit.
 struct Flawed {
     /// Folder of the files of the case. Its name appears untranslated in texts.
     folder: String,
@@ -429,7 +430,7 @@ fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     }
 }
 
-/// Returns the words of a text in Latin letters, without the options of the command.
+/// Returns the words of a text in Latin letters, without the options of the command and their values.
 fn without_options(text: &str) -> Vec<&str> {
     let mut words: Vec<&str> = Vec::new();
     let mut parts = text.split(|c: char| !(c.is_ascii_alphanumeric() || "_-./·".contains(c))).peekable();

@@ -1,23 +1,25 @@
 //! A fit gives the same digits on every system and in every thread. Therefore all shipped code uses the elementary
 //! functions of crate `libm`.
 //!
-//! The standard library calls the elementary functions of the system. glibc selects an implementation by the processor.
-//! MinGW on Windows uses the x87 unit, whose precision differs between the main thread and threads started later.
+//! Rust's standard library calls the elementary functions of the system's C library. glibc selects an implementation by
+//! the processor. MinGW on Windows uses the x87 unit, whose precision differs between the main thread and threads
+//! started later.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// Functions of the standard library that call the system. Square roots, rounding, remainders and fused products are
-/// not among them, because they are exact everywhere.
+/// Functions of Rust's standard library that call the system's C library. Square roots, rounding, remainders and fused
+/// products are not among them, because they are exact everywhere.
 const SYSTEMS: [&str; 25] = [
     "powf", "exp", "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "sin", "cos", "tan", "sin_cos", "asin",
     "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
 ];
 
-/// Files that call methods of automatic-differentiation numbers; this test covers the files that define the methods.
+/// Files whose calls are methods of numbers with derivatives (automatic differentiation). The methods have the names of
+/// system functions, and this test covers the files that define them.
 const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/motion.rs"];
 
-/// Returns the system's function that a line of code calls.
+/// Returns the name from [`SYSTEMS`] that a line of code calls, or `None` if it calls none.
 fn calls(line: &str) -> Option<&'static str> {
     let code = line.split("//").next().unwrap_or(line);
     // Two points do not begin a method call: `..log(x)` fills the rest of a structure.

@@ -1,5 +1,5 @@
-//! Enforces STYLE.md: standard terms in public names and JSON keys, self-contained doc comments, short sentences in
-//! documents.
+//! Tests the rules of STYLE.md: standard terms in public names and JSON keys, self-contained doc comments, short
+//! sentences in documents.
 //!
 //! `ALLOWED` states the remaining violations by crate and document. A count may only fall. The test fails at a higher
 //! count, and also at a lower count until the table contains the lower count.
@@ -82,7 +82,7 @@ fn says_nothing(name: &str) -> Option<&'static str> {
     ALONE.split_whitespace().find(|entry| words(name) == [*entry])
 }
 
-/// Returns the glossary's entry that a name contains.
+/// Returns the entry of [`WORDS`] that a name contains.
 fn replaced(name: &str) -> Option<&'static str> {
     let words = words(name);
     let has = |entry: &&str| {

@@ -9,7 +9,8 @@ fn nothing_prints_beside_the_one_place() {
     let (mut seen, mut wrong) = (0, Vec::new());
     for file in rust_files(&root().join("src")).unwrap() {
         let name = file.strip_prefix(root()).unwrap().display().to_string();
-        // Excluded are programs of developers, build scripts, and the window's own messages.
+        // Skip tests, programs of developers, build scripts, the crate that may write to the terminal, and the window's
+        // main file.
         let own = ["/tests/", "/examples/", "build.rs", "/ui_tests/", "src/output/src/", "src/gui/src/main.rs"];
         if own.iter().any(|own| name.contains(own)) {
             continue;
@@ -23,15 +24,14 @@ fn nothing_prints_beside_the_one_place() {
             }
         }
     }
-    // The first file only checks whether a terminal exists. The second file prints clap's help if the user requests
-    // help.
+    // `progress.rs` only checks whether a terminal exists. `main.rs` prints clap's help if the user requests help.
     wrong.retain(|line| !line.starts_with("src/cli/src/progress.rs") && !line.starts_with("src/cli/src/main.rs"));
     assert!(seen > 300, "only {seen} files were seen");
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Escape sequences and direction marks in names, headings, profiles and arguments are displayed as text and have no
-/// effect.
+/// Checks that escape sequences and direction marks in names, headings, profiles and arguments are displayed as text
+/// and have no effect.
 #[test]
 fn texts_of_strangers_do_not_act_on_the_terminal() {
     let folder = tempfile::tempdir().unwrap();

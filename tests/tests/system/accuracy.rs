@@ -1,4 +1,4 @@
-//! Compares the fixed step with the converged solution, over the whole test matrix up to 25 Hz.
+//! Compares the force of the kernel's fixed steps with the converged solution, over the whole test matrix up to 25 Hz.
 
 use dashpot_core::number;
 use dashpot_core::{Model, Params};
@@ -57,7 +57,8 @@ fn the_reference_itself_has_converged() {
         let (coarse, fine) = (of(4), of(12));
         let top = fine.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         let off = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        // The reference's error must be at most a tenth of the smallest limit above.
+        // The reference's error must be at most a tenth of the smallest limit of `errors_stay_inside_the_contract`,
+        // 1e-4.
         assert!(off <= 1e-5 * top, "{off} of {top}");
     }
 }

@@ -10,11 +10,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
-/// Age, in days, from which the advisories of the checkout are old. RustSec publishes several a week, and cargo-deny
-/// has the same limit.
+/// Age, in days, above which the advisories of the checkout are reported as old. RustSec publishes several a week, and
+/// cargo-deny has the same limit.
 const OLD: i64 = 90;
 
-/// Runs cargo-deny in the project's folder. Returns `None` if it is not installed.
+/// Runs cargo-deny in the project's folder. Returns `None` if cargo-deny is not installed.
 fn deny(args: &[&str]) -> Option<Output> {
     let run = |args: &[&str]| Command::new("cargo").arg("deny").args(args).current_dir(root()).output();
     run(&["--version"]).ok().filter(|out| out.status.success())?;
@@ -25,7 +25,7 @@ fn deny(args: &[&str]) -> Option<Output> {
 fn days(date: &str) -> i64 {
     let part = |range: std::ops::Range<usize>| date[range].parse::<i64>().expect("a date");
     let (y, m, d) = (part(0..4), part(5..7), part(8..10));
-    // Months count from March, so that the leap day is the last of a year.
+    // Months count from March, so that the leap day is the last day of a year.
     let (y, m) = if m > 2 { (y, m - 3) } else { (y - 1, m + 9) };
     365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + d - 1 - 719_468
 }
@@ -35,7 +35,8 @@ fn snapshot() -> String {
     std::fs::read_to_string(root().join("tests/advisories/snapshot")).expect("tests/advisories/snapshot")
 }
 
-/// Returns a message if the advisories of the checkout are old on a day.
+/// Returns a message if the advisories of the checkout are older than [`OLD`] on the day `today` (days since
+/// 1970-01-01).
 fn stale(snapshot: &str, today: i64) -> Option<String> {
     let date = snapshot.split(' ').next().unwrap_or_default();
     let age = today - days(date);
@@ -65,7 +66,8 @@ fn by_the_checkout(configuration: &str) -> Output {
     std::fs::write(&file, deny_toml.to_string()).expect("a file");
     let file = file.to_str().expect("a path in UTF-8");
     let check = ["--offline", "--color", "never", "--config", file, "check", "advisories"];
-    // The first run prints the path of the repository, whose name cargo-deny derives from the address.
+    // The first run prints the path of the repository. cargo-deny derives the repository's name from the address of the
+    // advisory database.
     let said = String::from_utf8_lossy(&deny(&check).expect("cargo-deny").stderr).into_owned();
     let path = said
         .split('"')
@@ -137,8 +139,8 @@ fn nothing_is_known_against_a_crate() {
     assert!(out.status.success(), "cargo deny check advisories:\n{}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// cargo-deny really uses the advisories of the checkout. Without the exceptions in `deny.toml`, it reports the crates
-/// of these exceptions.
+/// Checks that cargo-deny uses the advisories of the checkout. Without the exceptions in `deny.toml`, cargo-deny must
+/// report the advisories of these exceptions.
 #[test]
 fn the_advisories_of_the_checkout_are_used() {
     if deny(&[]).is_none() {
@@ -169,7 +171,7 @@ fn old_advisories_are_said_to_be_old() {
     assert!(days(&snapshot()[..10]) > days("2026-01-01"));
 }
 
-/// The licenses of the packages equal the allowed licenses.
+/// Checks that `dist/licences.py` allows the same licenses in the packages as `deny.toml`.
 #[test]
 fn the_licences_are_those_of_the_packages() {
     let deny: toml::Table = std::fs::read_to_string(root().join("deny.toml")).unwrap().parse().unwrap();

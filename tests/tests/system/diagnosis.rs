@@ -10,13 +10,14 @@ use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Returns strokes and velocities, mean positions, side forces, and slow tests.
+/// Returns the tests of a whole campaign: amplitudes and peak velocities, mean displacements, side forces, and slow
+/// tests.
 fn tests() -> Vec<Sine> {
     with_others(strokes_and_speeds())
 }
 
-/// Returns the tests with only every second stroke and velocity. They take half the time, and suffice if a test does
-/// not verify the magnitude of effects.
+/// Returns the tests of the campaign with only every second amplitude and velocity. They take half the time, and
+/// suffice where the magnitude of an effect is not checked.
 fn fewer_tests() -> Vec<Sine> {
     with_others(strokes_and_speeds().into_iter().skip(1).step_by(2).collect())
 }
@@ -95,8 +96,8 @@ fn find_nothing(seeds: std::ops::RangeInclusive<u64>) {
     }
 }
 
-/// Diagnoses data with one additional effect, and asserts its name. Returns the fraction of the gap that the diagnosis
-/// closes.
+/// Diagnoses data with one additional effect, and asserts that the diagnosis names this effect alone. Returns the
+/// fraction of the gap between residual and noise that the improved model closes.
 fn names(effect: &str, set: &[(&str, f64)]) -> f64 {
     let mut truth = base();
     truth.enable(Element::find(effect).unwrap(), true);
@@ -135,8 +136,8 @@ fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }
 
-/// The thermal state changes more slowly than a cycle. A simulation that is compared with a mean cycle must therefore
-/// start from the state on the rig.
+/// Checks a gas whose thermal state changes more slowly than a cycle. A simulation that is compared with a mean cycle
+/// must therefore start from the state on the rig.
 #[test]
 #[ignore = "20 s, for the night; every run finds this gas with half of the tests"]
 fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
@@ -144,8 +145,8 @@ fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     assert!(gap > 0.95, "{gap}");
 }
 
-/// With few tests, a gas spring alone is ten times as probable as a gas spring plus a parallel spring. The intervals
-/// also contain the gas spring's values with a parallel spring.
+/// Checks that the intervals of the gas spring contain the true values. With few tests, a gas spring alone is ten times
+/// as probable as the true gas spring plus parallel spring.
 #[test]
 fn an_interval_holds_what_a_less_probable_structure_says() {
     let mut truth = base();
@@ -196,7 +197,7 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     assert!(same.changes.is_empty(), "{:?}", same.changes);
 }
 
-/// Delays the force channel by `delay`, for steady motion.
+/// Delays the force channel of a record in steady motion by `delay`, s.
 fn late(record: &Record, delay: f64) -> Record {
     let (first, period) = (record.time[0], record.cycles.len() as f64 / record.frequency);
     let dt = record.time[1] - first;
@@ -208,9 +209,10 @@ fn late(record: &Record, delay: f64) -> Record {
     Record { force: record.time.iter().map(|t| at(t - delay)).collect(), ..record.clone() }
 }
 
-/// The file of the improved model contains the effects of the rig, but its damper does not.
+/// Checks that the file of the improved model states the measurement errors of the rig, but that its damper does not
+/// contain them.
 ///
-/// Without these entries, the next evaluation of the same records would attribute the effects to the model.
+/// If the file did not state the errors, the next evaluation of the same records would attribute them to the damper.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -238,7 +240,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", describe(&again));
 }
 
-/// The effects and the residual of records do not depend on the initial model of the search.
+/// Checks that effects and residual of the same records do not depend on the initial model of the search.
 #[test]
 fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     let mut truth = base();
@@ -274,7 +276,8 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     assert!(answers[0].0.contains(&"bump_stop"), "{answers:?}");
 }
 
-/// The diagnosis reports the status of each effect. Here a stop replaces a spring that approximated the stop.
+/// Checks that the diagnosis reports the status of each effect. Here a stop replaces a spring that approximated the
+/// stop.
 #[test]
 fn a_spring_that_stood_for_a_stop_is_replaced() {
     let mut truth = base();

@@ -3,7 +3,7 @@
 use dashpot_tests::cli::{done, json, refused};
 use std::path::Path;
 
-/// A monotube whose parameters correspond to 25 bar on a rod of 12 mm and an oil modulus of 1.2 GPa.
+/// Model file of a monotube whose parameters correspond to 25 bar on a rod of 12 mm and an oil modulus of 1.2 GPa.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
      oil_stiffness = 1.0554e7\noil_shortening = 7.69\nfv_velocity = [-1.0, -0.3, -0.1, -0.05, 0.0, 0.05, 0.1, 0.3, 1.0]\n\
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
@@ -100,7 +100,7 @@ fn a_slip_in_the_drawing_is_named_and_nothing_is_written() {
     assert!(told.contains("--dimensions gives priors to --model thesis"), "{told}");
 }
 
-/// Writes the motions of a short campaign, four cycles of sines of 20 mm. Returns their names.
+/// Writes the motions of a short campaign, each with four cycles of a sine of 20 mm. Returns their names.
 fn motions(dir: &Path) -> [&'static str; 3] {
     let sines = [("slow", 0.04), ("middle", 1.5), ("fast", 6.0)];
     for (name, frequency) in sines {
@@ -115,7 +115,7 @@ fn motions(dir: &Path) -> [&'static str; 3] {
     sines.map(|(name, _)| name)
 }
 
-/// A damper whose FV curve and friction depend on a current.
+/// Model file of a damper whose FV curve and friction depend on a current.
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0]\n\
      setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 150.0\ncoulomb_force = [20.0, 60.0]\n\
      fv_velocity = [-1.0, -0.1, 0.0, 0.1, 1.0]\n\
@@ -140,8 +140,8 @@ fn a_family_is_explained_at_a_setting_with_the_intervals_there() {
     assert!(told.contains("depends on no setting"), "{told}");
 }
 
-/// Dimensions also give priors of a family: the gas force is common to all settings, and it contradicts wrong
-/// dimensions.
+/// Checks that dimensions also give priors of a damper over a setting. Its gas force is common to all settings, and
+/// contradicts wrong dimensions.
 #[test]
 fn a_family_is_fitted_and_diagnosed_with_dimensions() {
     let folder = folder(FAMILY, "rod_mm = 12\ngas_pressure_bar = 60\n");
@@ -168,8 +168,8 @@ fn a_family_is_fitted_and_diagnosed_with_dimensions() {
     assert!(told.contains("cannot read the dimensions absent.toml"), "{told}");
 }
 
-/// A short campaign is fitted with dimensions. The model file states the priors, and the contradiction by wrong
-/// dimensions.
+/// Checks a fit of a short campaign with dimensions. The printed notes state the prior of the gas force, or that the
+/// records contradict wrong dimensions.
 #[test]
 fn a_fit_says_what_the_dimensions_made_it_expect_and_what_its_records_contradict() {
     let folder = folder("", "rod_mm = 12\ngas_pressure_bar = 60\n");

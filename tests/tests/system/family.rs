@@ -26,9 +26,11 @@ use std::sync::LazyLock;
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
 
-/// Error limits on one small campaign of a semi-active damper. The first applies to the random current, the second to
-/// the lag at all steps except the worst, the third to the worst step. For the whole protocol, the book states 19 % at
-/// the worst step.
+/// Limits of the relative errors on one small campaign of a semi-active damper.
+///
+/// [`RANDOM`] applies to the force at a random current. [`LAG`] applies to the lag of the valve at all steps of the
+/// current but the worst. [`WORST_LAG`] applies to the worst step, for which the book states 19 % with the whole
+/// protocol.
 const RANDOM: f64 = 0.03;
 const LAG: f64 = 0.1;
 const WORST_LAG: f64 = 0.2;
@@ -76,8 +78,8 @@ fn truth(friction: Option<[f64; 4]>) -> Definition {
     Definition { params, axis }
 }
 
-/// Returns options with the elements of [`truth`] only. A test of the valve needs no search for further
-/// effects, which would take most of its time.
+/// Returns options with the elements of [`truth`] only. A test of the valve needs no search for further effects, which
+/// would take most of the test's time.
 fn elements_of_truth() -> FitOptions {
     let elements = ["fv_curve", "coulomb_friction", "gas_preload", "series_compliance", "parallel_spring"];
     FitOptions { elements: Some(elements.map(str::to_owned).to_vec()), ..FitOptions::default() }
@@ -126,7 +128,8 @@ fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     (held, all)
 }
 
-/// Returns the largest difference of two dampers over the records of a setting, relative to the largest force.
+/// Returns the largest difference between the forces of two dampers over the tests of [`matrix`], relative to the
+/// largest force of `a`.
 fn apart(a: &Params, b: &Params) -> f64 {
     let forces = |params: &Params| -> Vec<f64> {
         kernel_campaign::campaign(params, &matrix(), 1, 0.0).iter().flat_map(|r| r.force.clone()).collect()
@@ -156,7 +159,8 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     assert!(apart < 0.03, "{apart}");
     for of in &found.settings {
         assert!(of.family.error_percent < 1.5, "{of:?}");
-        // Between 0 and 0.8 A, the knee moves too far for an accurate cubic interpolation.
+        // The limit for a left-out setting is larger, because the knee moves too far between its neighbors for an
+        // accurate cubic interpolation.
         assert!(of.left_out.is_none_or(|error| error.error_percent < 2.0), "{of:?}");
     }
     let ends: Vec<bool> = found.settings.iter().map(|of| of.left_out.is_some()).collect();
@@ -256,7 +260,8 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     axis.set_values(number!("coulomb_force"), &[20.0, 60.0, 110.0, 500.0]).unwrap();
     let changed = ModelFile::new(file.params, axis, file.identification.clone(), file.specified.clone());
     assert!(changed.was_changed() && changed.edited.contains(&"coulomb_force@1.2".to_owned()), "{:?}", changed.edited);
-    // The file contains the FV curve alone at each setting. Between the settings, the curve is interpolated.
+    // The file contains the fit of the FV curve alone at each setting. Between the settings, this curve is
+    // interpolated.
     let curve = |setting: f64| at_setting(&file, setting).identification.fv_only.unwrap();
     let (soft, middle, hard) = (curve(0.4), curve(0.6), curve(0.8));
     let top = |curve: &FvOnly| *curve.force.last().unwrap();
@@ -299,7 +304,7 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     }
 }
 
-/// Returns sines at five currents, and two tests with steps of the current.
+/// Returns sine tests at five currents, and two tests with steps of the current.
 fn sines_and_steps(seed: u64) -> Vec<SemiActiveTest> {
     let mut tests = sines(&[0.0, 0.4, 0.8, 1.2, 1.6]);
     tests.extend(steps(seed).into_iter().take(2));
@@ -333,8 +338,8 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// One test with steps identifies both lags and the dead time, although a common lag for both directions fits worse
-/// than no lag.
+/// Checks that one test with steps identifies both lags and the dead time, although a common lag for both directions
+/// fits worse than no lag. Without a fall of the current, the lag of a fall is reported as not identified.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);
@@ -356,8 +361,8 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     let found = found_with(&records);
     for (name, value) in [("setting_time_up", 0.03), ("setting_time_down", 0.018), ("setting_dead_time", 0.004)] {
         let of = found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
-        // The interval covers the noise and the uncertainty of the command's change within a sample. The interval does
-        // not cover the model error at intermediate currents.
+        // The tolerance is 10 % instead of the interval. The interval covers the noise and the uncertain time of the
+        // command within a sample, but not the model error at intermediate currents.
         assert!((of.value - value).abs() < 0.1 * value && of.standing == Standing::Identified, "{of:?}");
     }
     // Keep the record up to the first fall.
@@ -377,7 +382,7 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     assert!((of("setting_time_up").value / 0.03 - 1.0).abs() < 0.2, "{found:?}");
 }
 
-/// Simulates a sine test during which the current steps.
+/// Simulates a sine test during which the current steps between 0 and 1.2 A every 0.5 s.
 fn stepped(damper: &Definition) -> Record {
     let family = prepared_family(damper).unwrap();
     let (rate, count, w) = (1000.0, 6000, TAU * 0.7);
@@ -396,7 +401,8 @@ fn stepped(damper: &Definition) -> Record {
     let commanded = |i: i32| if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
     for i in 0..count {
         let (t, command) = (f64::from(i) / rate, commanded(i));
-        // The command changes in the middle of a sample, and the valve is integrated in tenths of a sample.
+        // The command changes in the middle of a sample interval, and the valve is integrated in tenths of this
+        // interval.
         for part in 1..=10 {
             let (dt, since) = (0.1 / rate, f64::from(part - 10) * 0.1 / rate);
             let command = Some(commanded(if part > 5 { i } else { i - 1 }));
@@ -414,7 +420,8 @@ fn stepped(damper: &Definition) -> Record {
     record
 }
 
-/// A damper that depends on a pilot pressure. Its valve lag is 12 ms for rising and 20 ms for falling pressure.
+/// Model file of a damper that depends on a pilot pressure. The time constant of its valve is 12 ms for rising and 20
+/// ms for falling pressure.
 const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [2.0, 10.0]\n\
      setting_name = \"pressure\"\nsetting_unit = \"bar\"\nsetting_time_up = 0.012\nsetting_time_down = 0.020\ngas_force = 150.0\n\
      coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
@@ -521,7 +528,8 @@ fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
         fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
     };
     let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
-    // Verify the times of rise and fall to 63 %, because dead time and time constant are correlated.
+    // Compare the times of rise and fall to 63 % (dead time plus time constant), because dead time and time constant
+    // are correlated.
     let sum = |of: &ActuatorFit, name: &str| {
         let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
         value(name) + value("setting_dead_time")

@@ -1,5 +1,5 @@
-//! Runs every reader of files for some seconds under a fuzzer guided by branch coverage; the argument of
-//! `tests/fuzz/run` is the time. The variable DASHPOT_FUZZ sets the seconds of this test.
+//! Runs every reader of files for some seconds under a fuzzer guided by branch coverage; the script `tests/fuzz/run` is
+//! given the seconds per reader. The environment variable DASHPOT_FUZZ sets other seconds.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::cli::program;

@@ -8,8 +8,8 @@ use dashpot_proving::outcome::{Outcome, judged};
 use dashpot_proving::score;
 use dashpot_severity::case::Case;
 
-/// Diagnoses a case at given strengths. Searching for the strengths of its severities would take longer than the
-/// diagnosis.
+/// Diagnoses a case with given strengths of the injected effects. Searching for the strengths that give the case's
+/// severities would take longer than the diagnosis.
 fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
     let measured = case.measure_at(strengths.to_vec(), &[]).unwrap();
     judged(block, case.options.seed, &case.effects, &measured, &Options::default()).unwrap().0
@@ -56,12 +56,13 @@ fn nothing_is_named_where_nothing_is_hidden() {
 
 #[test]
 fn what_is_in_no_catalogue_gets_no_name() {
-    // The strength gives severity 2.
+    // The strength 2.9923 gives the tilt severity 2.
     let o = outcome_at(&[2.9923], "unknown", &Case::nothing(90_203).hiding("unknown_crosshead_tilt", 2.0));
     assert!(o.named.is_empty(), "{o:?}");
 }
 
-/// Neither effect alone explains half of the disagreement.
+/// Checks that two injected effects are found, although neither alone explains half of the disagreement between model
+/// and records.
 #[test]
 #[ignore = "half a minute on two cores; the benchmark has it too"]
 fn two_effects_are_found_together() {

@@ -22,15 +22,16 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Number of damaged texts per seed.
+/// Number of damaged texts that are made from each valid text.
 const ROUNDS: usize = 1500;
-/// Longest time per text. The texts have a few kilobytes, but other programs may run in parallel.
+/// Longest time in which a text must be read or rejected. The texts have a few kilobytes, but other programs may run in
+/// parallel.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A reader of a file; the error is the user's message.
 type Reader<'a> = &'a dyn Fn(&Path, &[u8]) -> Result<(), String>;
 
-/// Damages each seed in many ways and reads the results. The seed itself must be valid.
+/// Damages each valid text of `seeds` in many ways, and passes the results to `reader`. `name` is the name of the file.
 fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<'_>) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join(name);
@@ -71,7 +72,7 @@ fn text(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(bytes).map_err(|e| e.to_string())
 }
 
-/// Simulates a damper on a sine, as a record.
+/// Computes the record of a simple damper on a sine; `amplitude` is in m, `frequency` in Hz.
 fn record(amplitude: f64, frequency: f64) -> Record {
     let time: Vec<f64> = (0..241).map(|i| f64::from(i) / (80.0 * frequency)).collect();
     let omega = TAU * frequency;
@@ -96,7 +97,7 @@ fn record(amplitude: f64, frequency: f64) -> Record {
 fn whole_model() -> String {
     let mut params = Params::new();
     for element in Element::all() {
-        // An element that excludes another one stays as it was.
+        // Leave out an element that another one excludes.
         let before = params;
         params.enable(element, true);
         if prepared(&params).is_err() {
@@ -256,7 +257,8 @@ fn files_of_adams() {
     });
 }
 
-/// One in this number of valid dimension files explains a model, which takes more time than reading.
+/// Number of accepted dimension files per explanation of a model. The other files are only read, because an explanation
+/// takes longer.
 const EXPLAINED: usize = 50;
 
 #[test]

@@ -58,7 +58,8 @@ fn fitted(records: &[Record]) -> Fit {
     fit(&records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
 }
 
-/// A fit finds an oil column whose chambers differ. A series spring alone would leave several times the noise.
+/// Checks that a fit finds an oil column whose chambers differ in stiffness. With a series spring alone, the residual
+/// would be several times the noise.
 #[test]
 fn an_oil_column_is_found_by_a_fit() {
     let mut truth = truth();
@@ -81,7 +82,7 @@ fn an_oil_column_is_found_by_a_fit() {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Each seed takes three to five seconds on one core. With six seeds, each parameter has six intervals, and all
+    // Each seed takes three to five seconds on one core. With six seeds, each scalar parameter has six intervals, and all
     // parameters together have about ninety.
     cover_the_truth(1..=6);
 }
@@ -137,10 +138,10 @@ fn cover_the_truth(seeds: std::ops::RangeInclusive<u64>) {
     assert!((0.90..=0.99).contains(&share), "all parameters together: {hits} of {count}");
 }
 
-/// Applies measurement errors of the rig to a campaign with increasing times.
+/// Applies measurement errors of the rig to a campaign whose tests follow each other in time.
 fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Record> {
     for (k, record) in records.iter_mut().enumerate() {
-        // The tests follow each other; all but the last are shorter than 80 s.
+        // The tests begin 80 s after each other; all but the last are shorter.
         record.time.iter_mut().for_each(|t| *t += 80.0 * k as f64);
         // Add the inertia of a mass, with the motion at the time of the force.
         *record = correct_record(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
@@ -166,8 +167,8 @@ fn intervals_of_measurement_errors_hold_the_truth() {
     find_measurement_errors(&["delay", "rig_mass", "gain_drift", "zero_drift"], 1..=4, 0.85);
 }
 
-/// Fits campaigns with each of the named measurement errors alone, and with all four errors. Asserts the fraction of
-/// intervals that contain the true value.
+/// Fits campaigns with each of the named measurement errors alone, and with all four errors. Asserts that at
+/// least the fraction `coverage` of the intervals contain the true value.
 fn find_measurement_errors(alone: &[&str], seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
     let truth = truth();
     // The mass is much larger than that of a rod, which is about a kilogram.
@@ -237,7 +238,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
-    // Without seeds of this kind, the test would be meaningless.
+    // Half of the seeds must give a rejected delay, and half a stiffness that is more than 10 % too small. Otherwise
+    // the test would be meaningless.
     assert!(unbelieved >= 2 && far >= 2, "{unbelieved} {far}");
 }
 
@@ -281,7 +283,8 @@ fn one_rate_of_turning_tells_no_delay_from_compliance_and_that_is_said() {
 
 #[test]
 fn what_the_data_cannot_show_is_named() {
-    // A single slow test determines friction and gas force, but not mass, series spring or high velocities.
+    // A single slow test determines friction and gas force, but not the internal mass, the series spring or the FV
+    // curve at high velocities.
     let truth = truth();
     let records: Vec<Record> = campaign(&truth, 3, 0.01, |_| None).into_iter().filter(|r| r.frequency < 0.02).collect();
     let found = fitted(&records);
@@ -364,7 +367,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     let found = fitted(&kernel_campaign::campaign(&sharp, &tests, 3, 0.01));
     let points = |found: &Fit| found.params.list(list!("fv_velocity")).len();
     let with_a_knee = points(&found);
-    // With points at fixed ratios alone, the error would be 60 N.
+    // If the velocities of the curve's points had fixed ratios alone, the error would be 60 N.
     let off = off_the_curve(&found, &sharp);
     assert!(off < 25.0, "{off} N, {:?}", found.params.list(list!("fv_velocity")));
     let round = kernel_campaign::base();
@@ -387,7 +390,8 @@ fn stops_are_found_as_stops_and_hide_no_friction() {
 
 /// Fits dampers with a stop at a displacement, m.
 fn find_stops(stops: &[(&str, f64)]) {
-    // A spring with a table would absorb a stop, and its residual would prevent the selection of any friction.
+    // Except for the stop, the effects must be those of the damper without a stop. A spring with a table would absorb
+    // the stop, and its residual would prevent the selection of any friction.
     let without_stop = fitted(&campaign(&truth(), 11, 0.01, |_| None));
     for (side, at) in stops.iter().copied() {
         let mut truth = truth();
@@ -405,7 +409,7 @@ fn find_stops(stops: &[(&str, f64)]) {
         let besides: Vec<&str> = effects(&found).into_iter().filter(|effect| *effect != side).collect();
         assert_eq!(besides, effects(&without_stop), "{side}");
         assert!(found.misfit < 1.2, "{side}: {}", found.misfit);
-        // A fit without the stop is worse.
+        // A fit whose elements exclude the stop is worse.
         let every = [
             "fv_curve",
             "series_compliance",

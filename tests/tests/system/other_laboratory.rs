@@ -1,5 +1,5 @@
-//! The second laboratory injects exactly the effects that the diagnosis can name. It uses neither the kernel nor the
-//! first rig.
+//! Tests the second laboratory. Its known effects are exactly those that the diagnosis can name, and its unknown
+//! effects are none of them. It uses no other crate of the project.
 
 use dashpot_diagnosis::EFFECTS;
 use std::collections::BTreeSet;

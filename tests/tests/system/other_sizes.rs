@@ -12,7 +12,7 @@ use dashpot_records::Record;
 use dashpot_records::record::Noise;
 use dashpot_tests::kernel_campaign::{Sine, base, campaign, strokes_and_speeds};
 
-/// Force factors of an instrument's damper and of an aircraft's damper.
+/// Factors from the forces of a car's damper to those of an instrument's and of an aircraft's damper.
 const FACTORS: [f64; 2] = [0.01, 20.0];
 
 fn tests() -> Vec<Sine> {

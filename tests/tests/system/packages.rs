@@ -65,8 +65,8 @@ fn the_same_files_give_the_same_archive_whatever_their_order_and_times() {
     );
 }
 
-/// Python program that checks a wheel like an installer. The list of the wheel must contain every file with its
-/// checksum, and no other file.
+/// Python program that checks a wheel as an installer does. The list RECORD in the wheel must contain every file with
+/// its checksum, and no other file.
 const INSTALLS: &str = r#"
 import base64, csv, hashlib, io, sys, zipfile
 wheel = zipfile.ZipFile(sys.argv[1])
@@ -102,12 +102,13 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     };
     let first = pack("first");
     succeed(Command::new("python3").args(["-c", INSTALLS]).arg(&first));
-    // An existing list in the tree is ignored.
+    // A RECORD that already exists in the folder is ignored.
     std::fs::write(tree.join("name-1.dist-info/RECORD"), "of an earlier wheel\n").unwrap();
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
 }
 
-/// The linker for Windows derives a base address from the path of the library, unless an option disables this.
+/// Checks that the bytes of the library do not depend on its folder. The linker for Windows derives a base address from
+/// the path of the library, unless an option disables this.
 ///
 /// Every address in the file depends on the base address.
 #[test]
@@ -118,7 +119,7 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    // A library that defines the kernel's names replaces the kernel here, because Rust for Windows is not always
+    // An object file that defines the kernel's names replaces the kernel here, because Rust for Windows is not always
     // installed.
     let header = std::fs::read_to_string(root().join("include/dashpot.h")).unwrap();
     let name = |word: &str| word.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned();
@@ -147,7 +148,8 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
 }
 
-/// An unreviewed license of a crate stops the build of a package. This test detects such a license earlier.
+/// Checks that every license of a crate is reviewed. An unreviewed license stops the build of a package, and this test
+/// detects it earlier.
 #[test]
 fn every_licence_may_be_shipped() {
     if !has("python3") {

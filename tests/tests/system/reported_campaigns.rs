@@ -50,7 +50,7 @@ fn through_files(records: &[Record]) -> Campaign {
     read(folder.path())
 }
 
-/// Makes a damper that is six times as strong in rebound as in compression, without gas.
+/// Makes a damper that is six to seven times as strong in rebound as in compression, without gas.
 fn asymmetric() -> Params {
     let mut params = Params::new();
     params.disable_all();
@@ -113,7 +113,7 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(item.form, "rebound begins with a lost stroke");
     let lost = &finding.parameters["lost_stroke"];
     assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
-    // The force begins between two samples of the mean cycle, which are 2 mm of the stroke apart.
+    // The rebound force begins between two samples of the mean cycle, which are 2 mm of the stroke apart.
     assert!(lost.low < 0.0283 && lost.high - lost.low > 2e-4, "{} to {}", lost.low, lost.high);
     // The lost part is 28 mm of a stroke of 130 to 134 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;

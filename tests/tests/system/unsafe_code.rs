@@ -17,7 +17,7 @@ fn begins_unsafe(line: &str) -> bool {
     code.contains("unsafe {") || code.contains("unsafe impl")
 }
 
-/// Lists lines of unsafe code without a justification in the comment above their statement.
+/// Returns the numbers of the lines that begin unsafe code without `SAFETY:` in the comment above their statement.
 fn without_reason(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_comment = |k: usize| lines[k].trim_start().starts_with("//");
@@ -70,7 +70,8 @@ fn a_block_without_a_reason_is_found() {
 /// Runs the tests of the C interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which memory checks
 /// require.
 ///
-/// Returns `None` if the compiler lacks a component in `asks_for`.
+/// Returns `None` if cargo fails with the arguments `asks_for`, because a component is missing. Otherwise returns
+/// whether the tests passed, and their output.
 fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
     let cargo = |args: &[&str]| {
         let mut command = Command::new("cargo");
@@ -97,7 +98,7 @@ fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option
 
 #[test]
 fn miri_finds_no_fault_in_the_interface() {
-    // Miri does not execute assembly, which the mathematics library contains.
+    // Miri does not execute assembly, so crate `libm` is compiled without it.
     let run = "miri test -p dashpot-core -p dashpot-abi --features libm/force-soft-floats --test memory";
     match watched(&["miri", "--version"], &run.split(' ').collect::<Vec<_>>(), "", "miri") {
         None => skipped("no Miri (rustup toolchain install nightly --component miri,rust-src)"),

@@ -37,7 +37,7 @@ fn every_shell_gets_every_verb() {
     assert!(refused(folder.path(), &["completions", "tcsh"]).contains("bash"));
 }
 
-/// The shell completes the beginning of a verb with the printed script.
+/// Checks that bash completes the beginning of a verb with the script that the command writes.
 #[test]
 fn bash_completes_a_verb() {
     let folder = tempfile::tempdir().unwrap();

@@ -5,7 +5,8 @@ use dashpot_tests::cli::{done, json, number};
 use serde_json::Value;
 use std::path::Path;
 
-/// Error limits of the mean over a row of the matrix, percent of each test's largest force.
+/// Limits of the mean error in percent of each test's largest force. They apply to the tests of one amplitude from 15
+/// mm up, to those of 1 mm, and to slow tests.
 const LARGE_STROKES: f64 = 1.5;
 const ONE_MILLIMETRE: f64 = 5.0;
 const SLOW: f64 = 10.0;

@@ -1,9 +1,9 @@
-//! `dashpot check`, and the exports' remarks on chatter: messages, figures, and the damper adapted to a step.
+//! `dashpot check`, and the exports' remarks on chatter: messages, figures, and the damper adapted to a host's step.
 
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
 
-/// A damper with friction that reverses within a velocity of one millimeter per second.
+/// Model file of a damper whose friction force reaches its full value at about 1 mm/s.
 const STEEP: &str = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\"]\nfv_velocity = [-1.0, 0.0, 1.0]\n\
      fv_force = [-900.0, 0.0, 1500.0]\ncoulomb_force = 40.0\ncoulomb_steepness = 5000.0\n";
 
@@ -22,17 +22,18 @@ fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
 fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let folder = steep();
     let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
-    // The gain is h/m times the derivative of friction and curve at standstill.
+    // The gain is h/m, host step over wheel mass, times the derivative of friction and FV curve over velocity at
+    // standstill.
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
-    // Half of the reported step is stable, twice the step is unstable.
+    // The damper does not chatter at half of the reported step, and chatters at twice this step.
     let quiet = number(&found, "quiet_step_s");
     for (times, chatters) in [(0.5, false), (2.0, true)] {
         let step = format!("{}", times * quiet);
         assert_eq!(checked(folder.path(), &["--host-step", &step])["chatters"], chatters, "{times}");
     }
-    // A heavier mass is stable with this friction.
+    // With a heavier wheel, this friction does not chatter.
     assert_eq!(checked(folder.path(), &["--wheel-mass", "1000"])["chatters"], false);
 }
 
@@ -51,7 +52,8 @@ fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it()
     assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
 }
 
-/// The exit code reports chatter to scripts. If an adapted damper was requested, the code refers to that damper.
+/// Checks that the exit code reports chatter to scripts. If an adapted damper was requested, the code refers to that
+/// damper.
 #[test]
 fn a_script_is_told_by_the_exit_code() {
     let folder = steep();
@@ -78,8 +80,8 @@ fn exports_say_it_too_and_take_the_same_option() {
     assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
     let readme = |folder: &str| std::fs::read_to_string(dir.join(folder).join("README.txt")).unwrap();
     assert!(readme("soft").starts_with("coulomb_friction was replaced"));
-    // Adams adapts its steps and uses the derivatives of the force. The remark on fixed steps follows later, with the
-    // note that it does not apply to Adams.
+    // Adams adapts its steps and uses the derivatives of the force, so the remark on fixed steps does not apply to it.
+    // The README says so before the remark.
     let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
     assert!(text.contains("A damper for Adams"), "{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -103,7 +105,7 @@ fn impossible_hosts_are_refused() {
     assert!(refused(dir, &["check", "steep.toml", "-o", "x.toml"]).contains("--for-step"));
 }
 
-/// An adjustable damper is checked at each setting like an ordinary damper.
+/// Checks that `dashpot check` treats an adjustable damper at each setting like an ordinary damper.
 #[test]
 fn a_family_is_checked_at_every_setting() {
     let folder = steep();

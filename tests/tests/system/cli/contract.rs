@@ -26,7 +26,7 @@ fn records_to_model_to_errors() {
     let model: toml::Table = std::fs::read_to_string(dir.join("m.toml")).unwrap().parse().unwrap();
     assert_eq!(model["format"].as_integer(), Some(1));
 
-    // Standard output is pure JSON, equal to the file.
+    // With `--json -`, standard output is pure JSON, equal to the file that `--json` with a file name writes.
     let out = done(dir, &["validate", "m.toml", "records", "--json", "-", "--report", "r.html", "--svg", "figures"]);
     let validation: Value = serde_json::from_str(&out).unwrap();
     done(dir, &["validate", "m.toml", "records", "--json", "v.json"]);

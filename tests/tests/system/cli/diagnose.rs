@@ -89,7 +89,7 @@ fn assert_inventory(found: &Value) {
     }
 }
 
-/// Asserts that every field of the contract has its type, unit and range.
+/// Asserts that every field of the JSON that scripts rely on has its type, unit and range.
 fn assert_contract(found: &Value) {
     let verdict = word(found, "verdict");
     assert!(["named", "nothing_missing", "changed", "cannot_tell", "unknown_effect"].contains(&verdict), "{verdict}");
@@ -136,7 +136,7 @@ fn assert_contract(found: &Value) {
         for error in ["rmse_n", "error_percent", "left_out_rmse_n", "noise_n"] {
             assert!(number(figures, error) >= 0.0, "{key}.{error}");
         }
-        // The noise is about 1 N in dampers of a few kN; a wrong unit would cause a factor of a thousand.
+        // The noise of the force is about 1 N in dampers of a few kN; a wrong unit would cause a factor of a thousand.
         assert!(
             (0.05..500.0).contains(&number(figures, "rmse_n")) && number(figures, "error_percent") < 50.0,
             "{figures}"
@@ -177,7 +177,8 @@ fn the_json_is_what_scripts_were_promised() {
         let name = word(test, "test");
         assert_eq!(test["left_out"], Value::Bool(name.starts_with("a15") || name.starts_with("a01mm_v0052")), "{name}");
     }
-    // The errors of the left-out tests and the definition of the closed gap give the reported value.
+    // The reported `gap_closed` is 1 - (after - noise) / (before - noise). All three are rms errors of the left-out
+    // tests, relative to the allowed errors.
     let tests: Vec<&Value> = list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).collect();
     let rms = |key: &str| (tests.iter().map(|t| number(t, key).powi(2)).sum::<f64>() / tests.len() as f64).sqrt();
     let before = rms("before_rmse_n");
@@ -229,7 +230,7 @@ fn the_improved_model_is_an_ordinary_model_file() {
     let held_out: BTreeSet<&str> =
         list(&found, "tests").iter().filter(|t| t["left_out"] == Value::Bool(true)).map(|t| word(t, "test")).collect();
     for test in list(&after, "tests") {
-        // The file lists the tests of the refits.
+        // The improved model file lists the tests to which its parameters were fitted.
         assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
     }
     // A diagnosis of the improved model does not find the effect again. The model file on standard output is valid.
@@ -363,8 +364,8 @@ fn little_data_and_little_leave_give_honest_answers() {
     for finding in list(&some, "findings") {
         assert!(asked.contains(&word(finding, "effect")), "{finding}");
     }
-    // In an earlier version, two wrong effects replaced each other without end. An effect that explains nothing is not
-    // a finding.
+    // An effect that explains nothing is not a finding. Otherwise two wrong effects could replace each other without
+    // end.
     let shares = list(&some, "findings").iter().map(|f| f["fraction"].as_f64().unwrap()).collect::<Vec<_>>();
     assert!(shares.iter().all(|share| *share > 0.02), "{shares:?}");
 }
@@ -377,7 +378,7 @@ fn what_people_read_is_short_and_in_their_units() {
     }
     assert!(told.contains("\nmodel: better.toml\nreport: d.html\n"));
     assert!(told.lines().count() < 60, "{told}");
-    // No number has more digits than a measurement.
+    // No number has more than seven digits, because no measurement has.
     let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
     let long = |w: &&str| w.contains('.') && digits(w) > 7 && !w.contains("mm_s") && !w.contains("hz");
     assert_eq!(told.split_whitespace().find(long), None);
@@ -392,7 +393,7 @@ fn groups_are_compared_with_one_reference() {
         std::fs::create_dir_all(&to).unwrap();
         for entry in std::fs::read_dir(dir.join("records")).unwrap() {
             let path = entry.unwrap().path();
-            // The force is 30 % larger at every velocity. No effect is missing, but parameters differ.
+            // In group c the force is 30 % larger at every velocity. No effect is missing, but parameters differ.
             let text = std::fs::read_to_string(&path).unwrap();
             let heading = text.lines().find(|l| l.contains("force")).unwrap();
             let place = heading.split(',').position(|h| h.contains("force")).unwrap();
@@ -431,7 +432,7 @@ fn groups_are_compared_with_one_reference() {
     }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
-    // The figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
+    // In the report, the figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
     let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
     assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
     assert!(place("<details><summary>") > place("<td class=\"w\">"));
@@ -441,7 +442,7 @@ fn groups_are_compared_with_one_reference() {
         .map(ToString::to_string)
         .collect();
     assert_eq!(names, ["b", "c"]);
-    // In a chain of references, a change is reported only at its step.
+    // With `--chain`, the reference of each group is the group before it, so that each change is reported once.
     std::fs::create_dir(dir.join("fleet/d")).unwrap();
     for entry in std::fs::read_dir(dir.join("fleet/c")).unwrap() {
         let path = entry.unwrap().path();
@@ -473,7 +474,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(changed, [false, true, false]);
     let page = std::fs::read_to_string(dir.join("h.html")).unwrap();
     assert!(page.contains("d, against c"));
-    // The value before a change is that of the previous group.
+    // The first row of a change is the group before it, with the value before the change.
     let book = excel::sheets(&dir.join("h.xlsx"));
     let before = excel::column(excel::sheet(&book, "Numbers that changed"), "group");
     assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");
@@ -505,7 +506,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
             std::fs::copy(path, to.join(path.file_name().unwrap())).unwrap();
         }
     }
-    // One of the campaigns has no batch.
+    // The list gives no batch for campaign b.
     let few = ["--candidates", "channel_delay", "--max-effects", "0"];
     std::fs::write(dir.join("fleet.csv"), "campaign;serial;batch\nfleet/a;17;spring\nfleet/b;18;\nfleet/c;19;autumn\n")
         .unwrap();

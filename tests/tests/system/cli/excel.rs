@@ -5,7 +5,7 @@ use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
 use std::path::Path;
 
-/// Reads the sheets of a workbook by name.
+/// Reads the sheets of a workbook with their names.
 pub fn sheets(path: &Path) -> Vec<(String, Range<Data>)> {
     let mut book: Xlsx<_> = open_workbook(path).expect("a workbook");
     book.worksheets()
@@ -24,12 +24,12 @@ pub fn sheet<'a>(all: &'a [(String, Range<Data>)], name: &str) -> &'a Range<Data
     &found.unwrap_or_else(|| panic!("no sheet {name} in {:?}", all.iter().map(|s| &s.0).collect::<Vec<_>>())).1
 }
 
-/// Returns all text of the first sheet.
+/// Returns the text of all cells of the first sheet, one line each.
 fn first(all: &[(String, Range<Data>)]) -> String {
     all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
 }
 
-/// Asserts that the sheet of the inventory contains the effects of the JSON with their full forces.
+/// Asserts that the sheet of the inventory contains the forces of the inventory in the JSON, with all digits.
 fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
     let items = found["inventory"].as_array().expect("an inventory");
     assert!(!items.is_empty());
@@ -65,7 +65,8 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     for text in [version, "m.toml", "records/a50mm_v0262mm_s.csv", "dashpot validate m.toml records\n"] {
         assert!(first(&validated).contains(text), "{text}");
     }
-    // Every sheet is listed and begins with its headings; numbers equal those of the JSON, with all digits.
+    // The first sheet lists the others, and each of these begins with its headings. Numbers equal those of the JSON,
+    // with all digits.
     for (name, range) in &validated[1..] {
         assert!(first(&validated).contains(name.as_str()) && range.height() > 1, "{name}");
         assert!(range.rows().next().expect("a row").iter().all(|cell| matches!(cell, Data::String(_))), "{name}");

@@ -1,4 +1,4 @@
-//! `dashpot fit --setting` and `dashpot validate` of an adjustable damper, on campaigns of a known damper.
+//! The verbs of `dashpot` for an adjustable damper, on campaigns of a known damper.
 
 use dashpot_core::Params;
 use dashpot_core::family::axis::ENTRIES;
@@ -11,7 +11,7 @@ use std::path::Path;
 
 const CURRENTS: [f64; 3] = [0.0, 0.6, 1.2];
 
-/// Makes a damper whose FV curve grows with the current.
+/// Makes a damper whose FV curve grows linearly with the current.
 fn damper() -> Definition {
     let mut params: Params = kernel_campaign::base();
     let mut axis = Axis::NONE;
@@ -25,7 +25,7 @@ fn damper() -> Definition {
     Definition { params, axis }
 }
 
-/// Writes the records at a current; their names end with `suffix`.
+/// Writes the records of [`damper`] at a current, A. The names of the records end with `suffix`.
 fn write(folder: &Path, current: f64, suffix: &str) {
     write_of(&damper().params_at(current), folder, suffix, 7);
 }
@@ -116,8 +116,8 @@ fn a_family_is_fitted_validated_and_simulated() {
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
     assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
 
-    // The other verbs accept the model at a setting. The file contains the intervals, and the FV curve alone for a
-    // property file.
+    // `dashpot setting` writes the model at one setting, which the other verbs accept. The file contains the intervals,
+    // and the fit of the FV curve alone for a property file.
     done(dir, &["setting", "family.toml", "0.9A", "-o", "at.toml"]);
     let at = dashpot_identification::model_file::read(&dir.join("at.toml")).unwrap();
     assert!(at.identification.intervals.contains_key("gas_force") && at.identification.fv_only.is_some());
@@ -305,7 +305,7 @@ fn limits_hold_at_the_setting_that_they_name() {
         std::fs::write(dir.join(name), format!("quantity,velocity_m_s,setting,low,high\n{rows}")).unwrap();
     };
     write("kept.csv", &(row(0.0, 0.9, 1.1) + &row(1.2, 0.9, 1.1)));
-    // The hard setting gets the limits of the soft setting.
+    // The hard setting gets the limits of the soft setting, which it violates.
     write("missed.csv", &(row(0.0, 0.9, 1.1) + &row(0.0, 0.9, 1.1).replace(",0,", ",1.2,")));
     write("without.csv", &row(0.0, 0.9, 1.1).replace(",0,", ",,"));
     let judge = |limits: &str, model: &str| {
@@ -327,7 +327,8 @@ fn limits_hold_at_the_setting_that_they_name() {
     assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");
 }
 
-/// Writes a family with valve dynamics, and a motion at 1 kHz with additional columns after time and displacement.
+/// Writes a family with valve dynamics, and a motion at 1 kHz with additional columns after time, displacement and
+/// velocity.
 fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> String) {
     let mut damper = damper();
     damper.axis.set_name("current").unwrap();
@@ -386,7 +387,8 @@ fn a_constant_column_of_the_motion_is_the_option() {
     std::fs::copy(dir.join("force.csv"), dir.join("motion.csv")).unwrap();
     let again = simulated(dir, &["--ignore", "force"]).0;
     assert!(again.iter().zip(&forces).all(|(a, b)| (a - b).abs() < 1e-6));
-    // A value of another quantity is not the setting.
+    // The name of the motion file states a pressure. The setting of this damper is a current, so the pressure is not
+    // used.
     write_valve_and_motion(dir, "", |_| String::new());
     std::fs::rename(dir.join("motion.csv"), dir.join("motion_3bar.csv")).unwrap();
     let printed = done(dir, &["simulate", "valve.toml", "motion_3bar.csv", "-o", "force.csv"]);
@@ -493,7 +495,8 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     let of = json(&dir.join("v.json"))["changing"].clone();
     // `validate` smooths the motion and `simulate` does not, so a small error is allowed.
     assert!(number(&of, "error_percent") < 0.1, "{of}");
-    // If an option gives the command at the same time, the change differs by at most half a sample.
+    // If `--setting` gives the same command, the times of its steps differ from those of the column by at most half a
+    // sample.
     write_valve_and_motion(dir, "", |_| String::new());
     let (given, _) = simulated(dir, &["--setting", "0:0.2,0.7:1.2,1.4:0.2"]);
     let furthest = forces.iter().zip(&given).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));

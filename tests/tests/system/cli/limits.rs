@@ -9,7 +9,7 @@ fn model(dir: &Path) {
     done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
 }
 
-/// Returns velocity and measured force of the peak nearest to a velocity, from `v.json`.
+/// Returns the velocity, m/s, and the measured force, N, of the peak in `v.json` that is nearest to a velocity.
 fn peak(dir: &Path, velocity: f64) -> [f64; 2] {
     let figures = json(&dir.join("v.json"));
     let peaks = figures["tests"].as_array().unwrap().iter().flat_map(|t| t["peaks"].as_array().unwrap().clone());
@@ -42,7 +42,8 @@ fn a_damper_passes_or_fails_by_its_windows() {
     );
     assert_eq!(run(dir, &args).code, Some(0));
     assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");
-    // The damper violates the limit in rebound. The exit code is 1, and the message names the limit.
+    // With 1.3 times its nominal force, the damper violates the limit in rebound. The exit code is 1, and the message
+    // counts the violated limits.
     fs::write(dir.join("l.csv"), windows(10.0).replace(&format!("{fr},10 %"), &format!("{},10 %", 1.3 * fr))).unwrap();
     let german = [&args[..], &["--report", "r.html", "--language", "de", "--date", "2024-05-17"]].concat();
     let failed = run(dir, &german);

@@ -61,7 +61,7 @@ fn a_load_cell_that_is_turned_or_dead_is_refused() {
     std::fs::remove_file(dir.join("m.toml")).unwrap();
     rewrite(&records, &data, HEADER, |[t, x, v, _]| row([t, x, v, -152.0]));
     assert!(fit_refused(dir).contains("frozen"));
-    // The force channel contains only noise of a few newtons, independent of the motion.
+    // The force channel contains only noise of at most 1 N, independent of the motion.
     rewrite(&records, &data, HEADER, |[t, x, v, f]| row([t, x, v, (1e6 * f + 1e7 * t).sin()]));
     let message = fit_refused(dir);
     assert!(message.contains("tests show no force"), "{message}");
@@ -99,12 +99,13 @@ fn gaps_stubs_and_strays_are_named() {
     let told = run(dir, &["fit", "data", "-o", "m.toml", "--model", "fv"]);
     assert!(told.code == Some(0) && told.out.contains("a15mm_v0262mm_s: 1 of"), "{told:?}");
     assert!(told.err.contains("holds the same samples as"), "{told:?}");
-    // Every verb reports the duplicate.
+    // `validate` also reports the duplicate file.
     let told = run(dir, &["validate", "m.toml", "data", "--json", "v.json"]);
     assert!(told.code == Some(0) && told.err.contains("holds the same samples as"), "{told:?}");
 }
 
-/// Faults of a single test, produced from its valid rows.
+/// Fault of a single test: its name, a function that makes each row from a valid row, and a text of the message. `None`
+/// omits the row.
 type Fault = (&'static str, fn(usize, [f64; 4]) -> Option<String>, &'static str);
 
 const FAULTS: [Fault; 7] = [
@@ -147,7 +148,7 @@ fn one_spoilt_test_is_named_and_left_out() {
         let report = std::fs::read_to_string(dir.join("v.html")).unwrap();
         assert!(report.contains(&format!("left out: data/{victim}")), "{name}");
     }
-    // All verbs use the same reader. Unusable tests of the reference are reported too.
+    // `fit` and `diagnose` report the unusable test, too. `diagnose` does so for the reference.
     let told = run(dir, &["fit", "data", "-o", "n.toml", "--model", "fv", "--json", "f.json"]);
     assert!(told.err.contains("left out: data/a15"), "{}", told.err);
     assert_eq!(json(&dir.join("f.json"))["unusable"][0]["is_test"], true);
@@ -165,7 +166,7 @@ fn one_spoilt_test_is_named_and_left_out() {
         "d.html",
     ];
     assert!(run(dir, &args).err.contains("left out: data/a15"));
-    // Both campaigns have files of these names, so the error mentions the reference.
+    // Both campaigns may have files of the same names, so an error in the reference begins with the option.
     std::fs::create_dir(dir.join("none")).unwrap();
     assert!(refused(dir, &["diagnose", "m.toml", "records", "--reference", "none"]).contains("--reference none: "));
     assert!(json(&dir.join("d.json"))["unusable"][0]["why"].as_str().unwrap().contains("data/a15"));
@@ -248,7 +249,7 @@ fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
     let dir = folder.path();
     done(dir, &["fit", "records", "-o", "m.toml"]);
     let text = std::fs::read_to_string(dir.join("m.toml")).unwrap();
-    // Standard output receives the file.
+    // With `-o -`, the model file goes to standard output.
     assert_eq!(done(dir, &["fit", "records", "-o", "-"]), text);
     let gas = text.lines().find(|l| l.starts_with("gas_force")).unwrap();
     for (from, to, wanted) in [

@@ -143,7 +143,7 @@ fn two_runs_into_one_folder_exclude_each_other() {
     let won = runs.iter().filter(|run| run.status.success()).count();
     let told = runs.iter().filter(|run| String::from_utf8_lossy(&run.stderr).contains("another run")).count();
     assert!(won >= 1 && won + told == 3, "{runs:?}");
-    // The folder contains the campaign of one process, equal to the campaign of that seed alone.
+    // The folder contains the campaign of one of the runs, equal to a campaign with the seed of that run alone.
     let text = fs::read_to_string(dir.join("c/campaign.toml")).unwrap();
     let seed = text.lines().find_map(|l| l.strip_prefix("seed = ")).unwrap().to_owned();
     done(dir, &["rig", "-o", "alone", "--seed", &seed]);
@@ -179,7 +179,7 @@ fn closed_or_full_standard_output_is_an_error() {
         let (code, said) = shell(&line);
         assert!(code == Some(2) && !said.contains("panicked"), "{line}: {code:?} {said}");
     }
-    // A reader that stops early and a closed output are not errors.
+    // A reader that stops early, the null device, and a closed standard error are not errors.
     for line in ["dashpot matrix | head -1", "dashpot matrix >/dev/null", "dashpot matrix </dev/null >/dev/null 2>&-"] {
         assert_eq!(shell(line).0, Some(0), "{line}");
     }

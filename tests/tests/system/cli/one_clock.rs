@@ -46,7 +46,7 @@ fn a_drift_over_files_with_date_and_time_is_found_and_taken_out_of_a_part_of_the
     assert!(of_the_fit["clock_from"].as_str().unwrap().starts_with("2026-11-25 23:55:"));
     let drift = of_the_fit["measurement"]["drift"][0].as_float().unwrap();
     assert!((drift / DRIFT - 1.0).abs() < 0.1, "{drift}");
-    // Copy the campaign without its first file.
+    // Copy the campaign without the file that was measured first.
     std::fs::create_dir(dir.join("part")).unwrap();
     for entry in std::fs::read_dir(dir.join("dated")).unwrap().map(|e| e.unwrap()) {
         let text = std::fs::read_to_string(entry.path()).unwrap();

@@ -47,12 +47,12 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
     let fit = run(dir, &["fit", "data", "-o", "a.toml", "--model", "fv"]);
     assert!(fit.err.contains("Notizen.txt") && fit.err.contains("read as data/campaign.toml says"), "{}", fit.err);
     done(dir, &["validate", "a.toml", "data", "--json", "v.json"]);
-    // The motion is equal with and without the profile.
+    // The displacements read by the profile equal those of the original records.
     done(dir, &["simulate", "a.toml", "data/a50mm_v0262mm_s.csv", "-o", "f1.csv"]);
     done(dir, &["simulate", "a.toml", "records/a50mm_v0262mm_s.csv", "-o", "f2.csv", "--ignore", "velocity"]);
     let (one, two) = (table(&dir.join("f1.csv")).1, table(&dir.join("f2.csv")).1);
     assert!(one.len() == two.len() && one.iter().zip(&two).all(|(a, b)| (a[1] - b[1]).abs() < 1e-8));
-    // A message names a wrong line.
+    // A message names a wrong key of the profile.
     fs::write(dir.join("data/campaign.toml"), text.replace("units", "unist")).unwrap();
     assert!(refused(dir, &["fit", "data", "-o", "m.toml"]).contains("unist"));
 }
@@ -76,7 +76,7 @@ fn a_late_force_is_told_and_corrected() {
         let path = entry.unwrap().path();
         let rows = table(&path).1;
         let mut text = format!("{HEADER}\n");
-        // Interpolate the force linearly at `late` seconds earlier.
+        // Delay the force channel by `late` seconds: interpolate the force linearly at this much earlier time.
         let mut k = 0;
         for r in &rows {
             while k + 2 < rows.len() && rows[k + 1][0] <= r[0] - late {

@@ -30,7 +30,8 @@ struct Sample {
     dt: f64,
 }
 
-/// Makes a sine that starts from rest; `input` converts displacement and velocity.
+/// Makes 600 samples of a sine that begins at zero displacement. `input` makes the kernel's input from displacement and
+/// velocity.
 fn sine(amplitude: f64, frequency: f64, dt: f64, input: impl Fn(f64, f64) -> Input) -> Vec<Sample> {
     let w = std::f64::consts::TAU * frequency;
     let motion = |t: f64| input(amplitude * (w * t).sin(), amplitude * w * (w * t).cos());
@@ -43,7 +44,8 @@ fn hex(text: &mut String, numbers: &[f64]) {
     }
 }
 
-/// Formats the motion for the hosts.
+/// Formats the motion for the hosts, one line per sample: the mask of the known inputs, then the numbers as hexadecimal
+/// bits.
 fn lines(samples: &[Sample]) -> String {
     let mut text = String::new();
     for Sample { input, dt } in samples {
@@ -174,7 +176,8 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
-/// The header promises 16 KB; the program measures each function on its own stack.
+/// Checks that no function needs more stack than the 16 KB that the header promises. The program measures each function
+/// on a separate stack.
 #[test]
 fn no_function_takes_more_than_16_kilobytes_of_stack() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -184,7 +187,7 @@ fn no_function_takes_more_than_16_kilobytes_of_stack() {
     println!("{depths}");
 }
 
-/// The example at the top of the header compiles and runs unchanged.
+/// Checks that the example at the top of the header compiles and runs unchanged.
 #[test]
 fn the_headers_example_runs() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).expect("include/dashpot.h");

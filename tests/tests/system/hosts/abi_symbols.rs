@@ -9,7 +9,8 @@ fn symbols(flag: &str) -> Vec<String> {
     listing.lines().filter_map(|line| Some(line.split_whitespace().next()?.to_string())).collect()
 }
 
-/// The library needs no allocator, panic handler, thread or file, only the functions that compilers call.
+/// Checks that the library needs no allocator, panic handler, thread or file, only functions such as `memcpy` that
+/// compilers call.
 #[test]
 fn imports_nothing() {
     for symbol in symbols("--undefined-only") {
@@ -52,8 +53,8 @@ fn exports_what_the_header_declares_and_nothing_else() {
     assert_eq!(exported, declared);
 }
 
-/// The size of the library reveals an accidental second compilation of the step, for example for an element or number
-/// type.
+/// Checks the size of the library, which reveals an accidental second compilation of the step, for example for an
+/// element or number type.
 ///
 /// The size is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs
 /// another 450 KB, because its tables are borrowed and its step is therefore compiled separately. If all sets of elements
@@ -65,7 +66,7 @@ fn is_no_larger_than_it_was() {
     assert!(size < 1_060_000, "{size} bytes");
 }
 
-/// The library has no writable data that threads could share.
+/// Checks that the library has no writable data that threads could share.
 #[test]
 fn has_no_writable_data() {
     let sections = succeed(Command::new("readelf").args(["--sections", "--wide"]).arg(shared()));

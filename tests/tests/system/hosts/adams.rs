@@ -8,7 +8,8 @@ use dashpot_tests::adams::{
 use std::f64::consts::TAU;
 use std::path::Path;
 
-/// Returns the thesis's matrix: amplitudes in mm at peak velocities in mm/s, up to 25 Hz.
+/// Returns the test matrix of the thesis up to 25 Hz, with two slow tests, as pairs of amplitude, mm, and frequency,
+/// Hz.
 fn matrix() -> Vec<(f64, f64)> {
     let amplitudes = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
     let peaks = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0].map(|f| TAU * 50.0 * f);
@@ -61,7 +62,7 @@ fn private_states_and_side_force_agree_too() {
 }
 
 /// Simulates a mass on spring and damper by a fourth-order method with short steps, from the kernel's state
-/// derivatives.
+/// derivatives. Returns the SFORCE, N, at the accepted time points.
 fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
     const MASS: f64 = 40.0;
     const SPRING: f64 = 30e3;
@@ -219,7 +220,8 @@ fn rebound_gives_a_negative_sforce() {
     }
 }
 
-/// Returns the number of a GSE's states for this model file, from the library's message for a GSE without states.
+/// Returns the argument `ns=` with the number of a GSE's states for this model file. The library's message for a GSE
+/// without states contains the number.
 fn states_wanted(solver: &Path, path: &Path) -> String {
     let refused = run(solver, "gse", &with(path, &["ns=0"]));
     let (_, after) = refused.text.split_once("needs NS=").unwrap_or_else(|| panic!("{}", refused.text));
@@ -260,7 +262,7 @@ fn every_element_of_the_model_agrees() {
     }
 }
 
-/// LINEAR (mode 7) linearizes the damper without dry friction.
+/// Checks that the Adams command LINEAR (analysis mode 7) linearizes the damper without dry friction.
 ///
 /// The eigenvalues follow from the kernel's derivatives without dry friction. In dynamics, the same matrix contains the
 /// stiffness of sticking friction, which would lock the damper.
@@ -307,7 +309,7 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
         let damping = (force(x, 1e-6) - force(x, -1e-6)) / 2e-6;
         for matrix in matrices(7) {
             let values: Vec<_> = matrix.complex_eigenvalues().iter().copied().collect();
-            // These are the eigenvalues of a mass on this spring and damper.
+            // Compute the eigenvalues of a mass on this spring and damper.
             let (half, rest) = (-0.5 * damping / MASS, stiffness / MASS - (0.5 * damping / MASS).powi(2));
             let wanted: Vec<(f64, f64)> = if rest > 0.0 {
                 vec![(half, rest.sqrt()), (half, -rest.sqrt())]
@@ -335,7 +337,8 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
     println!("{pairs:?}");
 }
 
-/// The setting is the fifth input of a GSE. For an SFORCE or GFORCE, it is a VARIABLE with a given id.
+/// Checks the setting of an adjustable damper. It is the fifth input of a GSE. For an SFORCE or GFORCE, it is a
+/// VARIABLE with a given id.
 #[test]
 fn a_variable_of_the_solver_is_the_setting() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! Exports for Adams are valid and match their page; imports from Adams restore the model.
+//! Tests that exports for Adams are valid and match the README.txt in their folder, and that imports from Adams restore
+//! the model.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::adams::{library, run, solver};
@@ -29,7 +30,7 @@ fn statements(text: &str) -> BTreeMap<String, String> {
     map
 }
 
-/// Asserts that every command of the file has only options of the command reference.
+/// Asserts that every command of the file has only options of the command reference of Adams View.
 fn only_documented_options(cmd: &str) {
     let known: &[(&str, &str)] = &[
         ("data_element create string", "string_name string"),
@@ -165,7 +166,7 @@ fn a_property_file_comes_back_as_it_was() {
     for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
         assert!((a - b).abs() <= 1e-12 * a.abs(), "{a} {b}");
     }
-    // The force is larger in rebound, tension is positive, and velocities are in mm/s.
+    // Velocities are in mm/s, and rebound velocity and tension are positive.
     let last = a.last().unwrap();
     assert!(last[0] > 100.0 && last[1] > 0.0 && a[0][0] < -100.0 && a[0][1] < 0.0);
 
@@ -174,10 +175,11 @@ fn a_property_file_comes_back_as_it_was() {
     assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
 }
 
-/// Adams interpolates with Akima's method, which once exceeded a model's curve next to a knee by 60 %.
+/// Checks the points of the exported curve. Adams interpolates with Akima's method, which exceeded a curve with too few
+/// points next to a knee by 60 %.
 ///
-/// The export has enough points and states the residual. An import of another program's file gives the curve that Adams
-/// interpolates from that file.
+/// The export has enough points and states the largest remaining deviation. An import of another program's file gives
+/// the curve that Adams interpolates from that file.
 #[test]
 fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_round() {
     let folder = tempfile::tempdir().unwrap();
@@ -208,7 +210,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     for text in [&said, &at("car.toml")] {
         assert!(text.contains("Akima") && text.contains("were added to those of the file"), "{text}");
     }
-    // The table has more rows than a model's curve has points.
+    // This table has more rows than the curve of a model may have points.
     let force = |v: f64| if v < 0.0 { 0.5 } else { 1.0 } * 1000.0 * (v / 90.0).tanh() + 0.6 * v;
     let rows: String = (-100..=100).map(|i| 12.5 * f64::from(i)).map(|v| format!("{v} {:.3}\n", force(v))).collect();
     let car = car.split("-1270").next().unwrap().to_owned() + &rows;
@@ -225,8 +227,8 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     }
 }
 
-/// An import of dashpot's own XML restores curve and gas force. Both file forms state the omitted effects and the
-/// model.
+/// Checks that both forms of the file state the omitted effects and the model. An import of dashpot's own XML restores
+/// curve and gas force.
 #[test]
 fn what_a_property_file_leaves_out_is_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -265,8 +267,8 @@ fn what_a_property_file_leaves_out_is_said() {
 const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
                    gas_force = 150.0\n";
 
-/// A host that supports only a curve gets the best curve, with a note on its origin. An option selects the model's own
-/// curve instead.
+/// Checks the curve for a host that supports only a curve. This is the best fit of an FV curve alone, with a note on
+/// its origin. An option selects the model's own curve instead.
 #[test]
 fn a_property_file_holds_the_plain_curve_of_the_fit() {
     let folder = tempfile::tempdir().unwrap();
@@ -300,7 +302,8 @@ fn a_property_file_holds_the_plain_curve_of_the_fit() {
     assert_eq!(at("run/damper.toml"), format!("{MODEL}{FIT}"));
 }
 
-/// A newly identified damper replaces its own property file. Another program's file with the same beginning stays.
+/// Checks that a newly identified damper replaces its own property file. A file of another program with the same
+/// beginning is kept.
 #[test]
 fn a_property_file_replaces_its_own_older_version_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -335,7 +338,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     assert_eq!(std::fs::read_to_string(at("other.adm")).unwrap(), car("PART/2\n"));
 }
 
-/// A closed standard output is an error, whereas a discarded output is not.
+/// Checks that a closed standard output is an error, whereas a discarded output is not.
 #[test]
 fn a_closed_standard_output_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
@@ -355,7 +358,7 @@ fn a_closed_standard_output_is_an_error() {
 /// Reads real files of Adams Car from a user-defined folder (such as dampers.tbl of the public
 /// wokomm/PropertyView-mechanics).
 ///
-/// All files must be readable, with a report of the omitted parts.
+/// All files must be readable, and must still be so after an export. The test prints the messages of each import.
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
@@ -381,8 +384,8 @@ fn real_property_files_are_read() {
     assert!(read > 0);
 }
 
-/// The command writes the library without a compiler. If the command does not contain the library, a text in the folder
-/// states this.
+/// Checks that the command writes the Adams library without a compiler. If the command did not contain the library, the
+/// README.txt of the folder would say so.
 #[test]
 fn a_run_folder_holds_its_library() {
     dashpot_tests::fmu::runtimes();
@@ -437,8 +440,7 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     assert!(words.contains("nested"), "{words}");
 }
 
-/// Adams uses mm, so a length in m is rejected unless the unit is stated. With a stated unit, both mm and m are
-/// accepted.
+/// Checks the unit of a length. Adams uses mm, so a length in m is rejected unless its unit is stated.
 #[test]
 fn a_length_says_its_unit_or_is_one_that_a_damper_has() {
     let folder = tempfile::tempdir().unwrap();
@@ -493,7 +495,7 @@ fn spline(dataset: &Dataset, id: u64) -> Vec<(f64, f64)> {
     points
 }
 
-/// The native elements of Adams represent only some elements of the model.
+/// Checks the export of native elements of Adams, which represent only some elements of the model.
 ///
 /// A message names every other element as the reason for the missing native.adm. A native.adm of an earlier export is
 /// reported as outdated.
@@ -525,7 +527,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
         assert!(said.contains(&why), "{said}");
         assert!(said.contains("is of an earlier export"), "{said}");
         assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
-        // The reason comes first, after notes on this damper.
+        // In the README.txt, the reason precedes the list of files.
         let (why, list) =
             (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
         assert!(why < list, "{read_me}");
@@ -534,7 +536,8 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
     assert!(said.contains("act on the internal mass"), "{said}");
 }
 
-/// The functions of the file are evaluated unchanged, between two markers that an actuator moves.
+/// Checks that the function expressions of the exported native.adm give the model's force within 1 % of the largest
+/// force. The expressions are evaluated unchanged between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {
     native_agrees(
@@ -543,7 +546,8 @@ fn the_native_elements_agree_with_the_model() {
     );
 }
 
-/// The elements of a default fit of the virtual rig, and other forms of contact friction.
+/// Checks the native elements of a damper with the elements of a default fit of the virtual rig, and with other forms
+/// of presliding friction.
 #[test]
 fn the_native_elements_hold_the_default_fit() {
     let fit = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\", \"presliding_friction\"]\n\

@@ -150,7 +150,7 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     }
 }
 
-/// A program that loads the library without a solver and calls all entries.
+/// C program that loads the library without a solver and calls all entries.
 const OUTSIDE: &str = r#"
 #define _GNU_SOURCE
 #include "../adams-usersub/src/entry.h"
@@ -207,7 +207,8 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     }
 }
 
-/// A solver that loads its utilities locally, like an extension of an interpreter.
+/// Checks that the library finds the utilities of a solver that loads them locally, like an extension of an
+/// interpreter.
 ///
 /// The process contains the utilities, but the global scope of symbols does not.
 #[test]
@@ -281,7 +282,7 @@ fn any_units_give_the_same_run_asked_or_given() {
     let solver = solver();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // The systems are meter and newton; inch, pound and millisecond; mm and kN.
+    // The unit systems are m, N and s; inch, pound-force and ms; mm, kN and s.
     let systems = [(1.0, 1.0, 1.0), (0.0254, 4.448_221_615_260_5, 1e-3), (1e-3, 1e3, 1.0)];
     let run_in = |routine: &str, (length, force, time): (f64, f64, f64), given: &str| {
         let units = [format!("length_unit={length:?}"), format!("force_unit={force:?}"), format!("time_unit={time:?}")];
@@ -402,8 +403,8 @@ fn only_an_iflag_that_may_asks_for_states() {
     let folder = tempfile::tempdir().unwrap();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // The stand-in solver stops a run if a call requests undeclared dependences. It also stops at any request of
-    // dependences while saving or reloading.
+    // The stand-in solver fails if a call requests other states than it has declared. It also fails at any request of
+    // states while saving or reloading.
     for iflag in ["iflag=1", "iflag=3", "iflag=5", "iflag=7", "iflag=9", "iflag=2", "iflag=99"] {
         for routine in ROUTINES {
             let run = started(&solver(), routine, &with(&path, &[iflag, &states]));
@@ -417,7 +418,7 @@ fn the_gse_is_declared_threadsafe_and_is() {
     let folder = tempfile::tempdir().unwrap();
     let solver = solver();
     let path = written(folder.path(), PLAIN);
-    // With threads=2, the first calls come from the threads.
+    // With threads=2, the threads make the first calls of the library.
     for threads in ["threads=1", "threads=2"] {
         let run = started(&solver, "gse", &with(&path, &[threads]));
         assert_eq!(run.threads().len(), 4);

@@ -1,4 +1,5 @@
-//! The damper test rig that `dashpot export adams` writes: parsed strictly, and run from its files.
+//! Tests the damper test rig that `dashpot export adams` writes: a strict reader parses its files, and a stand-in
+//! solver runs them.
 
 use dashpot_core::{Input, Model, State, evaluate::evaluate};
 use dashpot_rig::Matrix;
@@ -10,7 +11,7 @@ use std::path::Path;
 
 const LENGTH: f64 = 412.5;
 
-/// Writes the run folder. Returns rig and commands.
+/// Exports the run folder for Adams. Returns the dataset of the rig and the commands of its command file.
 fn exported(folder: &Path) -> (Dataset, Vec<Command>) {
     std::fs::write(folder.join("damper.toml"), PLAIN).unwrap();
     let library = library().to_str().unwrap();
@@ -88,7 +89,8 @@ fn the_reader_refuses_what_is_broken() {
     }
 }
 
-/// Masses of tube and rod, and the bushings between rig and ground.
+/// Masses of tube and rod, kg, and the bushings between rod and ground (index 0) and between tube and rig (index 1),
+/// SI.
 struct Rig {
     tube: f64,
     rod: f64,
@@ -113,7 +115,8 @@ fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     (a * share * (w * t).sin(), a * (rate * (w * t).sin() + share * w * (w * t).cos()))
 }
 
-/// Displacements and velocities of tube and rod from their equilibrium, SI, and the damper's state.
+/// Displacements and velocities of tube and rod, SI, and the damper's state. The displacements are zero where the
+/// bushings carry no force.
 #[derive(Clone, Copy)]
 struct Instant {
     y: [f64; 4],
@@ -132,7 +135,8 @@ impl Rig {
         (Instant { y, damper: rate }, output.force)
     }
 
-    /// Computes the SFORCE at the accepted time points after `begin`, by a fourth-order method with short steps.
+    /// Computes the SFORCE, N, at the accepted time points of a test that starts at the time `begin`. The method is of
+    /// fourth order, with short steps.
     fn run(
         &self,
         model: &Model,
@@ -170,7 +174,7 @@ impl Rig {
             .collect()
     }
 
-    /// Computes the equilibrium of the damper with the rig in its middle position.
+    /// Computes the equilibrium of the damper with the rig at zero displacement.
     fn rest(&self, model: &Model) -> Instant {
         let (mut low, mut high) = (-0.01, 0.01);
         for _ in 0..100 {
@@ -199,7 +203,7 @@ fn the_exported_rig_runs_the_matrix_as_the_kernel_does() {
         damping: [1, 2].map(|id| si("BUSHING", id, "C", 1e3)),
     };
     let model = model_of(PLAIN);
-    // The solver runs in the folder, because the path in the STRING is relative to it.
+    // Replace the path in the STRING, which is relative to the run folder, because the solver runs in another folder.
     let acf = format!("dataset={}", folder.path().join("run/rig.acf").display());
     let string = format!("model={}", folder.path().join("run/damper.toml").display());
     // Only the sines run. The slow cycles after the sines would take minutes and test nothing new.

@@ -20,7 +20,7 @@ fn missing() -> Option<&'static str> {
     (!there).then_some("the Rust target (rustup target add x86_64-pc-windows-gnu)")
 }
 
-/// Builds the library as its README describes.
+/// Builds the library for Adams as `adams-usersub/README.md` describes.
 fn built(folder: &Path) -> PathBuf {
     let mut build = Command::new(env!("CARGO"));
     build.args(["build", "--release", "--quiet", "-p", "dashpot-dll", "--target", TARGET]).current_dir(root());
@@ -35,7 +35,7 @@ fn built(folder: &Path) -> PathBuf {
     library
 }
 
-/// Returns the names in the tables of a DLL: exports, and required libraries.
+/// Returns the names in the tables of a DLL: its exports, and the libraries that it requires.
 fn tables(library: &Path) -> (Vec<String>, Vec<String>) {
     let text = succeed(Command::new("x86_64-w64-mingw32-objdump").arg("-p").arg(library));
     let (_, names) = text.split_once("[Ordinal/Name Pointer] Table").expect("an export table");
@@ -79,7 +79,7 @@ fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     Command::new("wineserver").arg("-k").env("WINEPREFIX", folder.path().join("wine")).output().unwrap();
     assert!(text.contains("selftest 0"), "{text}");
     assert!(text.contains("usrmes 1 INFO dashpot: model file damper.toml, 2 states"), "{text}");
-    // Compute the steady force for this motion.
+    // Compute the steady force at the motion of `tests/adams/windows.c`: 10 mm and 150 mm/s.
     let (model, input) = (model_of(PLAIN), Input::motion(0.01, 0.15));
     let want = -force(&model, &model.steady_state(&input), &input).force;
     let line = text.lines().find_map(|l| l.trim().strip_prefix("sforce ")).unwrap();

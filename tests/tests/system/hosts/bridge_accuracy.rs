@@ -70,8 +70,8 @@ fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
         .collect()
 }
 
-/// Elements in addition to curve and series spring, and further lines. Cavitation is excluded, because Radau steps do
-/// not resolve the impact of a closing void. The kernel's own tests cover cavitation.
+/// Elements in addition to FV curve and series spring, and further lines of the model file. Cavitation is excluded,
+/// because Radau steps do not resolve the impact of a closing void. The kernel's own tests cover cavitation.
 const MODELS: [(&str, &str); 19] = [
     ("parallel_spring\", \"stribeck_friction\", \"viscous_friction\", \"gas_preload", ""),
     ("gas_preload", "series_stiffness = 1e7\ninternal_mass = 0.1"),
@@ -94,7 +94,8 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// The guaranteed accuracy at 1 ms holds at every host step: relative to the largest force, 0.1 % rms and at most 1 %.
+/// Checks that the accuracy guaranteed at 1 ms holds at every host step: relative to the largest force, 0.1 % rms and
+/// at most 1 %.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

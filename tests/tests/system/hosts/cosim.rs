@@ -33,7 +33,7 @@ fn the_force_is_that_of_the_library(packages: &str, script: &str, fmi: &str) -> 
 #[test]
 fn the_force_in_libcosim_is_that_of_the_library() {
     let Some(said) = the_force_is_that_of_the_library("libcosimpy==0.0.6", "cosim.py", "2") else { return };
-    // The host reports errors in the FMU's page and continues.
+    // The host prints errors that it finds in the FMU and continues, so its output is searched for them.
     assert_eq!(said.lines().find(|line| line.contains("[error]")), None);
 }
 

@@ -1,4 +1,5 @@
-//! The FMU in an independent host: FMPy validates and runs all four kinds, with one corner and with four.
+//! The FMU in an independent host. FMPy validates and runs all four kinds: FMI 2 and 3, each with one corner and with
+//! four.
 
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::{Model, Params, model_file};
@@ -53,7 +54,8 @@ fn entries(fmu: &Path) -> Vec<String> {
     succeed(Command::new(python()).args(["-c", list]).arg(fmu)).lines().map(str::to_owned).collect()
 }
 
-/// An export needs no compiler: the command contains the runtime, which reads the model from the FMU's resources.
+/// Checks that an export needs no compiler. The command contains the runtime, which reads the model from the FMU's
+/// resources.
 #[test]
 fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     if !has_python() {
@@ -110,7 +112,7 @@ mod hidden {
     dashpot_tests::each_fmu!(runs_hidden);
 }
 
-/// A library compiled for another system is rejected.
+/// Checks that the export rejects a library that the compiler has built for another system.
 #[test]
 fn a_library_for_another_system_is_refused() {
     runtimes();
@@ -128,8 +130,8 @@ fn a_library_for_another_system_is_refused() {
     assert!(!at.join("x.fmu").exists());
 }
 
-/// An importer that compiles (`fmpy compile`) finds all required files in the description, and its forces equal the
-/// damper's.
+/// Checks that an importer that compiles (`fmpy compile`) finds all required files in the description. The forces must
+/// equal those of the bridge.
 #[test]
 fn fmpy_compiles_it() {
     if !has_python() {
@@ -162,7 +164,8 @@ fn unpacked(fmu: &Path, to: &Path) {
     succeed(Command::new(python()).args(["-c", unzip]).arg(fmu).arg(to));
 }
 
-/// The description contains exactly the rows of the parameter table for the enabled elements, with unchanged values.
+/// Checks that the description contains exactly the rows of the parameter table for the enabled elements, with
+/// unchanged values.
 #[test]
 fn the_description_is_the_parameter_table() {
     if !has_python() {
@@ -189,7 +192,8 @@ fn the_description_is_the_parameter_table() {
             assert!(!can("canBeInstantiatedOnlyOncePerProcess") && !can("needsExecutionTool"));
             assert!(kind == "me" || can("canHandleVariableCommunicationStepSize"));
         }
-        // The states are travel, deflection and velocity of the internal mass, and the states of the elements.
+        // The states of a corner are the damper's displacement, deflection and velocity of the internal mass, and the
+        // states of the elements.
         let corners: &[&str] = if four { &["L1.", "R1.", "L2.", "R2."] } else { &[""] };
         let memories = Model::new(&params).expect("a model").elements().memories();
         assert!(memories > 1);
@@ -255,7 +259,7 @@ fn the_description_is_the_parameter_table() {
     }
 }
 
-/// An FMU that is recompiled from its unpacked sources gives the bridge's forces bit for bit.
+/// Checks that an FMU that is recompiled from its unpacked sources gives the bridge's forces bit for bit.
 ///
 /// The test uses the included compiled kernel, and a kernel compiled from the included sources.
 #[test]
@@ -285,7 +289,7 @@ fn its_sources_are_all_it_needs() {
             .env_remove("CARGO_TARGET_DIR")
             .env_remove("TARGET");
         if kernel.is_empty() {
-            // The path contains only a C compiler.
+            // The variable PATH has the folders of the C compiler, and no cargo is available.
             build.env("CARGO", "none").env("PATH", "/usr/bin:/bin");
         }
         succeed(&mut build);
@@ -300,7 +304,8 @@ fn its_sources_are_all_it_needs() {
     }
 }
 
-/// Builds the host program for Windows next to the trace of the bridge; `None` if wine or mingw-w64 is missing.
+/// Builds the host program for Windows and writes the trace of the bridge. Returns the GUID of the FMU. Reports a skip
+/// and returns `None` if wine or mingw-w64 is missing.
 fn windows_host(at: &Path) -> Option<String> {
     let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
     if !there("wine") || !there("x86_64-w64-mingw32-gcc") {
@@ -317,7 +322,7 @@ fn windows_host(at: &Path) -> Option<String> {
     description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).map(str::to_owned)
 }
 
-/// Asserts that the library in wine gives the bridge's forces bit for bit.
+/// Asserts that the FMU's library gives the bridge's forces bit for bit in wine.
 fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     let mut wine = Command::new("wine");
     wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
@@ -325,7 +330,7 @@ fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     assert!(succeed(&mut wine).contains("1001 steps"), "{resources}");
 }
 
-/// For every form of the resources path that importers use, the runtime for Windows finds the model.
+/// Checks that the runtime for Windows finds the model for every form of the resources path that importers use.
 #[test]
 fn the_runtime_for_windows_reads_its_resources() {
     if !has_python() {
@@ -358,7 +363,7 @@ fn the_runtime_for_windows_reads_its_resources() {
     }
 }
 
-/// With a cross compiler, a binary for Windows is added to the FMU for this computer.
+/// Checks that a binary for Windows, built with a cross compiler, is added to the FMU for this computer.
 #[test]
 fn a_binary_for_another_platform_goes_inside() {
     if !has_python() {
@@ -392,7 +397,7 @@ fn a_binary_for_another_platform_goes_inside() {
         told.contains("fmi2DoStep") && told.contains("fmi2GetDerivatives") && !told.contains("dashpot_step"),
         "{told}"
     );
-    // Every Windows has these libraries.
+    // The DLL needs only libraries that every Windows has.
     let needs: Vec<&str> = told.lines().filter_map(|l| l.trim().strip_prefix("DLL Name: ")).collect();
     assert!(
         needs.iter().all(|n| n.starts_with("KERNEL32") || n.starts_with("msvcrt") || n.starts_with("api-ms-win-crt")),

@@ -25,7 +25,7 @@ fn it_runs_where_an_importer_is_careless() {
     }
 }
 
-/// CarMaker's input for controlled dampers is the setting of an adjustable damper.
+/// Checks that CarMaker's input for controlled dampers is the setting of an adjustable damper.
 #[test]
 fn it_is_a_controlled_damper_of_carmaker() {
     let text = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("the example");
@@ -45,7 +45,8 @@ fn it_is_a_controlled_damper_of_carmaker() {
     }
 }
 
-/// With an accompanying file in the form of CarMaker's templates, the FMU equals the library's damper.
+/// Checks that the FMU equals the library's damper in CarMaker's convention, with an accompanying file in the form of
+/// CarMaker's templates.
 #[test]
 fn it_is_a_damper_of_carmaker() {
     for fmi in ["2", "3"] {

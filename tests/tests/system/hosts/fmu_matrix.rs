@@ -1,5 +1,5 @@
-//! The rig matrix through the FMU in FMPy. Co-simulation equals the kernel's step bit for bit; model exchange agrees
-//! with the converged solution.
+//! The rig matrix through the FMU in FMPy. Co-simulation equals the kernel's step, except for the last digits of the
+//! sine; model exchange agrees with the converged solution.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -19,7 +19,7 @@ fn model() -> Model {
     Model::new(&params).expect("a model")
 }
 
-/// Returns every test with its exact forces at each millisecond.
+/// Returns every test of the matrix with the converged forces, N, at each millisecond.
 fn exact() -> &'static [(Sine, Vec<f64>)] {
     static EXACT: OnceLock<Vec<(Sine, Vec<f64>)>> = OnceLock::new();
     EXACT.get_or_init(|| {

@@ -6,7 +6,8 @@ use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// Elements in addition to curve and series spring, further lines, and the number of internal states.
+/// Elements in addition to FV curve and series spring, further lines of the model file, and the number of internal
+/// states.
 const DAMPERS: [(&str, &str, u32); 16] = [
     ("oil_compressibility", "", 1),
     ("valve_hysteresis", "", 1),

@@ -25,7 +25,7 @@ fn within_one_percent(text: &str, fmi: &str, tests: &[&str]) -> String {
     succeed(host.current_dir(folder.path()))
 }
 
-/// Extreme tests of the rig matrix.
+/// Extreme tests of the rig matrix, as amplitude, m, and frequency, Hz.
 const EDGES: [&str; 4] = ["0.05:0.3", "0.03:5.6", "0.005:20", "0.001:2"];
 
 #[test]
@@ -38,7 +38,7 @@ fn the_damper_of_the_demo() {
     }
 }
 
-/// Each element in addition to curve, series spring and the elements that it requires.
+/// Checks each element in addition to FV curve, series spring and gas preload.
 #[test]
 fn every_element() {
     if !has_python() {

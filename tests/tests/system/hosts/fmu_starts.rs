@@ -11,7 +11,8 @@ use std::process::Command;
 
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"gas_preload\"]\ngas_force = 120.0\n";
-/// A damper so stiff that an explicit solver diverges. With a less stiff damper, the solver would only oscillate.
+/// Lines of a model file for a damper so stiff that an explicit solver diverges. With a less stiff damper, the solver
+/// would only oscillate.
 const FAST: &str = "series_stiffness = 3e7\ninternal_mass = 0.05\n";
 
 fn starts(fmi: &str) {
@@ -43,7 +44,7 @@ fn of_fmi_3() {
     starts("3");
 }
 
-/// If the user does not specify when the importer sets the inputs, the export states the resulting delay.
+/// Checks that the export states the delay of one step if the user does not specify when the importer sets the inputs.
 #[test]
 fn the_delay_is_told_where_nobody_said_when_inputs_come() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -1,6 +1,6 @@
-//! Hosts set parameters individually.
+//! Hosts set the parameters of an FMU one after the other, so that the set may be inconsistent in between.
 //!
-//! The test verifies the FMU's reaction to an inconsistent set, in a host that receives every status and message.
+//! The test checks the FMU's reaction to an inconsistent set, in a host that receives every status and message.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};

@@ -1,5 +1,5 @@
-//! An importer that converts units uses the FMU's declarations. At any scale, it gets the damper in SI units, or the
-//! FMU declares no unit.
+//! Units that an FMU declares. At any motion and force scale, an importer that converts units gets the damper in SI
+//! units, or the FMU declares no unit.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};
@@ -33,7 +33,7 @@ fn declares(fmi: &str, four: bool) {
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu_units.py")).arg("si.fmu");
     for (i, (motion, force, units)) in CASES.iter().enumerate() {
-        // The cases cover each way of producing a description once.
+        // The cases cover each code path that produces a description once.
         let more: &[&str] = match i {
             0 => &["--from-source"],
             1 => &["--hide-parameters", "--no-sources"],

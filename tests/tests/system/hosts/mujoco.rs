@@ -1,4 +1,4 @@
-//! MuJoCo as a host: the dampers in its passive-force callback, at 1 ms.
+//! MuJoCo as a host: the dampers in its passive-force callback, with steps of 1 ms.
 
 use dashpot_tests::bridge::{MODEL, bridge_host};
 use dashpot_tests::library::{root, succeed};
@@ -8,7 +8,8 @@ use std::process::Command;
 /// Curve and gas force of [`MODEL`], without its other elements.
 const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 141.5\n";
 
-/// The host program compares MuJoCo's quarter car with its own integration, and rejects a vehicle that gains energy.
+/// Runs the host program, which compares MuJoCo's quarter car with its own integration and fails if a vehicle gains
+/// energy.
 #[test]
 fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     if !has_python() {

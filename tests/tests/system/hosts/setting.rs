@@ -1,4 +1,4 @@
-//! An adjustable damper in hosts: the example, and the same control loop through an FMU.
+//! An adjustable damper in hosts: the examples `skyhook.c` and `skyhook.py`, and the same control loop through an FMU.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{Language, Linkage, directory, host, root, shared, succeed};
@@ -39,7 +39,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
         skipped("python3");
         return;
     }
-    // Compare whole lines of all corners: acceleration, its spectrum in bands, and tire force.
+    // Compare whole lines of all corners: acceleration, its spectrum in bands, and tire deflection.
     for (corners, of_c) in [("1", &one), ("4", &four)] {
         let python = succeed(Command::new("python3").arg(&script).arg(shared()).arg(model()).arg(corners));
         assert_eq!(&python, of_c);

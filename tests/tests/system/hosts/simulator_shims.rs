@@ -51,7 +51,8 @@ fn carsim_in_its_own_units() {
     runs("carsim.c", "carsim/vs_damper.c", &[header], Some("maps/carsim.toml"));
 }
 
-/// One key states the zero position of the rig in the maps of CarSim, the S-function and a plain host.
+/// Checks the keys `position_offset_` of a channel map, which state the zero position of the rig for an axle or a
+/// corner.
 #[test]
 fn the_zero_of_the_rig_is_where_the_map_says() {
     let directory = tempfile::tempdir().expect("a directory");

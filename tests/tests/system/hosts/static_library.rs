@@ -85,7 +85,8 @@ fn sources() -> tempfile::TempDir {
     folder
 }
 
-/// Compiles and runs a program, and compares the force bit for bit.
+/// Compiles and runs a program, and compares its force with the kernel's bit for bit. `LIBRARY` in `words` stands for
+/// the path of the library.
 fn links(at: &Path, compiler: &str, words: &[&str]) {
     let program = at.join("program");
     let library = static_library();
@@ -182,7 +183,7 @@ fn it_links_with_musl() {
     links(folder.path(), "musl-gcc", &["-fno-builtin", "namesakes.c", "LIBRARY"]);
 }
 
-/// Makes a folder with the layout of the package.
+/// Makes a folder with library, header and build files in the layout of the package.
 fn prefix() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -250,7 +251,8 @@ fn pkg_config_names_it() {
     links(folder.path(), "g++", &[&["program.cc", "-Wl,-Bstatic"], flags.as_slice(), &["-Wl,-Bdynamic"]].concat());
 }
 
-/// Builds cargo's archive for 64-bit Windows, with rustup's target or Debian's second compiler, if available.
+/// Builds cargo's archive for 64-bit Windows, with rustup's target or else with Debian's Rust compiler. Returns `None`
+/// if neither is available.
 fn windows_archive() -> Option<PathBuf> {
     const TARGET: &str = "x86_64-pc-windows-gnu";
     let folder = Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]).output().ok()?;

@@ -9,7 +9,8 @@ use dashpot_tests::bridge::{MODEL, bridge_host};
 use std::io::{Read as _, Write as _};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-/// The four corners, connected by pipes. In the bridge, compression and push are positive.
+/// Host program with the four corners of the bridge, connected by pipes. In the bridge, compression and push are
+/// positive.
 struct Bridge {
     host: Child,
     to: ChildStdin,
@@ -25,7 +26,8 @@ impl Bridge {
         self.from.read_exact(&mut answer).expect("the bridge answers");
         let number = |i: usize| f64::from_le_bytes(answer[8 * i..8 * i + 8].try_into().expect("eight bytes"));
         std::array::from_fn(|corner| {
-            // A velocity beyond the identified curve is a warning; a frozen force would be 0x10000.
+            // The status of a velocity beyond the identified curve is a warning. The status of a force kept after a
+            // rejected input would be 0x10000.
             assert!(number(3 * corner + 2) < 65536.0, "an input was refused");
             [-number(3 * corner), number(3 * corner + 1)]
         })
@@ -45,7 +47,7 @@ impl Dampers for Bridge {
 #[test]
 fn every_manoeuvre_is_the_kernels_bit_for_bit() {
     let folder = tempfile::tempdir().expect("a directory");
-    // The rear dampers differ, so that exchanged corners are detected.
+    // The rear dampers differ from the front dampers, so that exchanged corners are detected.
     let texts = [
         MODEL.to_owned(),
         MODEL.replace("141.5", "200.0").replace("[\"fv_curve\"", "[\"valve_hysteresis\", \"fv_curve\""),

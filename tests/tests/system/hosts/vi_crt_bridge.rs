@@ -18,7 +18,7 @@ fn does_what_its_header_says() {
     }
 }
 
-/// The shipped map asks the user for the missing channel.
+/// Checks that the message on the shipped map asks the user for the missing channel.
 #[test]
 fn the_unknown_channel_is_asked_for() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -31,7 +31,7 @@ fn the_unknown_channel_is_asked_for() {
     assert!(!output.status.success() && text.contains("force must name the host's input channel"), "{text}");
 }
 
-/// A step neither allocates, nor accesses files, nor locks.
+/// Checks that a step neither allocates, nor accesses files, nor locks.
 #[test]
 fn only_create_and_destroy_allocate_and_read() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -75,7 +75,7 @@ fn only_create_and_destroy_allocate_and_read() {
     assert!(reached.iter().any(|n| n == "dashpot_step"), "{reached:?}");
 }
 
-/// The test simulates two minutes; `tests/hosts/soak.c` explains a run of half an hour.
+/// Simulates two minutes of driving; `tests/hosts/soak.c` explains a run of half an hour.
 #[test]
 fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
     let directory = tempfile::tempdir().expect("a directory");

@@ -1,7 +1,6 @@
-//! The example from the book's page for host authors.
+//! Tests the example from the book's page for host authors.
 //!
-//! Its three loops simulate the same car; with some steps, the implicit loop is stable and the explicit loop is
-//! unstable.
+//! Its three loops simulate the same car, also with a moving mass.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
@@ -9,7 +8,7 @@ use std::process::Command;
 
 const CALM: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\"]\ngas_force = 120\n";
 
-/// Returns time, position and force.
+/// Returns the rows that a loop of the example prints: time, s, position, m, and force, N.
 fn run(program: &Path, model: &str, kind: &str, dt: &str) -> Vec<[f64; 3]> {
     let file = program.with_file_name("model.toml");
     std::fs::write(&file, model).expect("a model file");
@@ -53,10 +52,11 @@ fn three_loops_are_one_car() {
     }
 }
 
-/// A moving mass in the damper affects the car as with small steps, even if a loop advances the displacement with
-/// another velocity.
+/// Checks that a moving mass in the damper affects the car as with small steps, even if a loop advances the
+/// displacement with another velocity.
 ///
-/// The first loop is semi-implicit. The loops' own errors of the body cancel in the difference.
+/// The loop `explicit` is semi-implicit. The loops' own errors of the body cancel in the difference between runs with
+/// and without the mass.
 #[test]
 fn a_moving_mass_acts_as_it_is_in_every_loop() {
     let folder = tempfile::tempdir().expect("a directory");
