@@ -61,12 +61,14 @@ int main(int count, char **words)
     static const double par[2] = {7, 400};
     adams_sforce s = {1, 2, par, 11, 12, 0, "TRANSLATIONAL"};
     double force = 0;
-    HMODULE library = LoadLibraryA(words[2]), utilities;
-    int (*selftest)(void) = (int (*)(void))(void *)entry(library, "dashpot_adams_selftest");
-    void (*sfosub)(const adams_sforce *, double, int, int, double *) =
-        (void (*)(const adams_sforce *, double, int, int, double *))(void *)entry(library, "Dashpot_sfosub");
+    HMODULE library, utilities;
+    int (*selftest)(void);
+    void (*sfosub)(const adams_sforce *, double, int, int, double *);
     if (count != 4)
         return 1;
+    library = LoadLibraryA(words[2]);
+    selftest = (int (*)(void))(void *)entry(library, "dashpot_adams_selftest");
+    sfosub = (void (*)(const adams_sforce *, double, int, int, double *))(void *)entry(library, "Dashpot_sfosub");
     /* The library is loaded before AsUtility.dll, as outside a run, and must find the utilities later. */
     utilities = LoadLibraryA(words[1]);
     ((void (*)(const char *))(void *)entry(utilities, "stand_in_model"))(words[3]);

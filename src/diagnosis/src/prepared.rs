@@ -115,10 +115,6 @@ impl Prepared {
             missing.extend(found.missing);
             shifted.extend(found.shifted);
         }
-        if self.fitted.is_empty() {
-            let turned = opposite::opposite(records, reference);
-            return Err(DiagnosisError::NothingToCompare { turned });
-        }
         // The heating refers to tests by index, so it must refer to the new list of tests.
         self.heating = Arc::new(self.heating.of_tests(&self.fitted));
         Ok(Against { structure, missing, shifted })

@@ -18,7 +18,7 @@ pub struct Situation {
     pub base: Params,
     /// Strength of the damper relative to that of a passenger car's damper; 1 within the range of cars.
     pub scale: Scale,
-    /// Sum of the Coulomb forces of Coulomb and Stribeck friction in the model, N.
+    /// Sum of the sliding forces of Coulomb, Stribeck and presliding friction in the model, N.
     pub friction: f64,
     /// Friction, N, that an FV curve may contain as a step at zero velocity. Zero if [`Situation::friction`] is
     /// positive.
@@ -126,6 +126,9 @@ impl Situation {
         }
         if base.is_on(element!("stribeck_friction")) {
             friction += base.number(number!("stribeck_coulomb_force"));
+        }
+        if base.is_on(element!("presliding_friction")) {
+            friction += base.number(number!("presliding_force"));
         }
         let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
         // The knee is the first point in rebound beyond which the slope is less than half of its largest value.

@@ -476,7 +476,7 @@ const CALM: u32 = 8;
 const THROWN: f64 = 2.0;
 /// Difference between end force and latest stage, relative to the size of the forces, below which no overshoot is
 /// detected.
-const STATEFUL_OR_STOP: f64 = 0.02;
+const ROUGHNESS: f64 = 0.02;
 
 /// Returns whether the force at the `end` is consistent with the previous `stages`. Returns false for a NaN.
 #[inline(always)]
@@ -486,7 +486,7 @@ fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
         least = min(*force, least);
         most = max(*force, most);
     }
-    let near = THROWN * method.goes_on * (most - least) + STATEFUL_OR_STOP * (most.abs() + least.abs());
+    let near = THROWN * method.goes_on * (most - least) + ROUGHNESS * (most.abs() + least.abs());
     let latest = stages.get(method.latest).copied().unwrap_or(end);
     (end - latest).abs() <= near
 }

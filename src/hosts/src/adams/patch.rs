@@ -234,6 +234,12 @@ fn check_function(
         }
         for speed in spline.x.iter().copied().chain([0.0]) {
             let added = beside(speed)?;
+            if (added - beside(0.0)?).abs() > 1e-9 * largest {
+                bail!(
+                    "its function adds {added} to its spline at the speed {speed}, which is no force at rest and which the \
+                     damper's routine would replace; give it an SFORCE of its own first"
+                );
+            }
             if added.abs() > 1e-9 * largest && !with_preload {
                 bail!(
                     "its function adds {added} to its spline, which the damper's routine would replace; where the model file \

@@ -79,10 +79,10 @@ impl Campaign {
 /// Progress of loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Number of finished steps. Reading a file is one step, and cleaning a test is one step. If a test is split into
-    /// several tests, `done` may exceed `total`.
+    /// Number of finished steps. Reading a file is one step, and cleaning a test is one step.
     pub done: usize,
-    /// Total number of steps. Each file that is read adds a step for each of its tests.
+    /// Total number of steps. Each file that is read adds a step for each of its tests. Once all files are read, the
+    /// number of tests is known, without those left out and with the parts of split ones.
     pub total: usize,
 }
 
@@ -146,6 +146,7 @@ pub fn load(
     for (options, sorted) in sorted {
         pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
+    counter.expect(files.len() + pieces.len());
     let readings = pieces
         .iter()
         .map(|(options, piece)| {
@@ -276,6 +277,11 @@ impl<'a> Counter<'a> {
         Counter { done: 0.into(), total: total.into(), report }
     }
 
+    /// Sets the total number of steps.
+    fn expect(&self, total: usize) {
+        self.total.store(total, std::sync::atomic::Ordering::Relaxed);
+    }
+
     fn step(&self, new_steps: usize) {
         use std::sync::atomic::Ordering::Relaxed;
         let total = self.total.fetch_add(new_steps, Relaxed) + new_steps;
@@ -389,7 +395,14 @@ mod tests {
             }
         }
         let folder = folder(&[("all.csv", &text)]);
-        let campaign = load_folder(&folder, &Options::default()).unwrap();
+        let last = std::sync::Mutex::new((0, 0));
+        let tell = |progress: Progress| {
+            let mut last = last.lock().unwrap();
+            *last = (*last).max((progress.done, progress.total));
+        };
+        let campaign = load(&[folder.path().to_path_buf()], &Options::default(), &tell).unwrap();
+        // One file and its two tests.
+        assert_eq!(*last.lock().unwrap(), (3, 3));
         assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["A7", "A8"]);
         assert!(campaign.records[1].source.ends_with("all.csv (test 'A8')"));
         assert!((campaign.records[1].amplitude - 0.05).abs() < 2e-4);

@@ -88,7 +88,7 @@ pub(crate) fn parse(
         return Err(RecordError::NoData { at: at.clone() });
     };
     packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.into_error(at))?;
-    let header = header(first, options);
+    let header = header(first, options, separator);
     if !is_header(&header, options) {
         return Err(no_header(at, &first.names));
     }
@@ -175,9 +175,9 @@ const TIME: &str = "Time [s]";
 
 /// Returns the heading of each column. The first filled `X_Value` column of dimension time becomes [`TIME`], unless the
 /// user names a time column. Other `X_Value` columns get an empty heading.
-fn header(packet: &Packet<'_>, options: &Options) -> Vec<String> {
+fn header(packet: &Packet<'_>, options: &Options, separator: u8) -> Vec<String> {
     let given = options.columns.contains_key(&crate::Channel::Time);
-    let filled = packet.rows.first().map(|(_, text)| split(text, b'\t')).unwrap_or_default();
+    let filled = packet.rows.first().map(|(_, text)| split(text, separator)).unwrap_or_default();
     let mut taken = given;
     (0..packet.names.len())
         .map(|k| {
@@ -295,6 +295,14 @@ mod tests {
             }
             assert_eq!(test.lines[0], FILE.lines().count() + 11, "{table}");
         }
+    }
+
+    #[test]
+    fn an_empty_time_column_is_seen_with_commas_too() {
+        let table = heading(0.0, &["X_Value", "Displacement", "Force", "Comment"]) + "\t1\t0.1\n\t2\t0.2\n\t3\t0.3\n";
+        let text = (FILE.to_owned() + &table).replace("Separator\tTab", "Separator\tComma").replace('\t', ",");
+        let test = read(&text).unwrap().remove(0);
+        assert_eq!(test.time, [0.0, 0.5, 1.0]);
     }
 
     #[test]

@@ -414,6 +414,13 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     let with = |more: &[&'static str]| -> Vec<&'static str> { named.iter().chain(more).copied().collect() };
     let words = refused(folder.path(), &with(&["--damper", "SFORCE/2=400"]));
     assert!(words.contains("adds 150") && words.contains("--replace-preload"), "{words}");
+    let with_friction = format!("Car\n{}{spline}", sforce(2, "-2*abs(vr(21,22))"));
+    std::fs::write(folder.path().join("damped.adm"), with_friction).unwrap();
+    let words = refused(
+        folder.path(),
+        &["export", "adm", "damped.adm", "-o", "d.adm", "--damper", "SFORCE/2=400", "--replace-preload"],
+    );
+    assert!(words.contains("no force at rest"), "{words}");
     let words = refused(folder.path(), &with(&["--damper", "SFORCE/1=400", "--model-file", "a\n, X = 1"]));
     assert!(words.contains("line break"), "{words}");
     let both = ["--damper", "SFORCE/1=400,front.toml", "--damper", "SFORCE/2=388", "--replace-preload"];

@@ -163,6 +163,11 @@ impl<'a> File<'a> {
                 .zip(stored.chunks_exact(size))
                 .for_each(|(value, stored)| *value = data.number.value(stored));
         };
+        if let Layout::OneChunk { chunk, .. } | Layout::Chunked { chunk, .. } = &data.layout
+            && (chunk.len() != data.shape.len() || chunk.contains(&0))
+        {
+            return Err("its chunks have another shape than its data".into());
+        }
         match &data.layout {
             Layout::Compact { at, size } => fill(&mut values, self.bytes.get(*at..at + size).ok_or_else(too_short)?),
             Layout::Contiguous { at: Some(at), size } => fill(&mut values, self.block(*at, *size)?),
@@ -175,9 +180,6 @@ impl<'a> File<'a> {
                 self.place(data, chunk, &vec![0; chunk.len()], &self.unpacked(data, stored, whole, 0)?, &mut values);
             }
             Layout::Chunked { tree: Some(tree), chunk } => {
-                if chunk.len() != data.shape.len() || chunk.contains(&0) {
-                    return Err("its chunks have another shape than its data".into());
-                }
                 let mut seen = HashSet::new();
                 self.chunks(*tree, None, data, chunk, &mut seen, &mut values)?;
             }
