@@ -10,7 +10,6 @@ mod contributing;
 mod documents;
 mod messages;
 mod parameter_page;
-mod report_languages;
 mod same_digits;
 mod style;
 mod terminal;

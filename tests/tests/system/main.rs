@@ -15,5 +15,6 @@ mod identification;
 mod other_laboratory;
 mod other_sizes;
 mod packages;
+mod report_languages;
 mod reported_campaigns;
 mod unsafe_code;
