@@ -320,11 +320,13 @@ impl Composed<'_> {
             let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let also = (!also.is_empty())
                 .then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
+            let rest = if after.sqrt() <= QUIET { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
             let summary =
                 Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
                     .with_list("names", names, phrases::COMMA)
                     .with("before", format!("{:.2}", before.sqrt()))
                     .with("after", format!("{:.2}", after.sqrt()))
+                    .with_sentence("rest", Sentence::from(rest))
                     .with_any("also", also);
             return Judged { verdict: Verdict::Named, summary, suspects, notes };
         }

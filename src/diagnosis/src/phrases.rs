@@ -25,8 +25,10 @@ dashpot_messages::phrases! {
     TIMES: "{times} times the error that noise and the form of curves leave";
     NAME_AND_SURE: "{effect} ({percent} sure{instead})";
     INSTEAD_OF: ", instead of {effect}";
-    HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error{also}";
-    NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error{also}";
+    HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error, {rest}{also}";
+    LEAVES_NOTHING: "which leaves nothing unexplained";
+    LEAVES_A_PART: "which leaves a part unexplained";
+    NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error, {rest}{also}";
     ALSO_CHANGED: "; also changed: {changes}";
     AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure{instead})";
     AT_SOME_SETTINGS: "{effect} ({sure} sure{instead}) is missing in the model at {names}; at the other settings it is not named";

@@ -17,8 +17,8 @@ const GAUGE: f64 = 5e3;
 /// # Errors
 /// Returns a [`DimensionsError`] with the file and, for an invalid entry, line and key.
 pub fn read(path: &Path) -> Result<Dimensions, DimensionsError> {
-    let text =
-        std::fs::read_to_string(path).map_err(|why| DimensionsError::Unreadable { file: path.to_path_buf(), why })?;
+    let unreadable = |why| DimensionsError::Unreadable { file: path.to_path_buf(), why };
+    let text = dashpot_records::read_small_text(path).map_err(unreadable)?;
     parse(&text, path)
 }
 

@@ -26,8 +26,9 @@ const PASSAGE: f64 = 3.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
 
-/// Returns the largest force of a model, N: the sum of curve, friction and gas, because records of few tests do not
-/// separate these three forces.
+/// Returns the largest force of a model, N: the sum of curve, friction and gas.
+///
+/// Records of few tests do not separate these three forces, so only their sum is a measure of size.
 pub fn largest_force(params: &Params) -> f64 {
     let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let parallel = [

@@ -131,6 +131,8 @@ fn followed(own: usize, added: usize, left: &Difference) -> String {
     }
 }
 
+/// Largest accepted size of a library for Adams, bytes. A library has about a megabyte.
+const LARGEST_LIBRARY: u64 = 256 << 20;
 /// Name of the library for Adams on this platform.
 const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_adams.so" };
 
@@ -140,7 +142,9 @@ const ADAMS: &str = if cfg!(windows) { "dashpot_adams.dll" } else { "dashpot_ada
 /// # Errors
 /// A library cannot be read, or the given library does not contain dashpot's user subroutine.
 pub fn adams_libraries(named: Option<&Path>) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    let read = |path: &Path| std::fs::read(path).with_context(|| format!("cannot read {}", path.display()));
+    let read = |path: &Path| {
+        dashpot_records::read_regular(path, LARGEST_LIBRARY).with_context(|| format!("cannot read {}", path.display()))
+    };
     if let Some(path) = named {
         let content = read(path)?;
         let name = adams_library_name(&content).with_context(|| path.display().to_string())?;

@@ -6,6 +6,7 @@ use crate::short::in_words;
 use crate::{Estimate, Standing};
 use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 use dashpot_messages::Sentence;
+use dashpot_records::reading_unit;
 
 /// Formats a sentence for each number that has its own prior: the expected value, or the contradiction with the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
@@ -26,23 +27,25 @@ pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
 /// Formats the expected value of a number, with its interval and the dimensions from which it follows.
 pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
     let (low, high) = row.interval();
+    let (factor, unit) = reading_unit(row.center(), row.number.parameter().unit);
     Sentence::from(phrases::EXPECTED)
         .with("name", row.number)
-        .with("value", in_words(row.center()))
-        .with("unit", row.number.parameter().unit)
-        .with("low", in_words(low))
-        .with("high", in_words(high))
+        .with("value", in_words(factor * row.center()))
+        .with("unit", unit)
+        .with("low", in_words(factor * low))
+        .with("high", in_words(factor * high))
         .with("facts", row.facts())
 }
 
 /// Formats the contradiction of a number: the identified value, the expected value and their ratio.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
+    let (factor, unit) = reading_unit(row.center(), row.number.parameter().unit);
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)
-        .with("value", in_words(estimate.value))
-        .with("unit", row.number.parameter().unit)
+        .with("value", in_words(factor * estimate.value))
+        .with("unit", unit)
         .with("ratio", format!("{:.2}", estimate.value / row.center()))
-        .with("expected", in_words(row.center()))
+        .with("expected", in_words(factor * row.center()))
         .with("facts", row.facts())
 }
 

@@ -33,8 +33,8 @@ use dashpot_estimation::unknowns::{CurveName, Unknown, Unknowns};
 use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_messages::{Sentence, Template};
-use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
+use dashpot_records::{Record, reading_unit};
 use std::sync::Arc;
 
 /// Kind of model to fit.
@@ -557,8 +557,10 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
     // Round to significant digits instead of decimals. With four decimals, a value of 0.15 mm in m would become 0.2 mm, and a creep of nm/s
     // would become 0.
-    let value = in_words(estimate.value);
-    Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", estimate.unit)
+    // The unit is that of the tables in a report.
+    let (factor, unit) = reading_unit(estimate.value, estimate.unit);
+    let value = in_words(factor * estimate.value);
+    Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", unit)
 }
 
 /// Computes the root mean square of the weighted residual over the scored samples.
@@ -661,10 +663,16 @@ pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
         notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", format!("{:.0}", 1e3 * SLOW)));
     }
-    let amplitudes: Vec<f64> = segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude).collect();
-    let (low, high) = amplitudes.iter().fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
-    if high < 2.0 * low {
+    let is_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = amplitudes.fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(a), h.max(a)));
+        high > 0.0 && high < 2.0 * low
+    };
+    let velocity = format!("{:.0}", 1e3 * SLOW);
+    if is_one(&mut segments.iter().map(|s| s.amplitude)) {
         notes.push(phrases::ONE_AMPLITUDE.into());
+    } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {
+        // Slow tests show friction and gas, but hardly the spring in series.
+        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity));
     }
     notes
 }
@@ -686,14 +694,34 @@ mod tests {
     }
 
     #[test]
+    fn notes_on_amplitudes_are_true_of_the_tests_that_they_name() {
+        let segment = |amplitude: f64, peak_velocity: f64| {
+            let mut segment = crate::fit::segments(&[&slow_sine()]).remove(0);
+            (segment.amplitude, segment.peak_velocity) = (amplitude, peak_velocity);
+            segment
+        };
+        let said = |all: &[(f64, f64)]| -> Vec<String> {
+            let all: Vec<Segment> = all.iter().map(|(amplitude, peak)| segment(*amplitude, *peak)).collect();
+            let notes = coverage_notes(&all).iter().map(ToString::to_string).collect::<Vec<_>>();
+            notes.into_iter().filter(|note| note.contains("amplitude")).collect()
+        };
+        let (slow, fast) = (0.5 * SLOW, 10.0 * SLOW);
+        assert!(said(&[(0.005, slow), (0.05, slow)]).is_empty());
+        assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)]).is_empty());
+        assert!(said(&[(0.05, slow)])[0].starts_with("all tests have"));
+        assert!(said(&[(0.05, slow), (0.05, fast)])[0].starts_with("all tests have"));
+        assert!(said(&[(0.005, slow), (0.05, fast)])[0].starts_with("all tests faster than 6 mm/s have"));
+    }
+
+    #[test]
     fn a_number_that_is_held_is_told_by_its_digits() {
         let said = |name: &'static str, value: f64, unit: &'static str| {
             let (from, standing) = (Sentence::from(phrases::HELD), Standing::NotIdentified);
             let held = Estimate { name, index: None, value, low: None, high: None, unit, from, standing };
             of_number(phrases::HELD, &held).to_string()
         };
-        assert!(said("presliding_length", 1.524_89e-4, "m").ends_with("held at 0.0001525 m"));
-        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 0.000000001000 m/s"));
+        assert!(said("presliding_length", 1.524_89e-4, "m").ends_with("held at 0.1525 mm"));
+        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 0.000001000 mm/s"));
         assert!(said("gas_force", 58.040_02, "N").ends_with("held at 58.04 N"));
     }
 

@@ -11,15 +11,18 @@ use dashpot_records::{
 };
 use std::path::Path;
 
+/// Largest gas force and friction of a damper, N. The strut of an airliner has a tenth.
+const LARGEST: f64 = 1e6;
+
 /// Reason why no model can be made from a table.
 #[derive(Debug, thiserror::Error)]
 pub enum OfPeaksError {
     /// The table cannot be read.
     #[error(transparent)]
     Table(#[from] RecordError),
-    /// A gas force or friction is negative or not finite.
-    #[error("{name} is {value}; it must be 0 N or more")]
-    Negative {
+    /// A gas force or friction is negative, not finite, or larger than any damper's.
+    #[error("{name} is {value:e} N; it must be 0 N to {LARGEST:e} N")]
+    Impossible {
         /// Name of the option.
         name: &'static str,
         /// Given value.
@@ -243,8 +246,8 @@ pub fn family_of_peaks(
 /// Reads the forces of a damper from a table, and subtracts gas force and friction.
 fn read_curve(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Read, OfPeaksError> {
     for (name, value) in [("--gas-force", gas_force), ("--friction", friction)] {
-        if !(value.is_finite() && value >= 0.0) {
-            return Err(OfPeaksError::Negative { name, value });
+        if !(0.0..=LARGEST).contains(&value) {
+            return Err(OfPeaksError::Impossible { name, value });
         }
     }
     let peaks = read_peaks(path, options)?;

@@ -132,7 +132,7 @@ fn stream(_: &fs::Metadata) -> Stream {
 fn is_listed_record(path: &Path) -> bool {
     let description = path.with_file_name("campaign.toml");
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    fs::read_to_string(description)
+    dashpot_records::read_small_text(&description)
         .is_ok_and(|text| text.lines().any(|line| line.trim() == format!("file = {:?}", name.as_ref())))
 }
 

@@ -13,7 +13,7 @@ use dashpot_identification::setting_units::restate_settings;
 use dashpot_messages::Sentence;
 use dashpot_messages::Template;
 use dashpot_records::hold_out::select_hold_out;
-use dashpot_records::{Record, Unusable, setting_in_words};
+use dashpot_records::{Record, Unusable, agree_on_sign, setting_in_words};
 use dashpot_simulation::comparison::settings_of;
 use dashpot_simulation::whole_records::OfDiagnosis;
 use numpy::PyArray1;
@@ -92,6 +92,9 @@ pub fn diagnose_family<'py>(
         false => Some(select_hold_out(&read, &hold_out, "look at").map_err(raise::<DiagnosisError>)?),
     };
     let mut good = reference.map(|reference| reference.get().read.clone());
+    if let Some(good) = &mut good {
+        agree_on_sign(&mut [&mut read, good]);
+    }
     let others = good.iter_mut().flat_map(|good| &mut good.records);
     restate_settings(&file.axis, read.records.iter_mut().chain(others)).map_err(raise::<DiagnosisError>)?;
     let others = good.iter_mut().flat_map(|good| &mut good.records);
@@ -174,11 +177,17 @@ pub fn diagnose<'py>(
 ) -> PyResult<(String, String, Vec<Bound<'py, PyDict>>, Diagnosed)> {
     let (file, of_damper) = (&model.get().file, campaign.get());
     let mut about = of_damper.about();
-    let (mut own, mut good) = (of_damper.read.records.clone(), Vec::new());
+    let mut read = of_damper.read.clone();
+    let mut good = Vec::new();
     if let Some(reference) = &reference {
-        about.also_without(reference.get().read.unusable.clone());
-        good.clone_from(&reference.get().read.records);
+        let mut reference = reference.get().read.clone();
+        about.also_without(reference.unusable.clone());
+        let known = read.notes.len();
+        agree_on_sign(&mut [&mut read, &mut reference]);
+        about.notes.extend(read.notes.iter().skip(known).cloned());
+        good = reference.records;
     }
+    let mut own = read.records;
     let note = file.identification.right(own.iter_mut().chain(&mut good));
     about.notes.extend(note.clone());
     let records: Vec<&Record> = own.iter().collect();

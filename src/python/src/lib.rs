@@ -96,4 +96,7 @@ mod _native {
     /// Whether a panic of the program becomes an exception instead of aborting the process.
     #[pymodule_export]
     const UNWINDS: bool = cfg!(panic = "unwind");
+    /// Kinds of notes that are warnings.
+    #[pymodule_export]
+    const LOUD_NOTES: [&str; 6] = dashpot_records::Note::LOUD;
 }

@@ -125,6 +125,11 @@ impl Default for Options {
     }
 }
 
+/// Formats a number of the user. A huge number has an exponent instead of hundreds of digits.
+fn figure(value: f64) -> String {
+    if value.abs() < 1e9 { format!("{value}") } else { format!("{value:e}") }
+}
+
 impl Options {
     /// Checks that the numbers are within their limits, and that the rules for settings and the ignored channels are
     /// valid.
@@ -134,12 +139,12 @@ impl Options {
     /// force.
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
-            return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", self.delay_s));
+            return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", figure(self.delay_s)));
         }
         if let Some(rate) = self.sample_rate_hz
             && !(SAMPLE_RATES.0..=SAMPLE_RATES.1).contains(&rate)
         {
-            return Err(format!("a sample rate of {rate} cannot be; give samples per second, such as 1000"));
+            return Err(format!("a sample rate of {} cannot be; give samples per second, such as 1000", figure(rate)));
         }
         let gains = std::iter::once((Channel::Force, self.gain)).chain(self.gains.iter().map(|(c, gain)| (*c, *gain)));
         for (channel, gain) in gains {
@@ -149,15 +154,17 @@ impl Options {
             if !(GAINS.0..=GAINS.1).contains(&gain) {
                 let of = if channel == Channel::Force { String::new() } else { format!(" of {channel}") };
                 return Err(format!(
-                    "a gain{of} of {gain} cannot be; give a factor above 0, of {} to {}, and turn a sign with flip",
-                    GAINS.0, GAINS.1
+                    "a gain{of} of {} cannot be; give a factor above 0, of {} to {}, and turn a sign with flip",
+                    figure(gain),
+                    GAINS.0,
+                    GAINS.1
                 ));
             }
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
                 "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2",
-                self.rig_mass_kg
+                figure(self.rig_mass_kg)
             ));
         }
         self.settings.check()?;
@@ -171,7 +178,7 @@ impl Options {
         ];
         match limited.into_iter().find(|(_, value, largest, _)| !(value.abs() <= *largest)) {
             Some((name, value, largest, unit)) => {
-                Err(format!("a {name} of {value} {unit} cannot be; it is at most {largest} {unit}"))
+                Err(format!("a {name} of {} {unit} cannot be; it is at most {largest} {unit}", figure(value)))
             }
             None => Ok(()),
         }
@@ -225,18 +232,22 @@ mod tests {
             change(&mut options, value);
             options.check().is_ok()
         };
-        let limits: [(Change, f64); 6] = [
+        let limits: [(Change, f64); 8] = [
             (&|o, v| o.delay_s = v, 1.0),
             (&|o, v| o.sample_rate_hz = Some(v), 1e7),
             (&|o, v| o.gain = v, 1e4),
             (&|o, v| o.force_zero_n = v, 1e6),
             (&|o, v| o.initial_position = v, 10.0),
             (&|o, v| o.rig_mass_kg = v, 100.0),
+            (&|o, v| o.displacement_zero_m = v, 10.0),
+            (&|o, v| o.gains = [(Channel::Displacement, v)].into(), 1e4),
         ];
         for (change, limit) in limits {
             assert!(check(change, 0.75 * limit) && !check(change, 1.35 * limit), "{limit}");
         }
-        for (change, limit) in [(limits[1].0, 1e-3), (limits[2].0, 1e-4)] {
+        let huge = Options { displacement_zero_m: 1e308, ..Options::default() };
+        assert!(huge.check().unwrap_err().contains("displacement zero of 1e308 m"));
+        for (change, limit) in [(limits[1].0, 1e-3), (limits[2].0, 1e-4), (limits[7].0, 1e-4)] {
             assert!(check(change, 1.35 * limit) && !check(change, 0.75 * limit), "{limit}");
         }
     }

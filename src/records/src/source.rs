@@ -228,5 +228,9 @@ mod tests {
         let device = folder.path().join("zero.csv");
         std::os::unix::fs::symlink("/dev/zero", &device).unwrap();
         assert!(Source::read(&device).err().unwrap().to_string().contains("no regular file"));
+        let pipe = folder.path().join("pipe.csv");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        assert!(Source::read(&pipe).err().unwrap().to_string().contains("no regular file"));
+        assert!(read_small(&pipe).is_err() && read_small_text(&device).is_err());
     }
 }

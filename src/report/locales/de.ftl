@@ -423,7 +423,7 @@ whole-records = Über alle Abtastwerte aller Messungen, wie dashpot validate mis
 ## The picture of a diagnosis.
 
 name-and-sure = { $name } ({ $sure } sicher)
-picture-named = Es fehlt: { $names }
+picture-named = Dieser Dämpfer zeigt: { $names }
 picture-nothing = Es fehlt nichts
 picture-cannot-tell = Etwas fehlt, und diese Messungen können nicht sagen, was
 picture-unknown = Etwas fehlt, das kein bekannter Effekt erklärt
@@ -1395,6 +1395,7 @@ identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretc
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
+identification-one-fast-amplitude = alle Versuche über { $velocity } mm/s haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
 identification-zero-moves = das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von { $low } bis { $high } N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich
 
 ## What a fit says. What the measurement is off by.
@@ -1502,8 +1503,10 @@ diagnosis-and = { " " }und{ " " }
 diagnosis-times = das { $times }-Fache des Fehlers, den Rauschen und Form der Kurven übrig lassen
 diagnosis-name-and-sure = { $effect } ({ $percent } sicher{ $instead })
 diagnosis-instead-of = , anstelle von { $effect }
-diagnosis-has-effect = dieser Dämpfer zeigt { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler{ $also }
-diagnosis-new-effect = neu an diesem Dämpfer: { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler{ $also }
+diagnosis-has-effect = dieser Dämpfer zeigt { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler, { $rest }{ $also }
+diagnosis-leaves-nothing = was nichts unerklärt lässt
+diagnosis-leaves-a-part = was einen Teil unerklärt lässt
+diagnosis-new-effect = neu an diesem Dämpfer: { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler, { $rest }{ $also }
 diagnosis-also-changed = ; ebenfalls geändert: { $changes }
 diagnosis-at-all-settings = bei jeder Einstellung zeigt dieser Dämpfer { $effect } ({ $sure } sicher{ $instead })
 diagnosis-at-some-settings = { $effect } ({ $sure } sicher{ $instead }) fehlt im Modell bei { $names }; bei den anderen Einstellungen wird es nicht genannt

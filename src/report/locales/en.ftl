@@ -423,7 +423,7 @@ whole-records = Over every sample of all records, as dashpot validate measures: 
 ## The picture of a diagnosis.
 
 name-and-sure = { $name } ({ $sure } sure)
-picture-named = Missing: { $names }
+picture-named = This damper shows: { $names }
 picture-nothing = Nothing is missing
 picture-cannot-tell = Something is missing, and these records cannot tell what
 picture-unknown = Something is missing that no known effect explains

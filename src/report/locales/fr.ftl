@@ -423,7 +423,7 @@ whole-records = Sur tous les échantillons de toutes les mesures, comme le fait 
 ## The picture of a diagnosis.
 
 name-and-sure = { $name } (sûr à { $sure })
-picture-named = Il manque : { $names }
+picture-named = Cet amortisseur montre : { $names }
 picture-nothing = Il ne manque rien
 picture-cannot-tell = Il manque quelque chose, et ces mesures ne peuvent dire quoi
 picture-unknown = Il manque quelque chose qu’aucun effet connu n’explique
@@ -1395,6 +1395,7 @@ identification-roads = { $roads } longs essais sans cycles sont calculés en { $
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
+identification-one-fast-amplitude = tous les essais à plus de { $velocity } mm/s ont presque la même amplitude : la raideur série ne repose que sur la fréquence
 identification-zero-moves = le modèle laisse de chaque essai un autre effort constant, de { $low } à { $high } N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables
 
 ## What a fit says. What the measurement is off by.
@@ -1502,8 +1503,10 @@ diagnosis-and = { " " }et{ " " }
 diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
 diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
 diagnosis-instead-of = , à la place de { $effect }
-diagnosis-has-effect = cet amortisseur montre { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe{ $also }
-diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe{ $also }
+diagnosis-has-effect = cet amortisseur montre { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
+diagnosis-leaves-nothing = ce qui ne laisse rien d’inexpliqué
+diagnosis-leaves-a-part = ce qui laisse une part inexpliquée
+diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
 diagnosis-also-changed = { " " }; également changé : { $changes }
 diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
 diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé

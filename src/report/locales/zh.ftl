@@ -411,7 +411,7 @@ whole-records = 对全部记录的每个采样点（与 dashpot validate 的算�
 ## The picture of a diagnosis.
 
 name-and-sure = { $name }（把握 { $sure }）
-picture-named = 缺少：{ $names }
+picture-named = 该减振器表现出：{ $names }
 picture-nothing = 没有缺少的效应
 picture-cannot-tell = 缺少某种效应，但这些记录无法判断是什么
 picture-unknown = 存在已知效应都无法解释的缺失
@@ -1383,6 +1383,7 @@ identification-roads = { $roads } 个没有循环的长试验各以 { $stretches
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
 identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
+identification-one-fast-amplitude = 所有快于 { $velocity } mm/s 的试验振幅几乎相同：串联刚度仅由频率确定
 identification-zero-moves = 模型在各试验中剩下各不相同的恒定力，从 { $low } 到 { $high } N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信
 
 ## What a fit says. What the measurement is off by.
@@ -1490,8 +1491,10 @@ diagnosis-and = 与
 diagnosis-times = 噪声和曲线形式所留误差的 { $times } 倍
 diagnosis-name-and-sure = { $effect }（把握 { $percent }{ $instead }）
 diagnosis-instead-of = ，取代 { $effect }
-diagnosis-has-effect = 该减振器显示 { $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍{ $also }
-diagnosis-new-effect = 该减振器上新出现：{ $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍{ $also }
+diagnosis-has-effect = 该减振器显示 { $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍，{ $rest }{ $also }
+diagnosis-leaves-nothing = 没有未解释的部分
+diagnosis-leaves-a-part = 仍有一部分未得到解释
+diagnosis-new-effect = 该减振器上新出现：{ $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍，{ $rest }{ $also }
 diagnosis-also-changed = ；另有变化：{ $changes }
 diagnosis-at-all-settings = 该减振器在每个设置下都表现出 { $effect }（把握 { $sure }{ $instead }）
 diagnosis-at-some-settings = { $effect }（把握 { $sure }{ $instead }）在 { $names } 处为模型所缺；在其他设置下未被指明

@@ -137,11 +137,14 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
     }
     match velocity {
         // A point beyond the velocities of the group's tests is extrapolated, so it is not compared.
-        Some(v) => {
-            diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).any(|of| of * v > 0.0 && of.abs() >= v.abs())
-        }
+        Some(v) => reaches(diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).copied(), v),
         None => diagnosis.estimates.iter().any(|e| e.name == parameter && e.standing == Standing::Identified),
     }
+}
+
+/// Returns whether motion at these velocities reaches a velocity in its direction.
+fn reaches(mut velocities: impl Iterator<Item = f64>, velocity: f64) -> bool {
+    velocities.any(|of| of * velocity > 0.0 && of.abs() >= velocity.abs())
 }
 
 /// Builds the table of every parameter that changed in any group, for the reference and all groups.
@@ -204,5 +207,18 @@ impl Page {
             made: self.made.clone(),
             words: self.words,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reaches;
+
+    #[test]
+    fn a_point_beyond_the_tests_of_a_group_is_not_compared() {
+        let velocities = [-0.3, 0.0, 0.5];
+        let is_reached = |velocity| reaches(velocities.iter().copied(), velocity);
+        assert!(is_reached(0.4) && is_reached(0.5) && is_reached(-0.3));
+        assert!(!is_reached(0.6) && !is_reached(-0.4));
     }
 }

@@ -74,8 +74,11 @@ pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
 }
 
 impl MadeFrom {
-    /// Reads and hashes a file. Returns `None` if the file is not readable.
+    /// Reads and hashes a file. Returns `None` if the file is not readable or no regular file.
     pub fn read(path: &Path) -> Option<Self> {
+        if !std::fs::metadata(path).ok()?.is_file() {
+            return None;
+        }
         let mut file = std::fs::File::open(path).ok()?;
         let (mut hash, mut bytes) = (Sha256::new(), 0);
         let mut block = vec![0; 1 << 16];

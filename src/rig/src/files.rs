@@ -22,6 +22,11 @@ pub(crate) fn read_table(path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
+/// Reads a description in UTF-8, like [`read_table`].
+pub(crate) fn read_text(path: &Path) -> io::Result<String> {
+    String::from_utf8(read_table(path)?).map_err(|_| io::Error::other("it is no text in UTF-8"))
+}
+
 /// Writes a file and flushes it to the disk. After an error, the file may be incomplete.
 pub(crate) fn write_file(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), RigError> {
     let write = || {

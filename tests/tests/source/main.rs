@@ -8,6 +8,7 @@ mod circles;
 mod computed_limits;
 mod contributing;
 mod documents;
+mod file_reads;
 mod messages;
 mod parameter_page;
 mod same_digits;

@@ -67,7 +67,8 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
     let contradiction = &found["contradictions"][0];
     assert_eq!(
         contradiction["text"],
-        "The gas force of the model, 240 N, is 2.1 times the 114 N that 12 bar on a rod of 11 mm give."
+        "The gas force of the model, 240 N, is 2.1 times the 114 N that 12 bar on a rod of 11 mm give. \
+         The smallest single change of the drawing that explains it is gas_pressure_bar = 25.3."
     );
     assert_eq!(contradiction["parameter"], "gas_force");
     assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");

@@ -233,7 +233,7 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     let slipped = records.iter_mut().find(is_fast).unwrap();
     slipped.setting.as_mut().unwrap().value = 4.0;
     let of_soft = slipped.name.clone();
-    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap();
     let notes = said(&found);
     assert_eq!(notes.len(), 2, "{notes:?}");
     assert!(notes[0].starts_with(&format!("{of_hard} states current 0 A")), "{notes:?}");

@@ -142,3 +142,17 @@ fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
     let others: Vec<&str> = found.changes.iter().map(|change| change.name).filter(|n| *n != friction.name).collect();
     assert!(!others.is_empty() && others.iter().all(|name| name.starts_with("rebound")), "{others:?}");
 }
+
+/// The sign of a staircase without standstill at its turning points is a guess.
+#[test]
+fn an_uncertain_sign_is_a_warning_with_the_option() {
+    let Some(records) = dashpot_tests::measured::records("reports/staircase_pair/a") else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let records = records.to_str().unwrap();
+    let ran = dashpot_tests::cli::run(folder.path(), &["fit", records, "--model", "fv", "-o", "m.toml"]);
+    let warning = ran.err.lines().find(|line| line.starts_with("warning:")).unwrap_or_else(|| panic!("{ran:?}"));
+    assert!(warning.contains("50 % sure") && warning.contains("--positive rebound"), "{warning}");
+    let stated = ["fit", records, "--model", "fv", "-o", "m.toml", "--positive", "compression"];
+    let ran = dashpot_tests::cli::run(folder.path(), &stated);
+    assert!(!ran.err.contains("warning: that the files count"), "{ran:?}");
+}

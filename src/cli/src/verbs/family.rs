@@ -147,8 +147,8 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// Largest difference between the forces of an effect at its settings, relative to the largest force, at which the text
-/// reports them as alike instead of listing them.
+/// Largest relative difference between the forces of an effect at its settings that the text reports as alike. Forces
+/// that differ more are listed. The difference is relative to the largest of them.
 const ALIKE: f64 = 0.02;
 
 /// Formats the rms force of an effect at each setting, N. If the forces are alike, states only that they are.

@@ -244,8 +244,9 @@ pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<A
     Some(axis)
 }
 
-/// Computes the indices and weights of the two force errors of the grid that apply at a setting in one direction of
-/// motion, by linear interpolation.
+/// Computes the weights of the force errors at the two neighboring grid values of a setting, by linear interpolation.
+///
+/// Returns their indices with the weights. The sign of `velocity` selects the errors of one direction of motion.
 fn level_weights(grid: &[f64], setting: f64, velocity: f64) -> [(usize, f64); 2] {
     let right = restrict(grid.partition_point(|value| *value <= setting), 1, grid.len() - 1);
     let (low, high) = (grid[right - 1], grid[right]);
@@ -454,8 +455,10 @@ impl ActuatorRefit {
         own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
-    /// Makes a start for another form: values of the parameters that both forms contain, typical values of the others,
-    /// and the force errors of this refit.
+    /// Makes a start for the search of another form.
+    ///
+    /// Parameters that both forms contain keep their values, the others get typical values, and the force errors are
+    /// those of this refit.
     pub fn start_of(&self, form: ActuatorForm, range: f64) -> Vec<f64> {
         let own = |number: &ActuatorNumber| {
             let known =

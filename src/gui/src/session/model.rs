@@ -56,7 +56,7 @@ impl Tuned {
     /// The file cannot be read or is not a model file.
     pub fn read(path: &Path) -> Result<Tuned, String> {
         let file = model_file::read_family(path).map_err(|e| e.to_string())?;
-        let text = std::fs::read_to_string(path).ok();
+        let text = dashpot_records::read_small_text(path).ok();
         let model = Tuned::new(file);
         Ok(Tuned { path: Some(path.to_owned()), saved: Some(model.identified), text, ..model })
     }

@@ -15,7 +15,7 @@ pub struct Recent {
 impl Recent {
     /// Reads the list from a file. The list is empty if there is no file.
     pub fn read(file: Option<PathBuf>) -> Recent {
-        let text = file.as_ref().and_then(|f| std::fs::read_to_string(f).ok()).unwrap_or_default();
+        let text = file.as_ref().and_then(|f| dashpot_records::read_small_text(f).ok()).unwrap_or_default();
         Recent { file, paths: text.lines().filter(|l| !l.is_empty()).map(PathBuf::from).take(KEPT).collect() }
     }
 

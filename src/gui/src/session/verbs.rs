@@ -9,8 +9,9 @@ use dashpot_identification::family::fit_family;
 use dashpot_identification::model_file;
 use dashpot_identification::{FitOptions, Stage, fit};
 use dashpot_messages::Sentence;
-use dashpot_records::{Record, is_same_setting};
+use dashpot_records::{Record, agree_on_sign, is_same_setting};
 use dashpot_simulation::whole_records::{self, OfDiagnosis};
+use std::borrow::Cow;
 
 impl Session {
     /// Fits a model of an ordinary damper to the ticked tests.
@@ -66,9 +67,14 @@ impl Session {
         let (params, ticked, reference) = (*model.params(), self.diagnosed(), self.reference.clone());
         let Some(basis) = self.basis_of_diagnosis() else { return };
         self.begin(Kind::Diagnose, move |report| {
-            let records: Vec<&Record> = ticked.iter().map(|k| &loaded.campaign.records[*k]).collect();
+            let mut own = Cow::Borrowed(&loaded.campaign);
+            let mut good = reference.as_ref().map(|reference| reference.campaign.clone());
+            if let Some(good) = &mut good {
+                agree_on_sign(&mut [own.to_mut(), good]);
+            }
+            let records: Vec<&Record> = ticked.iter().map(|k| &own.records[*k]).collect();
             let left_out = choose_left_out(&records, 0);
-            let good = reference.as_ref().map_or_else(Vec::new, |r| r.campaign.records.clone());
+            let good = good.map_or_else(Vec::new, |good| good.records);
             let options = DiagnosisOptions { reference: good, ..DiagnosisOptions::default() };
             let found = diagnose(&records, &left_out, &params, &options, &|done, text| report(done, Some(text)))
                 .map_err(|e| e.sentence())?;

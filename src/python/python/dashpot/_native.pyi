@@ -16,6 +16,7 @@ _Limit = tuple[str, str, float | None, float | None, float | None, float | None,
 
 VERSION: str
 UNWINDS: bool
+LOUD_NOTES: list[str]
 
 class DashpotError(Exception): ...
 class RecordError(DashpotError): ...

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     Channel = npt.NDArray[np.float64]
 
 #: Kinds of notes that also cause a Python warning, because results may be wrong if the user does not act on them.
-_LOUD = ("sign_unsure", "settings", "changing_setting", "cut_off")
+_LOUD = _native.LOUD_NOTES
 
 #: Path of a file or folder.
 Path = Union[str, "os.PathLike[str]"]

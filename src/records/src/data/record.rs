@@ -159,9 +159,13 @@ pub struct Note {
 }
 
 impl Note {
+    /// Kinds of notes that are warnings.
+    pub const LOUD: [&'static str; 6] =
+        ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off", "label"];
+
     /// Returns whether the note is a warning: a result may be wrong unless the user reacts.
     pub fn is_loud(&self) -> bool {
-        ["sign_unsure", "settings", "setting_name", "changing_setting", "cut_off", "label"].contains(&self.kind)
+        Note::LOUD.contains(&self.kind)
     }
 
     /// Returns whether the note reports damage to a record or an assumption, instead of a routine step.

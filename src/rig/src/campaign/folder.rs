@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Campaign, Record};
 use crate::RigError;
-use crate::files::write_file;
+use crate::files::{read_text, write_file};
 use crate::hidden_case::SEALED_FOLDER;
 
 /// File name of the description, which identifies a folder as a campaign.
@@ -188,7 +188,7 @@ fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let refuse = |problem: String| Err(RigError::Folder { folder: folder.to_owned(), problem });
     let description = folder.join(CAMPAIGN_FILE);
     let listed = if present.contains(CAMPAIGN_FILE) {
-        let text = fs::read_to_string(&description).map_err(RigError::io("read", &description))?;
+        let text = read_text(&description).map_err(RigError::io("read", &description))?;
         toml::from_str::<Description>(&text)
             .ok()
             .filter(|description| description.format == FORMAT)

@@ -19,10 +19,9 @@ struct Fade {
     strength: f64,
     /// B, K, and C, °C, of Vogel's law `ln mu = B / (T + C)`.
     vogel: (f64, f64),
-    /// A and M of Walther's law (ASTM D341), `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the
-    /// temperature T in K.
+    /// A and M of Walther's law for the viscosity (ASTM D341).
     ///
-    /// They follow from the viscosities at 40 and 100 °C.
+    /// The law is `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the temperature T in K. A and M follow from the viscosities at 40 and 100 °C.
     walther: (f64, f64),
     /// Force at which half of the pressure drop is laminar, N.
     half_n: f64,

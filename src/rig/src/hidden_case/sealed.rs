@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::{InjectedCampaign, Truth};
 use crate::RigError;
-use crate::files::replace_file;
+use crate::files::{read_text, replace_file};
 
 /// Name of the subfolder that contains the truth.
 pub const SEALED_FOLDER: &str = "sealed";
@@ -51,7 +51,7 @@ impl Truth {
     /// [`RigError::Io`] if the file is missing or invalid.
     pub fn read(folder: &Path) -> Result<Self, RigError> {
         let place = folder.join(SEALED_FOLDER).join(TRUTH_FILE);
-        let text = fs::read_to_string(&place).map_err(RigError::io("read", &place))?;
+        let text = read_text(&place).map_err(RigError::io("read", &place))?;
         toml::from_str(&text).map_err(|error| RigError::io("understand", &place)(io::Error::other(error)))
     }
 }

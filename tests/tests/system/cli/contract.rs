@@ -20,7 +20,13 @@ fn records_to_model_to_errors() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();
     small_campaign(dir);
-    done(dir, &["fit", "records", "-o", "m.toml", "--json", "fit.json", "--positive", "rebound", "--model", "thesis"]);
+    let said = done(
+        dir,
+        &["fit", "records", "-o", "m.toml", "--json", "fit.json", "--positive", "rebound", "--model", "thesis"],
+    );
+    // The last line rates the fit beside the noise and beside the FV curve alone.
+    let last = said.lines().last().unwrap();
+    assert!(last.contains("the noise of the records") && last.contains("the FV curve alone"), "{last}");
     let fit = json(&dir.join("fit.json"));
     assert!(fit["parameters"].as_array().is_some_and(|p| p.len() > 5));
     let model: toml::Table = std::fs::read_to_string(dir.join("m.toml")).unwrap().parse().unwrap();

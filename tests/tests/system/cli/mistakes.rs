@@ -243,6 +243,46 @@ fn flags_that_leave_nothing_are_refused() {
     assert!(refused(dir, &["matrix", "--amplitudes", "-5"]).contains("5"));
 }
 
+/// A pipe without a writer blocks a reader forever, and `/dev/zero` never ends.
+#[cfg(unix)]
+#[test]
+fn pipes_and_devices_are_refused_by_every_option_that_names_a_file() {
+    let folder = campaign_folder();
+    let dir = folder.path();
+    done(dir, &["fit", "records", "--model", "fv", "-o", "m.toml"]);
+    assert!(std::process::Command::new("mkfifo").arg(dir.join("pipe")).status().unwrap().success());
+    std::os::unix::fs::symlink("/dev/zero", dir.join("zero")).unwrap();
+    std::fs::create_dir(dir.join("piped")).unwrap();
+    std::fs::copy(dir.join("m.toml"), dir.join("piped/m.toml")).unwrap();
+    assert!(std::process::Command::new("mkfifo").arg(dir.join("piped/campaign.toml")).status().unwrap().success());
+    let answered = |args: &[&str]| -> (Option<i32>, String) {
+        let mut command = std::process::Command::new("timeout");
+        let output = command.arg("30").arg(dashpot_tests::cli::program()).args(args).current_dir(dir).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for file in ["pipe", "zero"] {
+        let named = format!("{file}.toml");
+        std::os::unix::fs::symlink(dir.join(file), dir.join(&named)).unwrap();
+        for args in [
+            &["check", &named][..],
+            &["fit", "records", "-o", "n.toml", "--dimensions", &named],
+            &["explain", "m.toml", "--dimensions", &named],
+            &["validate", "m.toml", "records", "--limits", &named],
+            &["export", "adams", "m.toml", "-o", "run", "--library", &named],
+            &["rig", "-o", "c", "--matrix", &named],
+        ] {
+            let (code, message) = answered(args);
+            assert_eq!(code, Some(2), "{args:?}: {message}");
+            assert!(message.contains(&named) && message.contains("regular file"), "{args:?}: {message}");
+        }
+    }
+    // An output beside a pipe called campaign.toml.
+    let (code, message) = answered(&["fit", "records", "--model", "fv", "-o", "piped/m.toml"]);
+    assert_eq!(code, Some(0), "{message}");
+    let (code, message) = answered(&["rig", "-o", "piped"]);
+    assert_eq!(code, Some(2), "{message}");
+}
+
 #[test]
 fn a_model_file_edited_to_nonsense_is_refused_with_line_or_parameter() {
     let folder = campaign_folder();

@@ -179,6 +179,8 @@ fn closed_or_full_standard_output_is_an_error() {
         let (code, said) = shell(&line);
         assert!(code == Some(2) && !said.contains("panicked"), "{line}: {code:?} {said}");
     }
+    let (code, said) = shell(&format!("dashpot simulate m.toml {RECORD} -o /dev/full --force"));
+    assert!(code == Some(2) && said.contains("/dev/full"), "{code:?} {said}");
     // A reader that stops early, the null device, and a closed standard error are not errors.
     for line in ["dashpot matrix | head -1", "dashpot matrix >/dev/null", "dashpot matrix </dev/null >/dev/null 2>&-"] {
         assert_eq!(shell(line).0, Some(0), "{line}");
