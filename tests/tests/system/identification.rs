@@ -82,13 +82,13 @@ fn an_oil_column_is_found_by_a_fit() {
 
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
-    // Each seed takes three to five seconds on one core. With eight seeds, each scalar parameter has eight intervals, and all
-    // parameters together have more than a hundred.
-    cover_the_truth(1..=8);
+    // Each seed takes three to five seconds on one core. With thirteen seeds, each scalar parameter has thirteen
+    // intervals, and all parameters together have about two hundred.
+    cover_the_truth(1..=13);
 }
 
 #[test]
-#[ignore = "more seeds of the test before; half a minute on two cores"]
+#[ignore = "fails: the quadratic spring is 1.3 % low in the mean, 0.16 N of 3400 N, and 15 of 20 intervals contain the truth"]
 fn intervals_of_more_seeds_cover_the_truth() {
     cover_the_truth(1..=20);
 }
