@@ -99,7 +99,7 @@ impl Problem {
             }
             Problem::Parameter(fault) => fault.reason.text(),
             Problem::Setting(Reason::OutOfBounds) => {
-                "is out of its bounds: times, rates and hysteresis are not negative, and a time is at most 100 s, a dead time 10 s"
+                "is out of its bounds: times, rates and hysteresis are not negative, a time is at most 100 s, a dead time 10 s, and the place in the hysteresis lies from -1 to 1"
             }
             Problem::Setting(Reason::PointCount) => "is too long; at most 31 bytes",
             Problem::Setting(reason) => reason.text(),

@@ -24,6 +24,7 @@ dashpot_messages::phrases! {
     // Remarks on a quantity.
     BY_COMPRESSION: "by the column in compression";
     LESS_THE_EYES: "the series spring less the eyes";
+    COLUMN_BOUND: "a bound: the oil column holds the eyes too; eye_stiffness_n_mm or a series spring in the model separates them";
     COLUMN_LESS_THE_EYES: "the oil column less the eyes, for the model has no series spring";
     A_BOUND: "a bound: the series spring holds eyes and oil; eye_stiffness_n_mm or an oil column in the model separates them";
     WITH_AIR: "with the air in it";

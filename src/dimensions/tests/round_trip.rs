@@ -9,6 +9,8 @@ use proptest::prelude::*;
 use std::path::Path;
 
 const RIGID: &str = "tube_wall_mm = 50\ntube_modulus_gpa = 400\n";
+/// Eyes that are much stiffer than any oil column.
+const STIFF_EYES: &str = "eye_stiffness_n_mm = 1e6\n";
 
 fn drawing(text: &str) -> Dimensions {
     read::parse(text, Path::new("drawing.toml")).unwrap()
@@ -37,7 +39,7 @@ proptest! {
         let rod = part * bore;
         let text = format!(
             "design = \"monotube\"\nbore_mm = {bore}\nrod_mm = {rod}\nrebound_chamber_mm = {length}\n\
-             gas_pressure_bar = {pressure}\ngas_volume_cm3 = {volume}\noil_modulus_gpa = {modulus}\n{RIGID}"
+             gas_pressure_bar = {pressure}\ngas_volume_cm3 = {volume}\noil_modulus_gpa = {modulus}\n{RIGID}{STIFF_EYES}"
         );
         let full = drawing(&text);
         let area = geometry::annulus(1e-3 * bore, 1e-3 * rod);
@@ -94,7 +96,7 @@ proptest! {
         factor in prop_oneof![0.35f64..0.5, 2.0f64..3.0],
     ) {
         let text = |length: f64| format!(
-            "bore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = {length}\ngas_pressure_bar = 20\noil_modulus_gpa = [1.2, 1.3]\n{RIGID}"
+            "bore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = {length}\ngas_pressure_bar = 20\noil_modulus_gpa = [1.2, 1.3]\n{RIGID}{STIFF_EYES}"
         );
         let (right, wrong) = (drawing(&text(length)), drawing(&text(factor * length)));
         let model = of_text(

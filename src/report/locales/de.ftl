@@ -1656,6 +1656,7 @@ dimensions-bleed-passes-all = der Bypass lässt den ganzen Strom durch
 
 dimensions-by-compression = nach der Säule im Druck
 dimensions-less-the-eyes = die Reihenfeder ohne die Augen
+dimensions-column-bound = eine Schranke: Die Ölsäule enthält auch die Augen; eye_stiffness_n_mm oder eine Reihenfeder im Modell trennt sie
 dimensions-column-less-the-eyes = die Ölsäule ohne die Augen, denn das Modell hat keine Feder in Reihe
 dimensions-a-bound = eine Grenze: die Reihenfeder enthält Augen und Öl; eye_stiffness_n_mm oder eine Ölsäule im Modell trennt sie
 dimensions-with-air = mit der Luft darin

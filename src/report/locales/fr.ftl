@@ -1656,6 +1656,7 @@ dimensions-bleed-passes-all = la fuite calibrée laisse passer tout le débit
 
 dimensions-by-compression = d’après la colonne en compression
 dimensions-less-the-eyes = le ressort en série sans les œillets
+dimensions-column-bound = une borne : la colonne d’huile contient aussi les œillets ; eye_stiffness_n_mm ou un ressort en série dans le modèle les sépare
 dimensions-column-less-the-eyes = la colonne d’huile sans les œillets, car le modèle n’a pas de ressort en série
 dimensions-a-bound = une borne : le ressort en série contient œillets et huile ; eye_stiffness_n_mm ou une colonne d’huile dans le modèle les sépare
 dimensions-with-air = avec l’air qu’elle contient

@@ -1644,6 +1644,7 @@ dimensions-bleed-passes-all = 节流孔通过全部流量
 
 dimensions-by-compression = 根据压缩时的油柱
 dimensions-less-the-eyes = 串联弹簧减去吊环
+dimensions-column-bound = 仅为界限：油柱还包含吊环；eye_stiffness_n_mm 或模型中的串联弹簧可将其分开
 dimensions-column-less-the-eyes = 油柱扣除吊环柔度，因为模型没有串联弹簧
 dimensions-a-bound = 仅为界限：串联弹簧包含吊环和油液；eye_stiffness_n_mm 或模型中的油柱可将其分开
 dimensions-with-air = 含其中的空气

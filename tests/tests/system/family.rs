@@ -338,6 +338,31 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
+/// A rig mostly reaches each current from zero. The valve then stands at one end of its hysteresis.
+#[test]
+fn the_place_in_the_hysteresis_is_found_from_steps() {
+    let mut valve = truth(None);
+    let numbers = [
+        ("setting_time_up", 0.03),
+        ("setting_time_down", 0.018),
+        ("setting_hysteresis", 0.05),
+        ("setting_hysteresis_rest", 1.0),
+    ];
+    for (name, value) in numbers {
+        let index = ENTRIES.iter().position(|entry| entry.name == name).unwrap();
+        valve.axis.set_number(index, value).unwrap();
+    }
+    let at = |(k, current): (usize, &f64)| records_at(&truth(None), *current, 61 + k as u64);
+    let mut records: Vec<Record> = CURRENTS.iter().enumerate().flat_map(at).collect();
+    records.push(stepped(&valve));
+    let found = fit_family(&records.iter().collect::<Vec<_>>(), "current", &elements_of_truth(), |_| ()).unwrap();
+    let estimates = &found.actuator.as_ref().unwrap().estimates;
+    let rest =
+        estimates.iter().find(|of| of.name == "setting_hysteresis_rest").unwrap_or_else(|| panic!("{estimates:?}"));
+    assert!(rest.value > 0.7 && rest.high.is_none_or(|high| high <= 1.0), "{rest:?}");
+    assert_eq!(found.damper.axis.actuator().rest, rest.value);
+}
+
 /// Checks that one test with steps identifies both lags and the dead time, although a common lag for both directions
 /// fits worse than no lag. Without a fall of the current, the lag of a fall is reported as not identified.
 #[test]

@@ -11,9 +11,9 @@ use dashpot_core::number;
 use dashpot_core::parameter::Number;
 use dashpot_messages::Sentence;
 
-/// Largest factor by which a cause changes an entry, as a natural logarithm. With a larger factor, the damper would be
-/// another one.
-const LARGEST_CHANGE: f64 = 1.4;
+/// Largest factor by which a cause changes an entry, as a natural logarithm: a hundred. A slip of a unit is larger, and
+/// mostly outside the bounds of the entry.
+const LARGEST_CHANGE: f64 = 4.6;
 /// Step of the search for a cause, as a natural logarithm. The result is interpolated within the step.
 const STEP: f64 = 0.02;
 /// Smallest tolerance of an entry, as a fraction. It is that of a bore.
@@ -59,8 +59,11 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
         let with_eyes = number == number!("oil_stiffness") && !has_series;
         let expectation =
             if with_eyes { in_series_with_eyes(expectation.clone(), drawing) } else { expectation.clone() };
-        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes.
-        let is_below = own.high < expectation.expected.low && (!is_series || has_column);
+        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes. Likewise, an
+        // oil column without a series spring may be softer than the oil, if the drawing does not state the eyes.
+        let may_be_softer =
+            if is_series { !has_column } else { with_eyes && drawing.stated(Entry::EyeStiffness).is_none() };
+        let is_below = own.high < expectation.expected.low && !may_be_softer;
         if is_below || own.low > expectation.expected.high {
             let of_drawing = |of: &Dimensions| {
                 let value = central(of, number)?;

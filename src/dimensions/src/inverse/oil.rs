@@ -62,7 +62,13 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         .into_iter()
         .flat_map(|eyes| [eyes, Uncertain::within_factor(1.0, errors::EYES)])
         .collect();
-    let note_of = |note: Option<Template>| if included.is_empty() { note } else { Some(phrases::COLUMN_LESS_THE_EYES) };
+    // If the drawing does not state the eyes either, the column of the oil alone is at least as stiff.
+    let is_bound = !has_series && eyes.is_none();
+    let note_of = |note: Option<Template>| match () {
+        () if is_bound => Some(phrases::COLUMN_BOUND),
+        () if included.is_empty() => note,
+        () => Some(phrases::COLUMN_LESS_THE_EYES),
+    };
     // The stiffness in compression comes first, because in compression, the column of a twin tube is the softest
     // element in series. In rebound, the eyes are softer.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
@@ -78,7 +84,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             modulus: by_compression,
             error: errors::MODULUS,
             note: note_of(Some(phrases::BY_COMPRESSION)),
-            is_bound: false,
+            is_bound,
         });
     }
     if let Standing::Known(own) = model.number(number!("oil_stiffness")) {
@@ -90,7 +96,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
             modulus: by_rebound,
             error: errors::MODULUS,
             note: note_of(None),
-            is_bound: false,
+            is_bound,
         });
     }
     let Standing::Known(series) = model.number(number!("series_stiffness")) else {

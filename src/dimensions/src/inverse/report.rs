@@ -142,7 +142,7 @@ impl Quantity {
             (Some(low), Some(high)) => format!("95 %: {} to {}", digits(low), digits(high)),
             (Some(low), None) => format!("95 %: at least {}", digits(low)),
             (None, Some(high)) => format!("95 %: at most {}", digits(high)),
-            (None, None) => "no bound".to_owned(),
+            (None, None) => "open, for records and drawing leave every value possible".to_owned(),
         };
         let note = self.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
         let name = self.name.replace('_', " ");

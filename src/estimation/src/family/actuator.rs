@@ -17,6 +17,7 @@ use dashpot_core::family::axis::index_of;
 use dashpot_core::family::{Axis, Definition, Family};
 use dashpot_records::restrict;
 use nalgebra::DMatrix;
+use rayon::prelude::*;
 use std::cell::RefCell;
 use std::sync::OnceLock;
 
@@ -80,6 +81,12 @@ const HYSTERESIS: (f64, f64) = (0.02, 0.03);
 /// Mean and standard deviation of the place in the hysteresis at which tests at constant settings hold the valve. Rigs
 /// mostly switch the setting on from zero, so most settings are reached from below (1).
 const REST: (f64, f64) = (0.6, 0.6);
+/// Entry of the place in the hysteresis.
+const REST_ENTRY: &str = "setting_hysteresis_rest";
+/// Places in the hysteresis that are compared. The best of them is the result, so its error is an eighth.
+const PLACES: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
+/// Standard deviation that fixes the place in the hysteresis during a refit.
+const FIXED: f64 = 1e-3;
 /// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds. [`RATE_SPREAD`] is the standard
 /// deviation of its logarithm.
 const CROSSES: f64 = 0.03;
@@ -156,7 +163,7 @@ impl ActuatorNumber {
             });
             let (mean, spread) = REST;
             numbers.push(ActuatorNumber {
-                entries: &["setting_hysteresis_rest"],
+                entries: &[REST_ENTRY],
                 is_log: false,
                 start: mean,
                 step: 0.05,
@@ -352,6 +359,35 @@ impl<'a> ActuatorProblem<'a> {
     pub fn refit_from_far(&self, start: &[f64], effort: (usize, f64)) -> Option<ActuatorRefit> {
         let near = self.refit_with(Some(start), effort, [HELD_SPREAD; 2])?;
         self.refit(Some(&near.theta), effort)
+    }
+
+    /// Finds the place in the hysteresis at which tests at constant settings hold the valve. Refits all other
+    /// parameters at each of [`PLACES`], and returns the refit at the best place.
+    ///
+    /// The free errors of the force at and between the settings explain the forces at any place nearly as well. The
+    /// model does not contain these errors, so the places are compared without them. `log_likelihood` evaluates a refit.
+    pub fn refit_place(
+        &self,
+        from: ActuatorRefit,
+        effort: (usize, f64),
+        log_likelihood: &(dyn Fn(&ActuatorRefit) -> f64 + Sync),
+    ) -> ActuatorRefit {
+        let Some(place) = self.numbers.iter().position(|number| number.entries == [REST_ENTRY]) else { return from };
+        let at = |rest: f64| {
+            let mut numbers = self.numbers.clone();
+            (numbers[place].prior, numbers[place].start) = ((rest, FIXED), rest);
+            let problem = ActuatorProblem { context: self.context, form: self.form, numbers };
+            let mut start = from.theta.clone();
+            start[place] = rest;
+            let mut refit = problem.refit(Some(&start), effort)?;
+            // The interval is that of the place as a free parameter.
+            refit.numbers.clone_from(&self.numbers);
+            let (mean, spread) = REST;
+            let prior = 0.5 * ((rest - mean) / spread).powi(2);
+            Some((log_likelihood(&self.without_force_errors(&refit)?) - prior, refit))
+        };
+        let found: Vec<Option<(f64, ActuatorRefit)>> = PLACES.into_par_iter().map(at).collect();
+        found.into_iter().flatten().max_by(|a, b| a.0.total_cmp(&b.0)).map_or(from, |(_, refit)| refit)
     }
 
     fn refit_with(

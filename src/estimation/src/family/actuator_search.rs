@@ -301,6 +301,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         .collect();
     let problem = ActuatorProblem::new(context, best);
     let best = problem.refit(Some(&own.refit.theta), FINE)?;
+    let best = problem.refit_place(best, FINE, &|refit| log_posterior(refit, context, &places));
     let timing = problem.timing_derivatives(&best.theta)?;
     let without_errors_between = problem.refit_without_errors_between(&best.theta, FINE);
     Some(ActuatorSearch { best, parts, alternatives, without_errors_between, timing })

@@ -264,6 +264,12 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
     };
     estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
+    // The mixed interval is that of a normal distribution, which may pass the bounds of the number.
+    let bounds = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index)).map(|entry| entry.bounds);
+    if let Some((low, high)) = bounds {
+        estimate.low = estimate.low.map(|end| dashpot_records::restrict(end, low, high));
+        estimate.high = estimate.high.map(|end| dashpot_records::restrict(end, low, high));
+    }
 }
 
 /// Returns the unit of a number of the axis. In the table, `*` stands for the unit of the setting, which the user chooses. Only A and V are

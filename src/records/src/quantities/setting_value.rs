@@ -179,7 +179,10 @@ pub fn setting_factor(from: &str, to: &str) -> Option<f64> {
 /// values stay unchanged.
 pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterator<Item = &'v mut f64>) -> bool {
     let Some(factor) = setting_factor(unit, to) else { return false };
-    values.into_iter().for_each(|value| *value *= factor);
+    // 700 mA are 0.7 A to the last digit only by division.
+    let parts = (1.0 / factor).round();
+    let by_parts = factor < 1.0 && (parts * factor - 1.0).abs() < 1e-12;
+    values.into_iter().for_each(|value| *value = if by_parts { *value / parts } else { *value * factor });
     if !to.is_empty() {
         to.clone_into(unit);
     }
