@@ -75,6 +75,9 @@ fn row(one: &Checked) -> String {
         Verdict::NotTested if one.limit.quantity.is_time() => {
             "NOT TESTED: no such step of the setting (a step of the command; a measured coil current shows none)"
         }
+        Verdict::NotTested if setting.is_some() => {
+            "NOT TESTED: no slow test with whole cycles at this setting (below 6 mm/s; two cycles suffice)"
+        }
         Verdict::NotTested => "NOT TESTED: no slow test with whole cycles (below 6 mm/s; two cycles suffice)",
     };
     let unsure = one.deciding_uncertainty().map_or_else(String::new, |uncertainty| {

@@ -559,8 +559,8 @@ pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
     // would become 0.
     // The unit is that of the tables in a report.
     let (factor, unit) = reading_unit(estimate.value, estimate.unit);
-    let value = in_words(factor * estimate.value);
-    Sentence::from(template).with("name", estimate.name).with("value", value).with("unit", unit)
+    let value = format!("{} {unit}", in_words(factor * estimate.value));
+    Sentence::from(template).with("name", estimate.name).with("value", value.trim_end())
 }
 
 /// Computes the root mean square of the weighted residual over the scored samples.

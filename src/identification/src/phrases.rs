@@ -19,8 +19,8 @@ dashpot_messages::phrases! {
     NOT_IDENTIFIED: "{name} could not be identified from this data ({why}); its element is off";
     NEEDS_SIDE_FORCES: "it needs slow tests at two or more side forces, with a side-force channel";
     TAKEN_UP: "a free FV curve takes a v² term up";
-    HELD: "{name} could not be identified from this data; it is held at {value} {unit}";
-    AT_BOUND: "{name} ran into the bound of its range at {value} {unit}: the data asks for something this element cannot do";
+    HELD: "{name} could not be identified from this data; it is held at {value}";
+    AT_BOUND: "{name} ran into the bound of its range at {value}: the data asks for something this element cannot do";
     // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";

@@ -295,6 +295,28 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
+    /// Smallest ratio of the deviation of a test from its setting to the scatter of the campaign at which its label is
+    /// doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
+    ///
+    /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
+    pub(crate) const TIMES_SCATTER: f64 = 5.0;
+
+    /// Smallest deviation of a test from its setting at which its label is doubted, as a natural logarithm of the force
+    /// ratio. A damper repeats within a few percent from test to test.
+    ///
+    /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
+    pub(crate) const LEAST_CONTRAST: f64 = 0.1;
+
+    /// Largest ratio of the residual at another setting to the deviation from the own one at which a label is doubted.
+    ///
+    /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
+    pub(crate) const OF_OWN: f64 = 0.35;
+
+    /// Largest relative difference of amplitude and peak velocity between equal motions.
+    ///
+    /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
+    pub(crate) const SAME_MOTION: f64 = 0.1;
+
     /// Difference of the residuals of two units, as natural logarithms, below which both units are likely. The
     /// logarithms of kilogram-force and decanewton differ by 0.02.
     ///

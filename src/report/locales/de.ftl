@@ -1380,8 +1380,8 @@ identification-carries-in-form = { $effect } ({ $form }): { $force } N effektiv,
 identification-not-identified = { $name } ließ sich aus diesen Daten nicht identifizieren ({ $why }); das Element ist aus
 identification-needs-side-forces = dazu braucht es langsame Versuche bei zwei oder mehr Seitenkräften, mit einem Kanal der Seitenkraft
 identification-taken-up = eine freie FV-Kurve nimmt einen v²-Anteil auf
-identification-held = { $name } ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf { $value } { $unit } gehalten
-identification-at-bound = { $name } stieß bei { $value } { $unit } an die Grenze seines Bereichs: die Daten verlangen etwas, was dieses Element nicht kann
+identification-held = { $name } ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf { $value } gehalten
+identification-at-bound = { $name } stieß bei { $value } an die Grenze seines Bereichs: die Daten verlangen etwas, was dieses Element nicht kann
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -1380,8 +1380,8 @@ identification-carries-in-form = { $effect } ({ $form }) : { $force } N efficace
 identification-not-identified = { $name } n’a pu être identifié de ces données ({ $why }) ; son élément est désactivé
 identification-needs-side-forces = il faut des essais lents à deux efforts latéraux ou plus, avec une voie d’effort latéral
 identification-taken-up = une courbe FV libre absorbe un terme en v²
-identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value } { $unit }
-identification-at-bound = { $name } a atteint la borne de son domaine à { $value } { $unit } : les données demandent ce que cet élément ne peut faire
+identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value }
+identification-at-bound = { $name } a atteint la borne de son domaine à { $value } : les données demandent ce que cet élément ne peut faire
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -1368,8 +1368,8 @@ identification-carries-in-form = { $effect }（{ $form }）：均方根 { $force
 identification-not-identified = { $name } 无法由这些数据辨识（{ $why }）；其元件未启用
 identification-needs-side-forces = 需要在两种或更多侧向力下的慢速试验，并有侧向力通道
 identification-taken-up = 自由的 FV 曲线会吸收 v² 项
-identification-held = { $name } 无法由这些数据辨识；固定为 { $value } { $unit }
-identification-at-bound = { $name } 到达其范围边界 { $value } { $unit }：数据要求的是该元件做不到的
+identification-held = { $name } 无法由这些数据辨识；固定为 { $value }
+identification-at-bound = { $name } 到达其范围边界 { $value }：数据要求的是该元件做不到的
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -219,7 +219,15 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
     }
     let (Some(effective), true) = (effective, missing.is_empty()) else {
         let why = phrases::AIR_FROM.into();
-        let parameters = if effective.is_none() { vec!["oil_stiffness or aeration_stroke"] } else { Vec::new() };
+        // If the model has a column, its modulus is only a bound for lack of the eyes.
+        let has_column = matches!(model.number(number!("oil_stiffness")), Standing::Known(_));
+        let parameters = match effective {
+            None if !has_column => vec!["oil_stiffness or aeration_stroke"],
+            _ => Vec::new(),
+        };
+        if effective.is_none() && has_column && drawing.stated(Entry::EyeStiffness).is_none() {
+            missing.push(Entry::EyeStiffness.key());
+        }
         return to.unknown.push(Gap { name: NAME, why, entries: missing, parameters });
     };
     let Some(mut inputs) =

@@ -3,7 +3,7 @@
 use super::Seen;
 use super::reference::Reference;
 use crate::numbers::median;
-use crate::tuning::deviating_tests::{AGREE, CLOSE, FEWEST};
+use crate::tuning::deviating_tests::{AGREE, CLOSE, FEWEST, LEAST_CONTRAST, OF_OWN, SAME_MOTION, TIMES_SCATTER};
 
 /// Setting whose tests a deviating test agrees with.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,27 +14,81 @@ pub(super) struct WrongLabel {
     pub(super) fitting: usize,
 }
 
-/// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
-///
-/// `references` holds the tests of each setting that agree. Returns `None` if the test agrees with no other setting, or
-/// if it does not clearly deviate from its own.
-pub(super) fn find_wrong_label(
-    test: &Seen<'_>,
-    stated: usize,
-    references: &[Option<Reference<'_>>],
-) -> Option<WrongLabel> {
-    let own = references[stated].as_ref()?.off(test, 1.0, 1.0);
-    if own.len() < FEWEST || median(&mut own.iter().map(|off| off.abs()).collect::<Vec<_>>()) < AGREE {
-        return None;
+/// Deviations of all tests from the references of their own settings.
+pub(super) struct Labels<'a> {
+    settings: &'a [Vec<Seen<'a>>],
+    references: &'a [Option<Reference<'a>>],
+    /// Median deviation of each test of each setting from its own reference, as a natural logarithm of the force ratio,
+    /// or `None` if they share too few velocities.
+    own: Vec<Vec<Option<f64>>>,
+    /// Median of the absolute deviations of all tests. Most labels are right, so it is the scatter of the campaign.
+    scatter: f64,
+}
+
+impl<'a> Labels<'a> {
+    /// Compares every test with the reference of its setting. `references` holds the tests of each setting that agree.
+    pub(super) fn new(settings: &'a [Vec<Seen<'a>>], references: &'a [Option<Reference<'a>>]) -> Labels<'a> {
+        let of = |test: &Seen<'a>, reference: &Option<Reference<'a>>| {
+            let mut off = compared(test, reference.as_ref()?)?;
+            Some(median(&mut off))
+        };
+        let own: Vec<Vec<Option<f64>>> = settings
+            .iter()
+            .zip(references)
+            .map(|(tests, reference)| tests.iter().map(|test| of(test, reference)).collect())
+            .collect();
+        let mut all: Vec<f64> = own.iter().flatten().flatten().map(|off| off.abs()).collect();
+        let scatter = if all.is_empty() { 0.0 } else { median(&mut all) };
+        Labels { settings, references, own, scatter }
     }
-    let others = references.iter().enumerate().filter(|(fitting, _)| *fitting != stated);
-    let candidates = others.filter_map(|(fitting, reference)| {
-        let off = reference.as_ref()?.off(test, 1.0, 1.0);
-        // The setting must have tests at most velocities of the test.
-        (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then(|| {
+
+    /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
+    ///
+    /// `place` is the index of the test. Returns `None` if the test agrees with no other setting, if it does not clearly
+    /// deviate from its own, or if its motion deviates alike at other settings.
+    pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
+        let test = &self.settings[stated][place];
+        let own = self.own[stated][place]?;
+        let is_clear = own.abs() > (TIMES_SCATTER * self.scatter).max(LEAST_CONTRAST);
+        let is_of_motion = match self.same_motion_elsewhere(stated, test) {
+            // Without this motion at other settings, only a large deviation is not that of the motion.
+            others if others.is_empty() => own.abs() < AGREE,
+            others => {
+                let alike = others.iter().filter(|other| *other * own > 0.0 && 3.0 * other.abs() > own.abs()).count();
+                2 * alike >= others.len()
+            }
+        };
+        if !is_clear || is_of_motion {
+            return None;
+        }
+        let others = self.references.iter().enumerate().filter(|(fitting, _)| *fitting != stated);
+        let candidates = others.filter_map(|(fitting, reference)| {
+            let off = compared(test, reference.as_ref()?)?;
             let left = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
-            WrongLabel { left, fitting }
-        })
-    });
-    candidates.filter(|candidate| candidate.left < CLOSE).min_by(|a, b| a.left.total_cmp(&b.left))
+            Some(WrongLabel { left, fitting })
+        });
+        let most = CLOSE.min(OF_OWN * own.abs());
+        candidates.filter(|candidate| candidate.left < most).min_by(|a, b| a.left.total_cmp(&b.left))
+    }
+
+    /// Returns the deviations of tests with the motion of a test at other settings.
+    fn same_motion_elsewhere(&self, stated: usize, test: &Seen<'_>) -> Vec<f64> {
+        let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
+        let is_same = |other: &Seen<'_>| {
+            near(test.record.amplitude, other.record.amplitude)
+                && near(test.record.peak_velocity, other.record.peak_velocity)
+        };
+        let elsewhere = self.settings.iter().zip(&self.own).enumerate().filter(|(setting, _)| *setting != stated);
+        elsewhere
+            .flat_map(|(_, (tests, own))| tests.iter().zip(own))
+            .filter(|(other, _)| is_same(other))
+            .filter_map(|(_, own)| *own)
+            .collect()
+    }
+}
+
+/// Returns the deviations of a test from a reference at their common velocities, or `None` if these are too few.
+fn compared(test: &Seen<'_>, reference: &Reference<'_>) -> Option<Vec<f64>> {
+    let off = reference.off(test, 1.0, 1.0);
+    (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then_some(off)
 }
