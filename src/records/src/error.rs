@@ -54,6 +54,8 @@ impl fmt::Display for Place {
 /// Files of a campaign whose unit likely differs from that of the other files.
 #[derive(Debug, Clone)]
 pub struct FilesUnit {
+    /// Whether the tests state a setting, so that a wrong label is possible too.
+    pub has_setting: bool,
     /// The tests whose unit likely differs.
     pub tests: Vec<String>,
     /// The tests that agree with each other.
@@ -100,6 +102,7 @@ impl FilesUnit {
             .with("channel", self.channel)
             .with("first", first)
             .with_any("either", either)
+            .with_any("labels", self.has_setting.then(|| Sentence::from(phrases::OR_LABELS)))
     }
 }
 

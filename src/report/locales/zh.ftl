@@ -1186,8 +1186,9 @@ records-in-line = { $at }，第 { $line } 行：{ $cause }
 records-understood = { $header } 可识别的有：{ $understood }。其他列名可用 --column force="Load Cell 1" 给出
 records-swapped = { $at }：列名“{ $first }”与“{ $second }”似乎互换了：{ $evidence }。请更正表头，或给出 --column { $of_first }="{ $second }" --column { $of_second }="{ $first }"（单位也互换时再加 --unit）；若无误，请用 --unit { $of_first }=... 坚持
 records-wrong-unit = { $evidence }；这说明实为 { $likely } 却写成了 { $written }。请给出 --unit { $channel }={ $likely }，或用 --unit { $channel }={ $written } 坚持
-records-files-unit = { $all } 个试验中有 { $count } 个与其他试验不符，且差异恰似单位之差：{ $tests }。{ $test } 在 { $velocity } mm/s 时为 ±{ $force } N，其他试验在 { $there } mm/s 时为 ±{ $usual } N；这说明实为 { $likely } 却写成了 { $written }。{ $either }请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit { $channel }={ $first }，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit { $channel }={ $written } 坚持所有文件均以 { $written } 为单位
+records-files-unit = { $all } 个试验中有 { $count } 个与其他试验不符，且差异恰似单位之差：{ $tests }。{ $test } 在 { $velocity } mm/s 时为 ±{ $force } N，其他试验在 { $there } mm/s 时为 ±{ $usual } N；这说明实为 { $likely } 却写成了 { $written }。{ $either }{ $labels }请更正出错文件的列名；或将其放入单独的文件夹，运行一次 dashpot import-profile 文件夹 --unit { $channel }={ $first }，再同时给出两个文件夹。也可用 --exclude 排除它们；或用 --unit { $channel }={ $written } 坚持所有文件均以 { $written } 为单位
 records-or-the-others = 若这些正确，则相反，出错的是其他试验：{ $others }。
+records-or-labels = 若试验有多个设定，错误的标注也会造成同样的现象：请先检查标注。
 records-labels-deviate = { $all } 个试验中有 { $count } 个的力与同一 { $name } 的其他试验矛盾，而与另一设定的试验一致：{ $groups }。{ $advice }
 records-label-group = { $tests }（标注 { $stated }，力属于 { $fitting }）
 records-label-group-or-unit = { $group }，或 { $likely } 写成了 { $written }

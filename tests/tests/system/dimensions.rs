@@ -9,7 +9,7 @@ const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oi
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
      gas_force = [275.0, 290.0]\noil_stiffness = [1.0e7, 1.1e7]\n";
 const DRAWING: &str = "design = \"monotube\"\nbore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = 130\n\
-     tube_wall_mm = 50\ntube_modulus_gpa = 400\n";
+     tube_wall_mm = 50\ntube_modulus_gpa = 400\neye_stiffness_n_mm = 1e6\n";
 
 fn folder(model: &str, drawing: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -34,7 +34,8 @@ fn pressure_and_modulus_come_back_with_intervals() {
     for (name, truth, unit) in [("gas_pressure", 25.0, "bar gauge"), ("oil_modulus_effective", 1.2, "GPa")] {
         let quantity = quantity(&found, name);
         let number = |key: &str| quantity[key].as_f64().unwrap();
-        assert!((number("value") / truth - 1.0).abs() < 0.01, "{quantity}");
+        // The eyes of the drawing add a hundredth to the modulus.
+        assert!((number("value") / truth - 1.0).abs() < 0.015, "{quantity}");
         assert!(number("low") < truth && truth < number("high") && quantity["unit"] == unit, "{quantity}");
         assert!(number("model_error") > 1.0 && !quantity["from"].as_array().unwrap().is_empty(), "{quantity}");
     }

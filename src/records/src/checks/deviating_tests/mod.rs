@@ -160,6 +160,7 @@ fn refuse_units(
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
     let Some((level, other)) = reference.closest_levels(shown) else { return Ok(()) };
     Err(RecordError::FilesUnit(Box::new(FilesUnit {
+        has_setting: shown.record.setting.is_some(),
         tests: tests.iter().map(|t| t.record.source.clone()).collect(),
         others: reference.tests.iter().map(|t| t.record.source.clone()).collect(),
         all,
