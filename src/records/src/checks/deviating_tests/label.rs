@@ -18,8 +18,9 @@ pub(super) struct WrongLabel {
 pub(super) struct Labels<'a> {
     settings: &'a [Vec<Seen<'a>>],
     references: &'a [Option<Reference<'a>>],
-    /// Median deviation of each test of each setting from its own reference, as a natural logarithm of the force ratio,
-    /// or `None` if they share too few velocities.
+    /// Median deviation of each test from its own reference, as a natural logarithm of the force ratio.
+    ///
+    /// `None` if test and reference share too few velocities. The outer index is that of the setting.
     own: Vec<Vec<Option<f64>>>,
     /// Median of the absolute deviations of all tests. Most labels are right, so it is the scatter of the campaign.
     scatter: f64,
