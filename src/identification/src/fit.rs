@@ -660,14 +660,14 @@ pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
 /// Returns notes about tests that the campaign lacks: slow tests, and tests of different amplitudes.
 pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
+    let velocity = format!("{:.0}", 1e3 * SLOW);
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", format!("{:.0}", 1e3 * SLOW)));
+        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity));
     }
     let is_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
         let (low, high) = amplitudes.fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(a), h.max(a)));
         high > 0.0 && high < 2.0 * low
     };
-    let velocity = format!("{:.0}", 1e3 * SLOW);
     if is_one(&mut segments.iter().map(|s| s.amplitude)) {
         notes.push(phrases::ONE_AMPLITUDE.into());
     } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {

@@ -23,12 +23,13 @@ pub struct SignDoubt {
 /// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if the opposite
 /// direction of motion and force is clearly the right one.
 ///
-/// `simulate` computes the force of a motion. `recorded` has one force for each sample, in N, with the sign of the motion.
+/// `as_read` is the simulated motion. `simulate` computes the force of another motion. `recorded` has one force for each sample, in N, with the sign of the motion.
 ///
 /// # Errors
 /// The errors of `simulate`.
 pub fn doubt_sign(
     motion: &ImposedMotion,
+    as_read: &[SimulatedSample],
     recorded: &[f64],
     simulate: &dyn Fn(&ImposedMotion) -> Result<Vec<SimulatedSample>, ImposeError>,
 ) -> Result<Option<SignDoubt>, ImposeError> {
@@ -38,11 +39,11 @@ pub fn doubt_sign(
     let rms = |values: &mut dyn Iterator<Item = f64>| {
         (values.map(|value| value * value).sum::<f64>() / recorded.len() as f64).sqrt()
     };
-    let error = |of: &ImposedMotion, sign: f64| {
-        let simulated = simulate(of)?;
-        Ok(rms(&mut simulated.iter().zip(recorded).map(|(sample, force)| sample.force - sign * force)))
+    let error = |simulated: &[SimulatedSample], sign: f64| {
+        rms(&mut simulated.iter().zip(recorded).map(|(sample, force)| sample.force - sign * force))
     };
-    let doubt = SignDoubt { error: error(motion, 1.0)?, reversed_error: error(&motion.reversed(), -1.0)? };
+    let reversed = simulate(&motion.reversed())?;
+    let doubt = SignDoubt { error: error(as_read, 1.0), reversed_error: error(&reversed, -1.0) };
     let force = rms(&mut recorded.iter().copied());
     Ok((doubt.error > CLEAR * doubt.reversed_error && doubt.reversed_error < DESCRIBES * force).then_some(doubt))
 }
@@ -63,12 +64,15 @@ mod tests {
         let motion = ImposedMotion::new(record, None).unwrap();
         let simulate = |of: &ImposedMotion| of.drive(&model);
         let forces: Vec<f64> = simulate(&motion).unwrap().iter().map(|sample| sample.force).collect();
+        let doubt = |motion: &ImposedMotion, recorded: &[f64]| {
+            doubt_sign(motion, &simulate(motion).unwrap(), recorded, &simulate).unwrap()
+        };
         let of_file = |sign: f64, scale: f64| -> Vec<f64> { forces.iter().map(|force| sign * scale * force).collect() };
-        assert_eq!(doubt_sign(&motion, &of_file(1.0, 1.1), &simulate).unwrap(), None);
-        let doubt = doubt_sign(&motion.reversed(), &of_file(-1.0, 1.1), &simulate).unwrap().unwrap();
-        assert!(doubt.error > 3.0 * doubt.reversed_error, "{doubt:?}");
+        assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
+        let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
+        assert!(found.error > 3.0 * found.reversed_error, "{found:?}");
         // The force of another damper says nothing, nor does one of another length.
-        assert_eq!(doubt_sign(&motion.reversed(), &of_file(-1.0, 5.0), &simulate).unwrap(), None);
-        assert_eq!(doubt_sign(&motion, &forces[1..], &simulate).unwrap(), None);
+        assert_eq!(doubt(&motion.reversed(), &of_file(-1.0, 5.0)), None);
+        assert_eq!(doubt(&motion, &forces[1..]), None);
     }
 }

@@ -88,7 +88,8 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             )
         });
     let as_read = ImposedMotion::new(record, args.initial_position)?;
-    let motion = args.step.map_or_else(|| Ok(as_read.clone()), |step| as_read.resampled(step))?;
+    let resampled = args.step.map(|step| as_read.resampled(step)).transpose()?;
+    let motion = resampled.as_ref().unwrap_or(&as_read);
     let progress = Progress::new("simulating");
     progress.set(0.2);
     let mut family = Box::new(Family::OFF);
@@ -100,8 +101,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         Some(commands) => motion.drive_family(&family, &|sample| commands.command(motion, sample)),
         None => motion.drive(&model),
     };
-    let answers = simulate(&motion)?;
-    let doubt = recorded.map(|force| doubt_sign(&as_read, &force, &simulate)).transpose()?.flatten();
+    let answers = simulate(motion)?;
+    let doubt = match recorded {
+        // The recorded force belongs to the samples of the file.
+        Some(force) if resampled.is_some() => doubt_sign(&as_read, &simulate(&as_read)?, &force, &simulate)?,
+        Some(force) => doubt_sign(&as_read, &answers, &force, &simulate)?,
+        None => None,
+    };
     drop(progress);
     let of_sign = doubt.map(|doubt| {
         format!(
@@ -113,13 +119,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         )
     });
     let settings = commands.as_ref().map(|commands| {
-        let settings = (0..answers.len()).map(|sample| commands.setting(&motion, sample)).collect();
+        let settings = (0..answers.len()).map(|sample| commands.setting(motion, sample)).collect();
         (heading(&file.axis), settings)
     });
     dashpot_output::write(&args.output, csv(&answers, settings))?;
     // If the rows go to standard output, remarks go to standard error.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
-    let clamped = commands.as_ref().and_then(|commands| commands.clamped(&motion, file.axis.range()));
+    let clamped = commands.as_ref().and_then(|commands| commands.clamped(motion, file.axis.range()));
     let of_setting =
         commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached).chain(clamped);
     for remark in

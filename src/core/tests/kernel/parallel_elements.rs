@@ -7,16 +7,7 @@ use std::f64::consts::TAU;
 
 /// Returns displacement and force at each step of length `dt`, from the steady state at the start of the motion.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64)> {
-    let (x, v) = motion(0.0);
-    let mut state = model.steady_state(&Input::motion(x, v));
-    (1..=steps)
-        .map(|i| {
-            let (x, v) = motion(i as f64 * dt);
-            let (next, output) = step(model, &state, &Input::motion(x, v), dt);
-            state = next;
-            (x, output.force)
-        })
-        .collect()
+    crate::common::run(model, motion, dt, steps).into_iter().map(|(x, _, output)| (x, output.force)).collect()
 }
 
 /// Computes the work, J, over the last of `cycles` cycles of a sine.

@@ -8,20 +8,6 @@ use dashpot_core::{Input, Model, Output, Reason, State, evaluate};
 use dashpot_core::{element, list, number};
 use std::f64::consts::TAU;
 
-/// Returns displacement, velocity and output at each step.
-fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
-    let (x, v) = motion(0.0);
-    let mut state = model.steady_state(&Input::motion(x, v));
-    (1..=steps)
-        .map(|i| {
-            let (x, v) = motion(i as f64 * dt);
-            let (next, output) = step(model, &state, &Input::motion(x, v), dt);
-            state = next;
-            (x, v, output)
-        })
-        .collect()
-}
-
 /// Makes a model that consists of a linear FV curve, 2000 N s/m, and these elements.
 fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     let mut p: Params = params(changes);

@@ -16,8 +16,6 @@ use dashpot_messages::Sentence;
 const LARGEST_CHANGE: f64 = 4.6;
 /// Step of the search for a cause, as a natural logarithm. The result is interpolated within the step.
 const STEP: f64 = 0.02;
-/// Smallest tolerance of an entry, as a fraction. It is that of a bore.
-const SMALLEST_TOLERANCE: f64 = 0.005;
 /// Largest ratio of the tolerances of a cause to those of the first cause at which an entry is in doubt.
 ///
 /// With a larger ratio, the diameter of the rod would be in doubt wherever the oil column is, and with it every
@@ -163,7 +161,7 @@ fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dime
                 .into_iter()
                 .filter_map(|direction| first_zero(|size| log_ratio(direction * size)).map(|size| direction * size))
                 .min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-            let tolerance = (0.5 * libm::log(stated.high / stated.low)).max(SMALLEST_TOLERANCE);
+            let tolerance = (0.5 * libm::log(stated.high / stated.low)).max(Entry::Bore.row().tolerance);
             let value = libm::exp(change) * stated.value / row.to_si;
             Some(Cause { entry: row.key, value, tolerances: change.abs() / tolerance })
         })

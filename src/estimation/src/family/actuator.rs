@@ -82,7 +82,7 @@ const HYSTERESIS: (f64, f64) = (0.02, 0.03);
 /// mostly switch the setting on from zero, so most settings are reached from below (1).
 const REST: (f64, f64) = (0.6, 0.6);
 /// Entry of the place in the hysteresis.
-const REST_ENTRY: &str = "setting_hysteresis_rest";
+pub const REST_ENTRY: &str = "setting_hysteresis_rest";
 /// Places in the hysteresis that are compared. The best of them is the result, so its error is an eighth.
 const PLACES: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
 /// Standard deviation that fixes the place in the hysteresis during a refit.

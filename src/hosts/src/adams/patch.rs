@@ -232,9 +232,10 @@ fn check_function(
                 "SPLINE/{id} gives a positive SFORCE in rebound; a damper's is negative, so its signs are not understood"
             );
         }
+        let added_at_rest = beside(0.0)?;
         for speed in spline.x.iter().copied().chain([0.0]) {
             let added = beside(speed)?;
-            if (added - beside(0.0)?).abs() > 1e-9 * largest {
+            if (added - added_at_rest).abs() > 1e-9 * largest {
                 bail!(
                     "its function adds {added} to its spline at the speed {speed}, which is no force at rest and which the \
                      damper's routine would replace; give it an SFORCE of its own first"

@@ -9,7 +9,7 @@ use crate::validation::SHORTEST_LEVEL;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
 use dashpot_estimation::deviations::{considered_shift, grouped_covariance, robust_covariance};
-use dashpot_estimation::family::actuator::{ActuatorContext, ActuatorRefit, axis_with};
+use dashpot_estimation::family::actuator::{ActuatorContext, ActuatorRefit, REST_ENTRY, axis_with};
 use dashpot_estimation::family::actuator_search::{ActuatorSearch, search_actuator};
 use dashpot_estimation::family::command_time::SPREAD;
 use dashpot_estimation::family::structure::FamilyStructure;
@@ -175,7 +175,8 @@ fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
         let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
         let effect = (other.value - estimate.value).abs();
         // Times and widths are not negative.
-        estimate.widen([(estimate.value - effect).max(0.0), estimate.value + effect]);
+        let end = |moved: f64| within_bounds(estimate.name, estimate.value + moved);
+        estimate.widen([end(-effect), end(effect)]);
     }
 }
 
@@ -258,18 +259,21 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
         let value = of.map_or(0.0, |of| of.value);
         // An alternative in which the number has no interval gets no weight.
         // Nor does one without hysteresis, if the number is the place in it.
-        let is_open = of.map_or(name == "setting_hysteresis_rest", |of| of.low.is_none());
+        let is_open = of.map_or(name == REST_ENTRY, |of| of.low.is_none());
         let weight = if is_open { 0.0 } else { weight };
         let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
     };
     estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
     // The mixed interval is that of a normal distribution, which may pass the bounds of the number.
-    let bounds = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index)).map(|entry| entry.bounds);
-    if let Some((low, high)) = bounds {
-        estimate.low = estimate.low.map(|end| dashpot_records::restrict(end, low, high));
-        estimate.high = estimate.high.map(|end| dashpot_records::restrict(end, low, high));
-    }
+    estimate.low = estimate.low.map(|end| within_bounds(name, end));
+    estimate.high = estimate.high.map(|end| within_bounds(name, end));
+}
+
+/// Restricts a value to the bounds of a number of the axis.
+fn within_bounds(name: &str, value: f64) -> f64 {
+    let entry = index_of(name.as_bytes()).and_then(|index| ENTRIES.get(index));
+    entry.map_or(value, |entry| dashpot_records::restrict(value, entry.bounds.0, entry.bounds.1))
 }
 
 /// Returns the unit of a number of the axis. In the table, `*` stands for the unit of the setting, which the user chooses. Only A and V are

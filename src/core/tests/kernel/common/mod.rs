@@ -4,7 +4,7 @@
 use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Number, Shape, table};
 use dashpot_core::step::{Method, step};
-use dashpot_core::{Input, Model, Params, State, evaluate};
+use dashpot_core::{Input, Model, Output, Params, State, evaluate};
 use dashpot_core::{element, list};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -355,4 +355,19 @@ pub fn describe(params: &Params) -> String {
         }
     }
     text
+}
+
+/// Simulates a motion with steps of length `dt`, s, from the steady state at its start. Returns displacement, velocity and
+/// output at each step.
+pub fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64, Output)> {
+    let (x, v) = motion(0.0);
+    let mut state = model.steady_state(&Input::motion(x, v));
+    (1..=steps)
+        .map(|i| {
+            let (x, v) = motion(i as f64 * dt);
+            let (next, output) = step(model, &state, &Input::motion(x, v), dt);
+            state = next;
+            (x, v, output)
+        })
+        .collect()
 }

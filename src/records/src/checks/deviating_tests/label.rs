@@ -45,10 +45,11 @@ impl<'a> Labels<'a> {
 
     /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
     ///
-    /// `place` is the index of the test. Returns `None` if the test agrees with no other setting, if it does not clearly
-    /// deviate from its own, or if its motion deviates alike at other settings.
+    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, does
+    /// not clearly deviate from its own, or if its motion deviates alike at other settings.
     pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
         let test = &self.settings[stated][place];
+        let name = &test.record.setting.as_ref()?.name;
         let own = self.own[stated][place]?;
         let is_clear = own.abs() > (TIMES_SCATTER * self.scatter).max(LEAST_CONTRAST);
         let is_of_motion = match self.same_motion_elsewhere(stated, test) {
@@ -62,7 +63,9 @@ impl<'a> Labels<'a> {
         if !is_clear || is_of_motion {
             return None;
         }
-        let others = self.references.iter().enumerate().filter(|(fitting, _)| *fitting != stated);
+        let has_name = |tests: &[Seen<'_>]| tests[0].record.setting.as_ref().is_some_and(|of| of.name == *name);
+        let is_other = |fitting: usize| fitting != stated && has_name(&self.settings[fitting]);
+        let others = self.references.iter().enumerate().filter(|(fitting, _)| is_other(*fitting));
         let candidates = others.filter_map(|(fitting, reference)| {
             let off = compared(test, reference.as_ref()?)?;
             let left = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();

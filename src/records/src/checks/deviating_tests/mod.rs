@@ -296,6 +296,13 @@ mod tests {
             said(&adjustable(1.8, &values, |value, i| if (value, i) == (4.0, 3) { 0.0 } else { value }), &options);
         assert!(one.contains("1 of 30 tests") && one.contains("(label 0, forces of 4)"), "{one}");
         assert!(!one.contains("counted from the other end"), "{one}");
+        // Tests that state no setting have no label. A file in another unit among them is found as ever.
+        let mut partly = adjustable(1.8, &values, |value, i| if (value, i) == (4.0, 3) { 0.0 } else { value });
+        partly[6..12].iter_mut().for_each(|record| record.setting = None);
+        assert!(said(&partly, &options).contains("(label 0, forces of 4)"), "{}", said(&partly, &options));
+        times(&mut partly[8], Channel::Force, 0.1);
+        let message = said(&partly, &options);
+        assert!(message.contains("daN or kgf written as N") && !message.contains("label "), "{message}");
         // At this ratio, the two ends differ like newton and decanewton.
         for ratio in [1.8, libm::pow(10.0, 0.25)] {
             let labels = |value: f64, i: usize| if i % 3 == 2 { 4.0 - value } else { value };
