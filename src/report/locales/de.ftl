@@ -1055,6 +1055,7 @@ records-rows-dropped = { $count } von { $rows } Zeilen wegen leerer Zellen oder 
 records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ fehlen; jeder gilt als der vor ihm
 records-setting-start = die Einstellung „{ $setting }“ ist { $seconds } s lang auf dem Weg zu ihrem Wert; dieser Anfang wurde abgeschnitten
 records-setting-empty = die Spalte der Einstellung ‚{ $setting }‘ ist leer: der Versuch gilt als einer ohne sie, oder wie sein Name sagt
+records-unread-current = die Spalte „{ $column }“ in { $unit } wird nicht gelesen; ist sie der Strom des Dämpferventils, so geben Sie --column current='{ $column }' an, sonst --ignore current
 records-small-current = der Strom beträgt höchstens { $current } mA und gilt als 0 A, denn darauf antwortet kein Ventil; stehen in der Spalte A, so geben Sie --unit current=A an
 records-filled = { $count } fehlende Werte im Kanal { $channel } durch Geraden ergänzt
 records-empty-column = die Spalte des Kanals { $channel } ist leer und wurde weggelassen

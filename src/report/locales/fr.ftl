@@ -1055,6 +1055,7 @@ records-rows-dropped = { $count } lignes sur { $rows } écartées pour cellules 
 records-setting-held = { $count } des { $rows } valeurs du réglage « { $setting } » manquent ; chacune est prise égale à la précédente
 records-setting-start = le réglage « { $setting } » met { $seconds } s à atteindre sa valeur ; ce début a été coupé
 records-setting-empty = la colonne du réglage « { $setting } » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit
+records-unread-current = la colonne « { $column } » en { $unit } n’est pas lue ; si c’est le courant de la valve de l’amortisseur, donner --column current='{ $column }', sinon --ignore current
 records-small-current = le courant est d’au plus { $current } mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A
 records-filled = { $count } valeurs manquantes de la voie { $channel } complétées par des droites
 records-empty-column = la colonne de la voie { $channel } est vide et a été écartée

@@ -1043,6 +1043,7 @@ records-rows-dropped = { $rows } 行中有 { $count } 行因单元格为空或�
 records-setting-held = 设定“{ $setting }”的 { $rows } 个值中缺少 { $count } 个；均取其前一个值
 records-setting-start = 设定“{ $setting }”在 { $seconds } s 内尚未到达其值；该起始段已剪去
 records-setting-empty = 设定“{ $setting }”的列为空：该试验视为没有该设定，或以其名称为准
+records-unread-current = 未读取单位为 { $unit } 的列“{ $column }”；若它是减振器阀的电流，请给出 --column current='{ $column }'，否则给出 --ignore current
 records-small-current = 电流最大为 { $current } mA，按 0 A 计，因为没有阀对此有响应；若该列单位为 A，请给出 --unit current=A
 records-filled = { $channel }通道的 { $count } 个缺失值已用直线补齐
 records-empty-column = { $channel }通道的列为空，已舍去

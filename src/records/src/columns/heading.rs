@@ -170,9 +170,14 @@ pub(crate) fn headings(channel: Channel) -> &'static [&'static str] {
             "current",
             "coil current",
             "valve current",
+            "i",
             "strom",
             "ventilstrom",
             "spulenstrom",
+            "sollstrom",
+            "iststrom",
+            "stromsollwert",
+            "stromistwert",
             "courant",
             "corrente",
             "corriente",
@@ -399,6 +404,47 @@ const NO_COURSE: [&str; 30] = [
     "设定",
 ];
 
+/// Words beside the current of a valve in a heading: the device, and a setpoint. A current that is only set is a setting
+/// as well as a measured one.
+const BESIDE_CURRENT: [&str; 25] = [
+    "coil",
+    "solenoid",
+    "valve",
+    "spule",
+    "ventil",
+    "bobine",
+    "vanne",
+    "bobina",
+    "valvola",
+    "valvula",
+    "command",
+    "commanded",
+    "cmd",
+    "setpoint",
+    "set",
+    "target",
+    "demand",
+    "desired",
+    "reference",
+    "ref",
+    "soll",
+    "sollwert",
+    "consigne",
+    "设定",
+    "预设",
+];
+
+/// Returns whether a heading names a setpoint. A measured current has precedence over its setpoint.
+pub(crate) fn is_setpoint(text: &str) -> bool {
+    text.len() <= LONGEST && words(text).iter().any(|word| NO_COURSE.contains(&word.as_str()) || word.contains("soll"))
+}
+
+/// Returns the unit of current in the brackets of a heading, or in the unit `below` it, as written.
+pub(crate) fn unit_of_current<'a>(text: &'a str, below: Option<&'a str>) -> Option<&'a str> {
+    let is_current = |unit: &&str| unit.parse::<Unit>().is_ok_and(|unit| unit.dimension() == Dimension::Current);
+    written_unit(text).or(below).filter(is_current)
+}
+
 /// Returns the channel that the unit of an unknown heading indicates: a force or a displacement. `below` is the unit
 /// below the heading. Returns `None` for setpoints and other units.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
@@ -536,7 +582,7 @@ fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
         // In `Load cell A`, the letter identifies the cell and is not a unit.
         .filter(|(split, unit)| {
             unit.dimension() != Dimension::Current
-                || headings(Channel::Current).contains(&words[..*split].join(" ").as_str())
+                || words[..*split].iter().any(|word| headings(Channel::Current).contains(&word.as_str()))
         })
         .collect()
 }
@@ -648,7 +694,12 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
     {
         return Heading::Channel(Channel::Time, HeadingUnit::Known(*unit));
     }
-    let Some(channel) = Channel::ALL.into_iter().find(|c| headings(*c).contains(&name.as_str())) else {
+    let named = Channel::ALL.into_iter().find(|c| headings(*c).contains(&name.as_str()));
+    let is_current = || {
+        let own = telling.iter().copied().filter(|word| !BESIDE_CURRENT.contains(word));
+        headings(Channel::Current).contains(&own.collect::<Vec<_>>().join(" ").as_str())
+    };
+    let Some(channel) = named.or_else(|| is_current().then_some(Channel::Current)) else {
         return Heading::Unknown;
     };
     match unit {
@@ -838,6 +889,32 @@ mod tests {
             assert_eq!(heading(text), Heading::SampleRate, "{text}");
         }
         assert!(is_plain("Force [N]") && !is_plain("Force 2 [N]"));
+    }
+
+    #[test]
+    fn a_current_may_be_set_or_measured() {
+        for (text, unit, setpoint) in [
+            ("Strom Soll [A]", Unit::Ampere, true),
+            ("Sollstrom [mA]", Unit::Milliampere, true),
+            ("Strom Ist [A]", Unit::Ampere, false),
+            ("Ventilstrom Sollwert (A)", Unit::Ampere, true),
+            ("I [A]", Unit::Ampere, false),
+            ("I_valve_mA", Unit::Milliampere, false),
+            ("I_cmd [A]", Unit::Ampere, true),
+            ("Coil current setpoint [mA]", Unit::Milliampere, true),
+            ("consigne courant bobine (A)", Unit::Ampere, true),
+            ("设定 电流 [A]", Unit::Ampere, true),
+        ] {
+            assert_eq!((read(text), is_setpoint(text)), ((Channel::Current, unit), setpoint), "{text}");
+        }
+        // A current of another device, a single value, a letter with another unit, and a load cell named A.
+        for text in
+            ["motor current [A]", "max current [A]", "I [mm]", "pump [A]", "Strom Regelabweichung [A]", "Load cell A"]
+        {
+            assert_eq!(heading(text), Heading::Unknown, "{text}");
+        }
+        assert_eq!(unit_of_current("pump [A]", None), Some("A"));
+        assert_eq!((unit_of_current("pump", Some("mA")), unit_of_current("force", Some("N"))), (Some("mA"), None));
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use super::heading::{
-    Heading, HeadingUnit, by_unit, heading, is_plain, is_stopgap, nearest, nearest_to, vocabulary, without_unit,
+    Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_current,
+    vocabulary, without_unit, written_unit,
 };
 use crate::data::record::Note;
 use crate::data::samples::Samples;
@@ -33,6 +34,8 @@ pub(crate) struct Layout {
     ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     guessed: Vec<(Channel, String)>,
+    /// Columns in a unit of current of a table without a recognized setting: heading and unit.
+    unread_currents: Vec<(String, String)>,
     /// Time between samples that the user gives for files without a time column, s.
     step: Option<f64>,
 }
@@ -303,6 +306,7 @@ impl Layout {
                 possible.sort_unstable();
                 // A heading that contains only the quantity has precedence over a heading that also contains the
                 // sensor. Of a pair such as `Force (V)` and `Force (kN)`, use the column with a unit of the quantity.
+                prefer(&mut candidates, |i| !is_setpoint(header[i]));
                 prefer(&mut candidates, |i| is_plain(header[i]) && !is_stopgap(header[i]));
                 prefer(&mut candidates, |i| is_plain(header[i]));
                 prefer(&mut candidates, |i| {
@@ -367,7 +371,17 @@ impl Layout {
                     }
                 }
             };
-            columns.push(Column { channel, index, unit, heading: header[index].to_string(), clock });
+            // The name and unit of a setting follow from its heading, so a unit below the heading is added to it.
+            let heading = match below(index).filter(|unit| !unit.is_empty()) {
+                Some(unit)
+                    if matches!(channel, Channel::Current | Channel::Setting)
+                        && written_unit(header[index]).is_none() =>
+                {
+                    format!("{} [{unit}]", header[index])
+                }
+                _ => header[index].to_string(),
+            };
+            columns.push(Column { channel, index, unit, heading, clock });
         }
         let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
         let missing = if !has(Channel::Time) && !sample_time_given && options.sample_rate_hz.is_none() {
@@ -404,7 +418,20 @@ impl Layout {
             .map(|i| header[i].to_string())
             .take(100)
             .collect();
-        Ok(Layout { columns, test, ignored, guessed, step: options.sample_rate_hz.map(|rate| 1.0 / rate) })
+        let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
+        let is_read = has(Channel::Current) || has(Channel::Setting) || options.ignore.contains(&Channel::Current);
+        let unread_currents = (0..if is_read { 0 } else { header.len() })
+            .filter_map(|i| Some((header[i].to_owned(), unit_of_current(header[i], below(i))?.to_owned())))
+            .take(LISTED)
+            .collect();
+        Ok(Layout {
+            columns,
+            test,
+            ignored,
+            guessed,
+            unread_currents,
+            step: options.sample_rate_hz.map(|rate| 1.0 / rate),
+        })
     }
 }
 
@@ -579,6 +606,10 @@ impl Rows {
             let text =
                 Sentence::from(phrases::BY_UNIT).with("column", column).with_sentence("channel", channel.message());
             notes.push(Note { kind: "guessed", text });
+        }
+        for (column, unit) in &self.layout.unread_currents {
+            let text = Sentence::from(phrases::UNREAD_CURRENT).with("column", column).with("unit", unit);
+            notes.push(Note { kind: "unread_current", text });
         }
         let converted: Vec<Sentence> = self
             .layout

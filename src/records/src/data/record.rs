@@ -183,6 +183,7 @@ impl Note {
             "empty_setting",
             "setting_start",
             "small_current",
+            "unread_current",
         ]
         .contains(&self.kind)
     }
