@@ -77,9 +77,10 @@ dashpot_messages::phrases! {
     LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
     LABELS_OPPOSED: "over the {name} the damping force in {direction} rises near {rising} mm/s and falls near {falling} mm/s. Some tests may count the {name} from the other end: check their labels; a damper that is really so is modeled as measured";
     FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
-    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them";
+    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them{unread}";
+    FAMILY_UNREAD: "; {note}";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
-    FAMILY_WITHOUT: "no {name} is stated by {tests} (tests: {count}). Leave them out with --exclude, name their column (--column setting=HEADING), or give it in campaign.toml under settings";
+    FAMILY_WITHOUT: "no {name} is stated by {tests} (tests: {count}). Leave them out with --exclude, name their column (--column setting=HEADING), or give it in campaign.toml under settings{unread}";
     FAMILY_ONE: "all tests at a constant {name} have the same, {value}: a model over it needs at least two. Fit them without --setting, or check the unit of its column";
     FAMILY_ONLY_CHANGING: "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve";
     FAMILY_TOO_MANY: "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out, or state what was set in campaign.toml under [settings]";

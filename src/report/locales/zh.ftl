@@ -1442,9 +1442,10 @@ identification-setting-doubt = { $test } 的力约为 { $fitting } 的力，而�
 identification-labels-exchanged = 阻尼力在 { $name } 上并非单调变化；若将 { $one } 与 { $other } 互换则会单调。请检查这些试验的标注；若阻尼器确实如此，则按测量建模
 identification-labels-opposed = 在 { $name } 上，{ $direction }阻尼力在 { $rising } mm/s 附近上升，在 { $falling } mm/s 附近下降。某些试验的 { $name } 可能从另一端计数：请检查其标注；若阻尼器确实如此，则按测量建模
 identification-family-stores = 改变 { $setting } 可能对宿主做功，因为它改变 { $names }：储存的能量或静止时的力
-identification-family-no-setting = 没有试验说明 { $name }。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]
+identification-family-no-setting = 没有试验说明 { $name }。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]{ $unread }
+identification-family-unread = ；{ $note }
 identification-family-other-setting = 没有试验说明 { $name }；试验的设置名为 { $known }：请用该名称给出 --setting
-identification-family-without = 以下试验未说明 { $name }：{ $tests }（共 { $count } 个）。请用 --exclude 排除，用 --column setting=HEADING 指明其列，或在 campaign.toml 的 settings 中给出
+identification-family-without = 以下试验未说明 { $name }：{ $tests }（共 { $count } 个）。请用 --exclude 排除，用 --column setting=HEADING 指明其列，或在 campaign.toml 的 settings 中给出{ $unread }
 identification-family-one = 所有恒定 { $name } 的试验都是 { $value }：随其变化的模型至少需要两个值。请不带 --setting 拟合，或检查该列的单位
 identification-family-only-changing = 全部 { $count } 个试验中 { $name } 都在变化：随其变化的减振器须用两个或更多恒定设置下的试验拟合，变化的试验用于辨识其阀
 identification-family-too-many = 试验有 { $count } 个 { $name } 值，而模型最多容纳 { $most } 个：请用 --exclude 或 --hold-out 排除一些，或在 campaign.toml 的 [settings] 中写明设定值

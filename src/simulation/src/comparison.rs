@@ -11,8 +11,9 @@ use dashpot_core::{Model, Params, element};
 use dashpot_identification::model_file::{ModelFile, NoModel, prepared, prepared_family};
 use dashpot_identification::validation::{Compared, Validation};
 use dashpot_identification::{Family, FitError, FitOptions, fit};
+use dashpot_messages::Sentence;
 use dashpot_records::smoothing::smooth;
-use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting, setting_in_words};
+use dashpot_records::{Campaign, Record, is_same_setting, records_without_setting, setting_in_words, unread_current};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -27,8 +28,9 @@ pub enum CompareError {
     FvOnly(String),
     /// A record does not state the setting on which the damper depends, and the user gives none.
     #[error(
-        "test '{test}' does not say its {name}, which the model depends on{}: give it with --setting, in the name of the test, or in campaign.toml under settings",
-        seen.as_ref().map_or_else(String::new, |seen| format!("; it says {seen}, which is another setting"))
+        "test '{test}' does not say its {name}, which the model depends on{}: give it with --setting, in the name of the test, or in campaign.toml under settings{}",
+        seen.as_ref().map_or_else(String::new, |seen| format!("; it says {seen}, which is another setting")),
+        unread.as_ref().map_or_else(String::new, |note| format!("; {note}"))
     )]
     NoSetting {
         /// Name of the test.
@@ -37,6 +39,8 @@ pub enum CompareError {
         name: String,
         /// Setting with another name that the test states, in words.
         seen: Option<String>,
+        /// Note about a column in a unit of current that was not read.
+        unread: Option<Sentence>,
     },
     /// The model file has no plain FV curve, and none can be fitted to the records.
     #[error(transparent)]
@@ -130,6 +134,7 @@ pub fn settings_of(
                 test: first.name.clone(),
                 name: if name.is_empty() { "setting".to_owned() } else { name.to_owned() },
                 seen,
+                unread: unread_current(campaign.records.iter()),
             }
         }),
     };

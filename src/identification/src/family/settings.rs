@@ -4,7 +4,7 @@ use crate::FitError;
 use crate::phrases;
 use dashpot_core::family::interpolation::MAX_GRID;
 use dashpot_messages::Sentence;
-use dashpot_records::{Record, is_same_setting, records_without_setting};
+use dashpot_records::{Record, is_same_setting, records_without_setting, unread_current};
 
 /// Largest number of test names that an error message lists.
 const NAMES: usize = 6;
@@ -19,6 +19,8 @@ pub enum FamilyError {
         name: String,
         /// Names of the settings in the records.
         known: Vec<String>,
+        /// Note about a column in a unit of current that was not read.
+        unread: Option<Sentence>,
     },
     /// Some records lack the setting.
     Without {
@@ -26,6 +28,8 @@ pub enum FamilyError {
         name: String,
         /// Names of the tests without the setting.
         tests: Vec<String>,
+        /// Note about a column in a unit of current that was not read.
+        unread: Option<Sentence>,
     },
     /// The setting changes within all records.
     OnlyChanging {
@@ -72,16 +76,17 @@ impl FamilyError {
     /// Returns the error and its remedy as a sentence that can be translated.
     pub fn sentence(&self) -> Sentence {
         match self {
-            FamilyError::NoSetting { name, known } if known.is_empty() => {
-                Sentence::from(phrases::FAMILY_NO_SETTING).with("name", name)
+            FamilyError::NoSetting { name, known, unread } if known.is_empty() => {
+                Sentence::from(phrases::FAMILY_NO_SETTING).with("name", name).with_any("unread", also(unread))
             }
-            FamilyError::NoSetting { name, known } => Sentence::from(phrases::FAMILY_OTHER_SETTING)
+            FamilyError::NoSetting { name, known, .. } => Sentence::from(phrases::FAMILY_OTHER_SETTING)
                 .with("name", name)
                 .with_names("known", known.iter(), phrases::COMMA),
-            FamilyError::Without { name, tests } => Sentence::from(phrases::FAMILY_WITHOUT)
+            FamilyError::Without { name, tests, unread } => Sentence::from(phrases::FAMILY_WITHOUT)
                 .with("name", name)
                 .with("count", tests.len())
-                .with_names("tests", tests.iter().take(NAMES), phrases::COMMA),
+                .with_names("tests", tests.iter().take(NAMES), phrases::COMMA)
+                .with_any("unread", also(unread)),
             FamilyError::OnlyChanging { name, count } => {
                 Sentence::from(phrases::FAMILY_ONLY_CHANGING).with("name", name).with("count", count)
             }
@@ -101,6 +106,11 @@ impl FamilyError {
             FamilyError::NotFinite => phrases::FAMILY_NOT_FINITE.into(),
         }
     }
+}
+
+/// Returns a note as the end of an error message.
+fn also(note: &Option<Sentence>) -> Option<Sentence> {
+    note.clone().map(|note| Sentence::from(phrases::FAMILY_UNREAD).with_sentence("note", note))
 }
 
 /// Setting over which records were measured.
@@ -134,6 +144,7 @@ pub fn by_setting<'a>(
     records: &[&'a Record],
     name: &str,
 ) -> Result<(SettingAxis, Vec<SettingRecords<'a>>), FamilyError> {
+    let unread = || unread_current(records.iter().copied());
     let own = |record: &'a Record| record.setting.as_ref().filter(|setting| setting.name == name);
     let Some(first) = records.iter().find_map(|record| own(record)) else {
         let mut known: Vec<String> =
@@ -141,16 +152,16 @@ pub fn by_setting<'a>(
         let without = records_without_setting(records.iter().copied(), name);
         if known.is_empty() && !without.is_empty() {
             let tests = without.iter().map(|record| record.name.clone()).collect();
-            return Err(FamilyError::Without { name: name.to_owned(), tests });
+            return Err(FamilyError::Without { name: name.to_owned(), tests, unread: unread() });
         }
         known.sort();
         known.dedup();
-        return Err(FamilyError::NoSetting { name: name.to_owned(), known });
+        return Err(FamilyError::NoSetting { name: name.to_owned(), known, unread: unread() });
     };
     let without: Vec<String> =
         records.iter().filter(|record| own(record).is_none()).map(|record| record.name.clone()).collect();
     if !without.is_empty() {
-        return Err(FamilyError::Without { name: name.to_owned(), tests: without });
+        return Err(FamilyError::Without { name: name.to_owned(), tests: without, unread: unread() });
     }
     let mut valued: Vec<(f64, &Record)> =
         records.iter().filter_map(|record| Some((own(record)?.value, *record))).collect();
@@ -173,7 +184,7 @@ pub fn by_setting<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_records::Setting;
+    use dashpot_records::{Note, Setting};
 
     fn record(name: &str, value: Option<f64>) -> Record {
         let setting = value.map(|value| Setting { name: "current".into(), unit: "A".into(), value });
@@ -197,6 +208,9 @@ mod tests {
         let two = [record("a", Some(1.6)), record("b", Some(0.0))];
         assert!(refused(&two, "clicks").contains("current"));
         assert!(refused(&[record("a", None)], "current").contains("campaign.toml"));
+        let mut unread = record("a", None);
+        unread.notes = vec![Note { kind: "unread_current", text: Sentence::as_it_is("column 'Signal 7' in A") }];
+        assert!(refused(&[unread], "current").ends_with("; column 'Signal 7' in A"));
         assert!(refused(&[record("a", Some(1.0)), record("lost", None)], "current").contains("lost"));
         assert!(refused(&[record("a", Some(1.0)), record("b", Some(1.0))], "current").contains("have the same, 1"));
         let many: Vec<Record> = (0..9).map(|k| record("a", Some(f64::from(k)))).collect();

@@ -6,7 +6,7 @@ use super::heading::{
     Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_current,
     vocabulary, without_unit, written_unit,
 };
-use crate::data::record::Note;
+use crate::data::record::{Note, UNREAD_CURRENT};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
@@ -609,7 +609,7 @@ impl Rows {
         }
         for (column, unit) in &self.layout.unread_currents {
             let text = Sentence::from(phrases::UNREAD_CURRENT).with("column", column).with("unit", unit);
-            notes.push(Note { kind: "unread_current", text });
+            notes.push(Note { kind: UNREAD_CURRENT, text });
         }
         let converted: Vec<Sentence> = self
             .layout

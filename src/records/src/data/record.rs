@@ -11,6 +11,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
+/// Kind of a note about a column in a unit of current that was not read.
+pub(crate) const UNREAD_CURRENT: Kind = "unread_current";
+
 /// One test of a campaign after reading and cleaning.
 ///
 /// All channels have the same length and SI units. Extension (rebound) velocity and tension force are positive.
@@ -183,7 +186,7 @@ impl Note {
             "empty_setting",
             "setting_start",
             "small_current",
-            "unread_current",
+            UNREAD_CURRENT,
         ]
         .contains(&self.kind)
     }

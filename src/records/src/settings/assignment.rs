@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::unstated_settings::together;
-use crate::data::record::{Note, Record};
+use crate::data::record::{Note, Record, UNREAD_CURRENT};
 use crate::messages::phrases;
 use crate::quantities::setting_value::{
     SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
@@ -172,6 +172,14 @@ fn name_settings(records: &mut [Record]) {
     if let Some(named) = named.filter(|all| !all.is_empty() && !names_tests(all) && is_of_channel(all)) {
         open.iter_mut().zip(named).for_each(|(record, (setting, _))| record.setting = Some(setting));
     }
+}
+
+/// Returns the note about a column in a unit of current that was not read, if a record has such a note.
+///
+/// An error about a missing setting adds the note, because the column may contain the setting.
+pub fn unread_current<'r>(records: impl IntoIterator<Item = &'r Record>) -> Option<Sentence> {
+    let notes = records.into_iter().flat_map(|record| &record.notes);
+    notes.filter(|note| note.kind == UNREAD_CURRENT).map(|note| note.text.clone()).next()
 }
 
 /// Returns the records without any setting, if names of other records state the setting `name`. A single such record

@@ -456,4 +456,30 @@ mod tests {
         let error = parse(&Place::file("a.csv"), "a", text, &options, &Budget::new(0)).unwrap_err().to_string();
         assert!(error.contains("'Load Cell 9'") && error.contains("'Load Cell 2'"), "{error}");
     }
+
+    #[test]
+    fn a_unit_below_a_heading_names_the_setting_and_an_unread_current_is_noted() {
+        let read = |heading: &str, options: &Options| {
+            let text = format!("Zeit;Weg;Kraft;{heading}\ns;mm;kN;mA\n0;0;1;400\n1;1;1;400\n");
+            parse(&Place::file("a.csv"), "a", &text, options, &Budget::new(0)).unwrap().remove(0)
+        };
+        let none = Options::default();
+        for heading in ["Strom", "Strom Soll", "I"] {
+            let samples = read(heading, &none);
+            assert_eq!(samples.current, Some(vec![0.4, 0.4]), "{heading}");
+            assert_eq!(samples.heading(Channel::Current), format!("{heading} [mA]"));
+        }
+        let named = Options { columns: BTreeMap::from([(Channel::Setting, "Signal 7".into())]), ..Options::default() };
+        assert_eq!(read("Signal 7", &named).heading(Channel::Setting), "Signal 7 [mA]");
+        let noted = |samples: &Samples| {
+            let notes = samples.notes.iter().filter(|note| note.kind == "unread_current");
+            notes.map(|note| note.text.to_string()).collect::<String>()
+        };
+        let unread = read("Signal 7", &none);
+        assert!(unread.current.is_none() && noted(&unread).contains("--column current='Signal 7'"), "{unread:?}");
+        let ignored = Options { ignore: [Channel::Current].into(), ..Options::default() };
+        for other in [read("Signal 7", &named), read("Signal 7", &ignored), read("Strom", &none)] {
+            assert_eq!(noted(&other), "");
+        }
+    }
 }
