@@ -288,7 +288,7 @@ mod tests {
     const NOTE: Template = Template::listed("x", ", {what}");
     const AND: Template = Template::listed("and", " and ");
 
-    /// German of these texts, with a decimal comma.
+    /// Locale with German translations of this test's messages, and with a decimal comma.
     struct German;
 
     impl Locale for German {

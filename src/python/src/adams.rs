@@ -98,7 +98,7 @@ pub fn export_dpr(
 }
 
 /// Writes a compiled Adams Car model in which dampers are replaced. Each entry of `dampers` gives the name of a damper's SFORCE, its length
-/// and its model file. Returns notes.
+/// at zero displacement and the path of its model file. Returns notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_adm(

@@ -298,7 +298,8 @@ impl Case {
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }
 
-    /// Draws a case with `more` and all elements that are on by default, or only the FV curve and the series compliance of those.
+    /// Draws a case with the elements `more` and all elements that are on by default. Sometimes only the FV curve and the series compliance
+    /// remain of the latter.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
         let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {

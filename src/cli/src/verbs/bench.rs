@@ -156,7 +156,7 @@ fn table(rows: &[Row]) -> String {
     out.trim_end().to_owned()
 }
 
-/// Returns a damper motion with a body frequency and a wheel frequency, as in a simulated vehicle.
+/// Returns a damper motion with a body frequency, 9.4 rad/s, and a wheel frequency, 81.7 rad/s, as in a simulated vehicle.
 fn road() -> Vec<Input> {
     (0..4096)
         .map(|i| {

@@ -68,7 +68,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let options = Options { positive: args.positive, ..args.columns.options()? };
     let mut record = read_motion(&args.motion, &options)?;
-    // A stated direction is not doubted.
+    // If the user states the positive direction of the file, the recorded force does not test it.
     let recorded = record.positive.is_none().then(|| read_force_of_motion(&args.motion, &options)).flatten();
     if let Some(of) = &mut record.setting {
         // [`Commands::choose`] rejects an incompatible unit later, if the setting is used.

@@ -122,23 +122,23 @@ pub struct HostUnits {
 }
 
 impl HostUnits {
-    /// Returns the units of a host with these scales, without regard to the sign. A scale that includes a motion ratio usually corresponds
-    /// to no unit.
+    /// Returns the units of a host with these scales; the signs of the scales have no effect. A scale that includes a motion ratio usually
+    /// corresponds to no unit.
     pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }
 
-    /// Returns the unit of the displacement.
+    /// Returns the host's unit of displacement.
     pub fn displacement(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "m" })
     }
 
-    /// Returns the unit of the velocity.
+    /// Returns the host's unit of velocity.
     pub fn velocity(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: format!("{name}/s"), factor, si: "m/s" })
     }
 
-    /// Returns the unit of the force.
+    /// Returns the host's unit of force.
     pub fn force(&self) -> Unit {
         self.force.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "N" })
     }
