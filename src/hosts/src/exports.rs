@@ -20,7 +20,7 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
 /// Returns the path of the static library from which an FMU can be compiled.
 ///
 /// Cargo puts the library next to the program. Packages have it in `lib` next to the program's folder. If neither folder contains the
-/// library, the first path is returned, although no such file exists.
+/// library, the path next to the program is returned, although no such file exists.
 ///
 /// # Errors
 /// The path of the program is unknown.

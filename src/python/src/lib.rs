@@ -3,6 +3,8 @@
 //! The user interface is Python code on top of this part (`python/dashpot`), which converts results to dataclasses. Results are passed as
 //! the JSON of the command-line program, so Python and that program give equal digits. Every number is printed so that it parses back to a
 //! bitwise equal value.
+//!
+//! | file | what |
 //! |---|---|
 //! | `campaign` | rig records |
 //! | `model` | model files, and the force for a motion |

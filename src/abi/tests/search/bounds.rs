@@ -149,8 +149,8 @@ fn thrown(case: &Case) -> f64 {
     if straight == 0.0 || !case.on.contains(&"bushing") {
         return straight;
     }
-    // At a deflection d, rubber of stiffness k and hardening deflection d_h has the energy ½ k d² (1 + ½ d²/d_h²) and the force k d (1 +
-    // d²/d_h²).
+    // Rubber has the stiffness k and the hardening deflection d_h. At a deflection d, its energy is ½ k d² (1 + ½ d²/d_h²) and its force k
+    // d (1 + d²/d_h²).
     let stiffness = number(case, "series_stiffness");
     let unit = stiffness * number(case, "bushing_hardening");
     let (times, square) = (straight / unit, (straight / unit) * (straight / unit));
@@ -208,7 +208,7 @@ fn nearby(fine: &Case, top: f64) -> String {
         }
         run(&other).map_or(0.0, |run| largest(&run.forces))
     };
-    // Try quarter octaves up to a factor of eight, because a step size of a third of the period shifts a natural frequency by this factor.
+    // Try quarter octaves up to a factor of eight. A step size of a third of the period shifts a natural frequency by this factor.
     let mut best = (0.0, String::new());
     for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
         for (what, changes) in [

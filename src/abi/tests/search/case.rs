@@ -59,7 +59,7 @@ pub struct Run {
     pub refused: usize,
 }
 
-/// Prepares a model on the heap. Returns `None` if a parameter is rejected.
+/// Prepares a model on the heap. Returns `None` if a parameter or the model is rejected.
 pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
     // SAFETY: the structure contains only numbers and pointers, for which zero bytes are valid.
     let mut params: dashpot_params = unsafe { zeroed() };
@@ -217,7 +217,7 @@ fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     }
 }
 
-/// Draws an increasing table with jumps and horizontal sections.
+/// Draws an increasing table with jumps and horizontal sections. Its abscissae span `width`, its ordinates are scaled by `height`.
 fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     let most = if r.chance(0.1) { 61 } else { 14 };
     let n = 2 + r.one_of(most);

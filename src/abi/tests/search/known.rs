@@ -194,8 +194,7 @@ fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     }
 }
 
-/// In an earlier version, a step with one substep of implicit Euler used the tangent of a steep segment of the FV curve far beyond that
-/// segment.
+/// In an earlier version, one substep of implicit Euler used the tangent of a steep segment of the FV curve far beyond that segment.
 ///
 /// The force was 1.9 kN with a curve of at most 29 N.
 #[test]
@@ -507,8 +506,8 @@ fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
 
 /// If the user chooses the substeps, they may not resolve the oscillation of a mass. Backward Euler then removes its energy.
 ///
-/// In an earlier version, the method shifted the natural frequency of the mass to that of the imposed motion, with three times the force of
-/// short steps.
+/// In an earlier version, the method shifted the natural frequency of the mass to that of the imposed motion. The force was three times
+/// that of short steps.
 #[test]
 fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     for mass in (0..40).map(|i| 0.06 + 5e-4 * f64::from(i)) {

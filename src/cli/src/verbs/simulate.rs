@@ -103,7 +103,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     let answers = simulate(motion)?;
     let doubt = match recorded {
-        // The recorded force belongs to the samples of the file.
+        // The recorded force has the times of the file, so it is compared with a simulation of the motion as read.
         Some(force) if resampled.is_some() => doubt_sign(&as_read, &simulate(&as_read)?, &force, &simulate)?,
         Some(force) => doubt_sign(&as_read, &answers, &force, &simulate)?,
         None => None,

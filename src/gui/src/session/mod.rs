@@ -318,8 +318,8 @@ impl Session {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
 
-    /// Changes the model, and discards the models that redo would restore. The plotted loops follow immediately. The whole records of all
-    /// tests follow after a pause.
+    /// Changes the model, and discards the models that redo would restore. The plots show the new forces of one cycle immediately. The
+    /// whole records of all tests are simulated after a pause of the slider.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
         if self.step(change) {
             self.forget_future();
@@ -454,7 +454,7 @@ impl Session {
                 self.results.diagnosis = Some(Finding::of_diagnosis(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
-            // `poll_responses` collects the results of this separate task.
+            // `poll_responses` collects the results of the separate task `Kind::Respond`, so they do not arrive here.
             Outcome::Responded(_) => {}
             Outcome::Studied(study) => {
                 self.study = Some(study);

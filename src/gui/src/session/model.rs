@@ -121,7 +121,7 @@ impl Tuned {
         Some(ModelFile::new(params, axis, self.identification.clone(), self.given.clone()))
     }
 
-    /// Returns the damper of each test for the values on screen. If `own` is set, each test has its own setting.
+    /// Returns the damper of each test with the values `params` at the current setting. If `own` is set, each test has its own setting.
     pub fn dampers(&self, params: &Params, own: bool) -> Dampers {
         match &self.over {
             Some((damper, at)) if own => Dampers::over_setting(*params, *damper, *at),

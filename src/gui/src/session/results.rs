@@ -62,7 +62,7 @@ impl<T> Finding<T> {
 pub struct Fitted {
     /// The fit.
     pub fit: Box<Fit>,
-    /// Error of the model, of the FV curve alone, and noise; `None` if the records are not comparable.
+    /// Errors of the model and of the FV curve alone, and the noise; `None` if the records are not comparable.
     pub quality: Option<Quality>,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! | file | view |
 //! |---|---|
-//! | [`bar`] | menus and verbs at the top |
+//! | [`bar`] | menus, and the buttons that fit, validate and diagnose, at the top |
 //! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and the last message, at the bottom |
 //! | [`tests`] | the tests with their notes |

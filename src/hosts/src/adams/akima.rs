@@ -30,7 +30,7 @@ pub enum Reading {
 }
 
 impl Reading {
-    /// Returns the slopes of the curve just below and just above each point, or `None` for linear interpolation.
+    /// Returns the slopes, N s/m, of the curve just below and just above each point, or `None` for linear interpolation.
     fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
@@ -55,8 +55,8 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // If the chord slope does not change on either side, Akima uses the mean. The tolerance keeps rounding errors from affecting this
-        // decision.
+        // If the chord slope changes on neither side of the point, Akima uses the mean of the two adjacent chord slopes. The tolerance
+        // keeps rounding errors from affecting this decision.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
@@ -78,7 +78,7 @@ impl<'a> Read<'a> {
         Read { curve, slopes: reading.slopes(curve) }
     }
 
-    /// Returns the force at a velocity within the table.
+    /// Returns the force, N, at a velocity, m/s, within the table.
     fn at(&self, at: f64) -> f64 {
         let (v, f) = (&self.curve.velocities, &self.curve.forces);
         let i = piece(v, at);
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn a_file_becomes_the_curve_that_adams_makes_of_it() {
-        // Akima's curve decreases between points of the steep table, but a model's curve cannot decrease. So the test expects that the
+        // Akima's curve decreases between points of the table `steep()`, but a model's curve cannot decrease. So the test expects that the
         // model does not follow the curve of this table.
         let car = table(&[
             [-1.27, -1495.5],

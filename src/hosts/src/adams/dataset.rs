@@ -36,7 +36,7 @@ pub struct Spline {
     pub y: Vec<Vec<f64>>,
 }
 
-/// Returns the lines of a file, each with its position.
+/// Returns the lines of a file, each with its byte position in the file.
 pub fn lines(file: &[u8]) -> Vec<(usize, &[u8])> {
     let mut at = 0;
     file.split_inclusive(|b| *b == b'\n')

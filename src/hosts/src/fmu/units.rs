@@ -105,7 +105,7 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// Largest relative difference between a scale and the size of a unit at which the scale is taken for this unit.
+/// Largest relative difference between a scale and the size of a unit at which the scale is interpreted as this unit.
 ///
 /// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance, a motion ratio near 1
 /// would be ignored.

@@ -18,7 +18,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Returns the points of the model's curve. A curve with slopes and knees gives its knees, and some points between and beyond the
+    /// Returns the points of the model's FV curve. A curve with slopes and knees gives its knees, and some points between and beyond the
     /// knees.
     pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
