@@ -160,7 +160,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     wanted = axial_wants_partials();
     if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
-    /* Tension pulls I toward J. */
+    /* Tension pulls marker I toward marker J. */
     f.force = units_sforce(u, answer.force);
     for (k = 0; k < 3; k++)
         result[k] = f.force * f.axis[k];

@@ -50,7 +50,7 @@ const METHODS: [(&str, Method); 5] = [
 ];
 /// Step of the host in the comparison and in the timing, s.
 const STEP: f64 = 1e-3;
-/// Number of steps over which one integration is timed, over its seven runs together.
+/// Number of steps with which one integration is timed, in all its seven runs together.
 const TIMED: usize = 200_000;
 
 /// Runs the verb.

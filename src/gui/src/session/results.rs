@@ -1,4 +1,4 @@
-//! The last results of the verbs, and whether they match the model and tests on screen.
+//! The last results of fit, validation and diagnosis, and whether they match the model and tests on screen.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Model, records and tests from which a result was computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// The values on screen, or `None` if the result does not depend on them.
+    /// Parameter values on screen, or `None` if the result does not depend on them.
     params: Option<Params>,
     /// The adjustable damper to which these values belong.
     damper: Option<Definition>,
@@ -78,7 +78,7 @@ pub struct Diagnosed {
     pub reference: Option<Arc<Loaded>>,
 }
 
-/// The last results of the verbs.
+/// The last results of fit, validation and diagnosis.
 #[derive(Default)]
 pub struct Results {
     /// Last fit of an ordinary damper.

@@ -24,7 +24,7 @@ pub struct Question {
     pub test: usize,
 }
 
-/// Result for one value of the parameter.
+/// Result for one value of the varied parameter.
 #[derive(Debug, Clone)]
 pub struct Member {
     /// Value of the parameter, SI.
@@ -44,7 +44,7 @@ pub struct Study {
     pub question: Question,
     /// Results for the valid values, in the order of the values.
     pub members: Vec<Member>,
-    /// Area, J, and gap, N, of the measured cycle.
+    /// Area, J, and gap, N, of the measured cycle, defined as in [`Member`].
     pub measured: [f64; 2],
 }
 

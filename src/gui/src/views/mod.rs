@@ -50,7 +50,7 @@ pub enum Side {
     /// Elements and sliders of the model.
     #[default]
     Tune,
-    /// Results of the verbs.
+    /// Results of fit, validation and diagnosis.
     Result,
     /// Options of reading.
     Records,
