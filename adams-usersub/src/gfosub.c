@@ -34,8 +34,8 @@ static int ask(const char *name, const int *markers, int count, double values[3]
     return failed || number != 3 ? -1 : 0;
 }
 
-/* Geometry, motion, side force and result of the line force, in model units. `force` acts on I along the axis from J to
- * I; as in an SFORCE it is positive if it pushes the markers apart. */
+/* Geometry, motion, side force and result of the line force, in model units. `force` acts on marker I along the axis from
+ * marker J to marker I; as in an SFORCE it is positive if it pushes the markers apart. */
 typedef struct {
     double axis[3], length, velocity[3], speed, guide[3], along, side;
     double force, by_length, by_speed, by_side;

@@ -21,7 +21,7 @@ use std::ffi::CString;
 use std::fmt::Write as _;
 use std::mem::{MaybeUninit, size_of, zeroed};
 
-/// Input of the host in one step.
+/// Input of the host in one step: displacement `x`, m, velocity `v`, m/s, side force, N, temperature, °C, and step size `dt`, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Given {
     pub x: Option<f64>,

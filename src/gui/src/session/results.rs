@@ -93,7 +93,7 @@ pub struct Results {
 
 impl Session {
     /// Returns the basis of a validation at present, or `None` without a model. If every ticked test has its own setting and no value is
-    /// tuned, the basis contains no values on screen.
+    /// tuned, the basis contains no parameter values.
     pub fn basis(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;

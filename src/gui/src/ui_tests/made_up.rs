@@ -94,7 +94,7 @@ pub fn campaign_of_family(text: &str, folder: &Path) {
     }
 }
 
-/// Writes a model file and returns its path.
+/// Writes a model file with the default parameters, and returns its path.
 pub fn model(folder: &Path) -> PathBuf {
     let path = folder.join("damper.toml");
     let text = dashpot_identification::model_file::flat(&Params::new(), |_| String::new());

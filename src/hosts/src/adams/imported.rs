@@ -133,7 +133,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     }
 }
 
-/// Describes the difference if the model has fewer points than the file.
+/// Describes the difference between the curves of file and model, if the curve of the model has fewer points.
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
