@@ -122,7 +122,7 @@ void axial_sforce(int kind, int element, int npar, const double *par, int i, int
     what = axial_begin(kind, element, iflag);
     if (what == AXIAL_DONE)
         return;
-    /* The solver records these calls as dependencies, so they must be the same for every purpose of the call. */
+    /* The solver records these calls of DM and VR as dependencies, so they must be equal for every purpose (iflag) of the call. */
     markers[0] = i;
     markers[1] = j;
     s->sysfnc("DM", markers, 2, &length, &failed);

@@ -187,7 +187,7 @@ static int32_t linear_force(const damper_model *damper, const dashpot_input *inp
     return status;
 }
 
-/* Differentiates linear_force() by central differences. At a knee of the force curve they give the mean of both sides. */
+/* Differentiates linear_force() by central differences. At a knee of the force curve they give the mean slope of both sides. */
 static int32_t linear_partials(const damper_model *damper, const dashpot_input *input, force_answer *answer)
 {
     double *by[3], f[2] = {0.0, 0.0};

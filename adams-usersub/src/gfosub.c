@@ -34,8 +34,8 @@ static int ask(const char *name, const int *markers, int count, double values[3]
     return failed || number != 3 ? -1 : 0;
 }
 
-/* Geometry, motion, side force and result of the line force, in model units. `force` acts on I along the axis from J to
- * I; as in an SFORCE it is positive if it pushes the markers apart. */
+/* Geometry, motion, side force and result of the line force, in model units. `force` acts on marker I along the axis from
+ * marker J to marker I; as in an SFORCE it is positive if it pushes the markers apart. */
 typedef struct {
     double axis[3], length, velocity[3], speed, guide[3], along, side;
     double force, by_length, by_speed, by_side;
@@ -160,7 +160,7 @@ void Dashpot_gfosub(const adams_gforce *gforce, double time, int dflag, int ifla
     wanted = axial_wants_partials();
     if (committed_force(KIND_GFORCE, gforce->id, damper.damper, &asked, accepted, analysis, dflag != 0, wanted, &answer))
         return;
-    /* Tension pulls I toward J. */
+    /* Tension pulls marker I toward marker J. */
     f.force = units_sforce(u, answer.force);
     for (k = 0; k < 3; k++)
         result[k] = f.force * f.axis[k];

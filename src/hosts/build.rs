@@ -33,7 +33,7 @@ fn main() {
     runtimes(src.parent().expect("the project"));
 }
 
-/// Compiled files to embed, each with its platform. The platforms have their names of FMI 2.0.
+/// Compiled files to embed, each with the name that FMI 2.0 gives to its platform.
 const COMPILED: [(&str, &str); 5] = [
     ("linux64", "dashpot_damper.so"),
     ("linux64", "kernel.o"),

@@ -4,7 +4,8 @@
 
 dashpot_coupling dashpot_bridge_coupling(double d_force_d_rate, double effective_mass, double dt, double *ratio)
 {
-    /* v[k+1] = (1 - a) v[k]; with one more step of delay v[k+1] = v[k] - a v[k-1]. */
+    /* The host's velocity v follows v[k+1] = (1 - a) v[k] from step k to k + 1. With one more step of delay it follows
+     * v[k+1] = v[k] - a v[k-1]. */
     double a = fabs(d_force_d_rate) * dt / effective_mass;
 
     if (ratio)

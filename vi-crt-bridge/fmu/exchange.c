@@ -1,7 +1,8 @@
 /* Model exchange: the host's solver integrates the states.
  *
  * The state of the internal mass is its deflection relative to the moving end. With its displacement as state, a host with
- * constant inputs would fix one end of the series spring while the other moves: 3 MN/m times 0.6 m/s times 1 ms is 1800 N. */
+ * constant inputs would fix one end of the series spring while the other moves. At 3 MN/m, 0.6 m/s and a step of 1 ms, the
+ * force error is 1800 N. */
 #include "evaluate.h"
 #include "instance.h"
 #include <math.h>

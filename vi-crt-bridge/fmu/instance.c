@@ -133,7 +133,7 @@ static int prepare(struct instance *instance, int c, dashpot_params *params, das
 
 /* Prepares the models with the parameters that the host has set. If these are rejected, it returns -1 and changes nothing. A
  * host sets parameters one by one, so that they may be inconsistent in between. The check is therefore made here, before
- * any evaluation, and repeated until they fit. */
+ * any evaluation, and repeated until the parameters are consistent. */
 int instance_settle_parameters(struct instance *instance)
 {
     struct data *data = instance->data;

@@ -29,7 +29,8 @@ int instance_step(struct instance *instance, double time, double dt)
         part->from = part->corner.now.state;
         part->status = dashpot_corner_step(&part->corner, &input, dt);
         held |= part->status & DASHPOT_BRIDGE_LAST_FORCE;
-        /* Store the velocity at the start of this step. With `extrapolate` the next step uses the line through it and its own. */
+        /* Store the velocity at the start of this step. With `extrapolate` the next step uses the line through this velocity and
+         * the velocity at its own start. */
         part->told.velocity[0] = instance_input(data, c).velocity;
         part->derivatives = 0;
     }

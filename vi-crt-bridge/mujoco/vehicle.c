@@ -145,8 +145,8 @@ static mjModel *load(const char *xml)
     return m;
 }
 
-/* Compares the quarter car in MuJoCo with the same one integrated in this function. Returns the largest difference of the
- * body's height divided by its peak. */
+/* Compares the quarter car in MuJoCo with a quarter car that this function integrates itself. Returns the largest difference
+ * of the body's height divided by the height's peak. */
 static double quarter(const char *file)
 {
     mjModel *m;

@@ -43,10 +43,10 @@ const KNOWN: u32 =
 
 /// Largest accepted sum of the magnitudes of displacement, velocity, weighted side force and weighted temperature.
 ///
-/// 1000 m and 1000 m/s are a hundred times the values of any damper. Thus extreme trial steps of a host's solver still get an output.
-/// Powers of much larger values would overflow.
+/// 1000 m and 1000 m/s are at least a hundred times the values of any damper. Thus extreme trial steps of a host's solver still get an
+/// output. Powers of much larger values would overflow.
 pub(crate) const LARGEST: f64 = 1e3;
-/// Weight of a newton of side force in the sum that [`LARGEST`] limits. `PER_DEGREE` is the weight of a degree of temperature.
+/// Weight of a newton of side force in the sum that [`LARGEST`] limits. `PER_DEGREE` is the weight of a degree Celsius of temperature.
 ///
 /// 1e9 N or 1e5 degrees alone reach the limit.
 const PER_NEWTON: f64 = 1e-6;
@@ -113,7 +113,7 @@ impl dashpot_input {
         if sum <= LARGEST { Ok(input) } else { Err(Rejected(DASHPOT_BAD_INPUT)) }
     }
 
-    /// Converts to the kernel's input, and returns the weighted sum of the magnitudes.
+    /// Converts to the kernel's input, and returns the sum of the weighted magnitudes that [`LARGEST`] limits.
     #[inline(always)]
     fn taken(&self) -> (Input, f64) {
         let knows = |bit| self.known & bit != 0;

@@ -340,7 +340,7 @@ pub unsafe extern "C" fn dashpot_params_read(
         };
         let code = found.map_or(DASHPOT_OK, |error| Rejected::from(error.problem).0);
         if let Some(report) = report {
-            // For a name that is not in the table, the fault contains the spelling of the file.
+            // For a name that is not in the parameter table, the fault contains the name as the file spells it.
             let name = |error: &model_file::ReadError| {
                 parameter_name(error.parameter).map(str::as_bytes).or_else(|| model_file::name_at(text, error))
             };

@@ -18,7 +18,7 @@ pub(crate) fn checked_step(dt: f64) -> Result<f64, Rejected> {
     if dt >= SHORTEST_STEP && dt <= LONGEST_STEP || dt == 0.0 { Ok(dt) } else { Err(Rejected(DASHPOT_BAD_TIME_STEP)) }
 }
 
-/// Returns the warnings for a step: too long, or a velocity outside the FV curve.
+/// Returns the warnings for a step of `dt`, s: a step that is too long, or a velocity, m/s, outside the FV curve.
 #[inline(always)]
 pub(crate) fn warnings(model: &Model, velocity: f64, dt: f64) -> i32 {
     if dt > LONG_STEP {
@@ -34,14 +34,14 @@ fn long(model: &Model, velocity: f64) -> i32 {
     range_warning(model, velocity) | DASHPOT_LONG_STEP
 }
 
-/// Returns `DASHPOT_OUTSIDE_RANGE` for a velocity outside the FV curve, otherwise `DASHPOT_OK`.
+/// Returns `DASHPOT_OUTSIDE_RANGE` for a velocity, m/s, outside the points of the FV curve, otherwise `DASHPOT_OK`.
 #[inline(always)]
 pub(crate) fn range_warning(model: &Model, velocity: f64) -> i32 {
     let (low, high) = model.elements().paths.fv_curve.range();
     if velocity >= low && velocity <= high { DASHPOT_OK } else { outside(model, velocity) }
 }
 
-/// Returns the warning for a velocity outside the points of the FV curve. A damper without an FV curve gets no warning.
+/// Returns the warning for a velocity, m/s, outside the points of the FV curve. A damper without an FV curve gets no warning.
 ///
 /// It is a separate cold function, so that steps without a warning stay fast.
 #[cold]

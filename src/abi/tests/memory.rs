@@ -115,7 +115,7 @@ fn at_rest(model: &dashpot_model, position: f64) -> Box<dashpot_state> {
     }
 }
 
-/// Copies a state like C does.
+/// Copies the bytes of a state, like an assignment in C.
 fn copy(state: &dashpot_state) -> dashpot_state {
     // SAFETY: the header allows copying a state with = or memcpy. A state contains only numbers.
     unsafe { std::ptr::read(state) }

@@ -232,7 +232,7 @@ fn within(ui: &mut Ui, draw: impl FnOnce(&mut Ui)) {
 fn side(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let always = [(Side::Tune, w.tune), (Side::Result, w.result), (Side::Records, w.records), (Side::Study, w.study)];
-    // Optional tabs come last, so that the others keep their positions.
+    // Optional tabs come last, so that the other tabs keep their positions.
     let valve = session.has_valve().then_some((Side::Valve, w.valve));
     let drawing = session.drawing.is_some().then_some((Side::Drawing, w.drawing));
     let sides: Vec<_> = always.into_iter().chain(valve).chain(drawing).collect();

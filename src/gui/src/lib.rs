@@ -1,5 +1,5 @@
 //! The graphical user interface, comparable to the software of a shock dyno. It opens, plots, tunes, fits, validates,
-//! diagnoses and exports records and a model. Each of its functions is also a verb of the command.
+//! diagnoses and exports records and a model. Each of its functions is also a verb of the command `dashpot`.
 //!
 //! | module | contents |
 //! |---|---|

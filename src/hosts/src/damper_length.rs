@@ -1,11 +1,11 @@
 //! Parsing of the length of a damper.
 //!
 //! Adams uses mm, and CarMaker uses m, so the user may write a unit after the number. A length that no damper has is rejected, because the
-//! user probably meant the other unit.
+//! user probably meant the unit of the other program.
 
 use crate::fmu::LONGEST;
 
-/// Shortest accepted length of a damper, m. The damper of a model car is 50 mm long, and the limit leaves a margin.
+/// Shortest accepted length of a damper, m. The damper of a toy model car is 0.05 m long, and the limit leaves a margin.
 const SHORTEST: f64 = 0.03;
 
 /// Splits a text into a number and its unit, `mm` or `m`, if the text ends with one.

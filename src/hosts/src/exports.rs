@@ -20,7 +20,7 @@ pub fn fmu_name(model_file: &Path, four_corners: bool) -> String {
 /// Returns the path of the static library from which an FMU can be compiled.
 ///
 /// Cargo puts the library next to the program. Packages have it in `lib` next to the program's folder. If neither folder contains the
-/// library, the first path is returned, although no such file exists.
+/// library, the path next to the program is returned, although no such file exists.
 ///
 /// # Errors
 /// The path of the program is unknown.
@@ -64,13 +64,13 @@ pub struct PropertyFile {
     pub remarks: Vec<String>,
 }
 
-/// Makes the property file of a model. The name of the file to write selects the format.
+/// Makes the property file of a model. The extension of `path`, the file to write, selects the format.
 ///
 /// With `own`, the property file contains the model's own curve even if the model file has a plain FV curve.
 ///
-/// `named` is the name of the model. Property files require ASCII, so a name with other characters is omitted. `text` is the text of the
-/// model file. `chatters` returns messages if a damper of only the FV curve chatters, because such a file contains no other element with
-/// damping.
+/// `named` is the name of the model file. Property files require ASCII, so a name with other characters is omitted. `text` is the text of
+/// the model file. `chatters` returns messages if a damper that consists of the FV curve alone chatters. A host that reads a property file
+/// has no other damping of the model.
 ///
 /// # Errors
 /// The model has no curve, or its curve is invalid.
@@ -170,7 +170,7 @@ pub fn no_adams_library() -> String {
 }
 
 /// Assumed length of a damper at zero displacement, mm, if the user gives none. It is typical of a passenger car. With a wrong length, the
-/// damper in the vehicle starts far from the zero of its records.
+/// damper in the vehicle starts far from the zero displacement of its test records.
 pub const ASSUMED_LENGTH: f64 = 400.0;
 
 /// Contents of a run folder for Adams before it is written.
@@ -208,8 +208,8 @@ impl RunFolder {
         notes
     }
 
-    /// Returns remarks on chatter for users who couple Adams to a program with fixed steps. They do not concern Adams itself, because it
-    /// solves for the force with its derivatives.
+    /// Returns remarks on chatter for users who couple Adams to a program with fixed steps. The remarks do not concern Adams itself,
+    /// because it solves for the force with its derivatives.
     pub fn if_coupled(&self) -> impl Iterator<Item = String> {
         let coupled = "if Adams is coupled to a program of fixed steps (a run of Adams alone is not concerned)";
         self.chatters.iter().map(move |note| format!("{coupled}: {note}"))
@@ -226,9 +226,9 @@ pub struct RunFolderInput<'a> {
     pub text: &'a [u8],
     /// Distance between the damper's markers at zero displacement, mm. `None` selects [`ASSUMED_LENGTH`] and adds a note.
     pub length: Option<f64>,
-    /// The tests that the rig model of the folder simulates.
+    /// Tests that the rig model of the folder simulates.
     pub tests: &'a [SineTest],
-    /// The libraries with their names.
+    /// Names and contents of the libraries for Adams.
     pub libraries: Vec<(String, Vec<u8>)>,
     /// Sentences about elements that were replaced in the model. They stand at the beginning of README.txt.
     pub replaced: Vec<String>,

@@ -1,8 +1,8 @@
-//! FV curve for hosts that use only a curve, such as a property file, and CarMaker in its computation of equilibrium.
+//! FV curve for hosts that use only a curve, such as readers of a property file, and CarMaker in its computation of equilibrium.
 //!
 //! The model's own curve represents only the valves, because friction is a separate element. Without friction, this curve lacks most of the
-//! force at low velocity. So a host that uses only a curve gets the plain FV curve that the fit stored in the model file. Among all curves,
-//! the plain curve has the smallest error on the tests of the fit.
+//! force at low velocity. So a host that uses only a curve gets the plain FV curve that the fit stored in the model file. Among all curves
+//! with its velocities, the plain curve has the smallest weighted error on the tests of the fit.
 
 use crate::adams::akima::{self, Difference};
 use crate::adams::property::Curve;
@@ -21,7 +21,7 @@ pub enum Source {
     Asked,
     /// The model's own curve, because the file has no other curve.
     Only,
-    /// The model's own curve. The file was changed after its fit, so the plain curve belongs to another damper.
+    /// The model's own curve. The file was changed after its fit, so the plain curve represents the damper before the change.
     Changed,
 }
 
@@ -73,7 +73,7 @@ impl PlainCurve {
     }
 
     /// Returns points whose Akima curve follows this curve, because Adams interpolates a property file by Akima's method. Also returns the
-    /// number of original points and the remaining difference.
+    /// number of points of this curve, and the remaining difference between the two curves.
     ///
     /// # Errors
     /// The errors of [`PlainCurve::curve`].

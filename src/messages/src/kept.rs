@@ -143,7 +143,7 @@ mod tests {
             assert_eq!(all.restore(&kept).as_ref().map(Kept::from), Some(Kept::from(&sentence)));
             let found = all.find(&english, std::slice::from_ref(&kept));
             assert_eq!((Kept::from(&found), found.to_string()), (Kept::from(&sentence), english.clone()));
-            // A text that was changed by hand stays unchanged, and so does a text of another version.
+            // `find` returns an unknown text unchanged: one that was changed by hand, or one whose message this version does not have.
             assert_eq!(all.find("changed", std::slice::from_ref(&kept)), Sentence::as_it_is("changed"));
             assert_eq!(Restorer::new([]).find(&english, &[kept]).to_string(), english);
         }

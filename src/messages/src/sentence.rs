@@ -163,12 +163,13 @@ impl Sentence {
         self.and(name, Value::AsIs(value.to_string()))
     }
 
-    /// Adds a text of the system, of another library or of a reader of one file format. It is not translated.
+    /// Adds a text of the system, of another library or of a reader of one file format as the value of a placeholder. The text is not
+    /// translated.
     pub fn with_foreign(self, name: &'static str, text: impl ToString) -> Self {
         self.and(name, Value::Foreign(text.to_string()))
     }
 
-    /// Adds a word, which a language may translate.
+    /// Adds a word, which a language may translate, as the value of a placeholder.
     pub fn with_word(self, name: &'static str, word: &str) -> Self {
         self.and(name, Value::Word(word.to_owned()))
     }
@@ -178,7 +179,7 @@ impl Sentence {
         self.and(name, Value::Said(sentence.into()))
     }
 
-    /// Adds another sentence if there is one. Otherwise, the placeholder becomes empty.
+    /// Adds another sentence, if there is one, as the value of a placeholder. Otherwise, the placeholder becomes empty.
     pub fn with_any(self, name: &'static str, sentence: Option<Sentence>) -> Self {
         match sentence {
             Some(sentence) => self.with_sentence(name, sentence),
@@ -186,7 +187,7 @@ impl Sentence {
         }
     }
 
-    /// Adds a list of names, with the text of `between` between them.
+    /// Adds a list of names as the value of a placeholder, with the text of `between` between them.
     pub fn with_names<T: ToString>(
         self,
         name: &'static str,
@@ -197,7 +198,7 @@ impl Sentence {
         self.and(name, Value::List(list, between))
     }
 
-    /// Adds a list of sentences, with the text of `between` between them.
+    /// Adds a list of sentences as the value of a placeholder, with the text of `between` between them.
     pub fn with_list(self, name: &'static str, list: Vec<Sentence>, between: Template) -> Self {
         self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
     }
@@ -288,7 +289,7 @@ mod tests {
     const NOTE: Template = Template::listed("x", ", {what}");
     const AND: Template = Template::listed("and", " and ");
 
-    /// German of these texts, with a decimal comma.
+    /// Locale with German translations of this test's messages, and with a decimal comma.
     struct German;
 
     impl Locale for German {

@@ -253,8 +253,8 @@ mod tests {
         assert!(matches!(Kind::detect(&workbook("Anna")), Kind::Other(_)));
         assert_eq!(Kind::detect(b"PK\x03\x04modelDescription.xml"), Kind::Fmu);
         assert_ne!(Kind::detect(b"\x7fELF12"), Kind::detect(b"MZ\x90\x00"));
-        // A newer property file replaces an older one, but never a file of another program, which may have the same
-        // first line.
+        // A newer property file of dashpot replaces an older one, but never a file of another program. Such a file may have the same first
+        // line.
         assert_eq!(of("$ Written by dashpot 0.1.0 from a.toml (check sum 1)\n[MDI_HEADER]\n"), Kind::Property);
         assert_eq!(
             of("<?xml version=\"1.0\"?>\n<afc>\n  <!-- Written by dashpot 0.1.0 from b.toml -->\n</afc>\n"),

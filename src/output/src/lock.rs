@@ -52,8 +52,8 @@ fn hold(folder: &Path) -> Result<Option<File>, Held> {
     }
 }
 
-/// Makes a file that other runs cannot open and that the system removes at the end of the run. The file is next to the
-/// folder, because the content of the folder is checked.
+/// Makes a file that other runs cannot open and that the system removes at the end of the run. The file is next to the folder, not in it,
+/// because a run checks the content of the folder.
 #[cfg(windows)]
 fn hold(folder: &Path) -> Result<Option<File>, Held> {
     use std::os::windows::fs::OpenOptionsExt as _;

@@ -74,8 +74,8 @@ pub fn export_adams(
     Ok(notes)
 }
 
-/// Writes the FV curve of a model as a property file of Adams Car. `name` is the name of the model. Returns the number of points, and
-/// notes.
+/// Writes the FV curve of a model as a property file of Adams Car. `name` is the name of the model. Returns the number of points of the
+/// written curve, and notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_dpr(
@@ -98,7 +98,7 @@ pub fn export_dpr(
 }
 
 /// Writes a compiled Adams Car model in which dampers are replaced. Each entry of `dampers` gives the name of a damper's SFORCE, its length
-/// and its model file. Returns notes.
+/// at zero displacement and the path of its model file. Returns notes.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn export_adm(

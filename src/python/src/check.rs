@@ -7,8 +7,8 @@ use dashpot_identification::model_file;
 use dashpot_simulation::chatter::{Figures, Ready};
 use pyo3::prelude::*;
 
-/// Checks whether a damper chatters in a host with this step, s, and mass, kg. With `for_step`, replaces friction that would chatter at
-/// that step.
+/// Checks whether a damper chatters in a host with the step `host_step`, s, and the moved mass `wheel_mass`, kg. With `for_step`, s,
+/// replaces friction that would chatter at that step.
 ///
 /// Returns the output of `dashpot check --json` and the messages of the command. Also returns the text of a model file with the damper for
 /// this host.

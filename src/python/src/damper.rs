@@ -125,8 +125,8 @@ fn sane(input: &Input) -> bool {
         && input.temperature.abs() <= LARGEST_TEMPERATURE
 }
 
-/// Returns whether a motion is larger than any damper's, for example because it is in millimeters. The reader of records rejects such
-/// motions.
+/// Returns whether the displacement exceeds 0.5 m or the velocity 20 m/s, for example because they are in millimeters. The reader of
+/// records rejects such motions.
 fn is_of_no_damper(input: &Input) -> bool {
     input.displacement.unwrap_or(0.0).abs() > 0.5 || input.velocity.abs() > 20.0
 }
@@ -254,7 +254,7 @@ impl Dampers {
         let (states, next) = (&own.states[..], &mut own.next[..]);
         let forces = out.as_array_mut();
         let refused = if count == 1 {
-            // Releasing and reacquiring the interpreter lock costs as much as the step, so keep the lock.
+            // For one damper, releasing and reacquiring the interpreter lock costs as much as the step, so keep the lock.
             run(models, states, next, forces, &inputs, dt)
         } else {
             // With fewer dampers than `SHARED`, the calling thread does all the work.

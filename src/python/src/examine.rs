@@ -33,7 +33,8 @@ struct DiagnosisJson<'a> {
     unusable: &'a [Unusable],
 }
 
-/// Returns the mean cycle of one test: motion, measured force, and the forces of the model before and after the diagnosis.
+/// Returns the mean cycle of one test: displacement, m, velocity, m/s, and three forces, N: measured, and of the model before and after the
+/// diagnosis.
 pub fn arrays<'py>(py: Python<'py>, curves: &Curves) -> PyResult<Bound<'py, PyDict>> {
     let Curves { displacement, velocity, measured, before, after, .. } = curves;
     let arrays = PyDict::new(py);

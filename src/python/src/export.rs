@@ -30,7 +30,7 @@ pub struct Wanted {
     inputs: Option<String>,
     /// Length of the damper for `CarMaker`: a number in m, or a number with its unit. `None` if the FMU is not for `CarMaker`.
     carmaker: Option<String>,
-    /// Whether the equilibrium in `CarMaker` uses the FV curve of the model itself.
+    /// Whether the equilibrium in `CarMaker` uses the FV curve of the model itself, even if the file has a plain FV curve.
     model_curve: bool,
     sources: bool,
     hide_parameters: bool,

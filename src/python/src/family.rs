@@ -61,7 +61,7 @@ impl Family {
         (axis.grid().to_vec(), axis.start(), axis.name(), axis.unit())
     }
 
-    /// Returns the ordinary damper at a setting. `name` is its name in error messages.
+    /// Returns the damper without a setting that the family is at `setting`. `name` is its name in error messages.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)

@@ -1,7 +1,8 @@
 //! The compiled part of the Python package `dashpot`. It provides records, models and dampers as objects, and results as JSON.
 //!
 //! The user interface is Python code on top of this part (`python/dashpot`), which converts results to dataclasses. Results are passed as
-//! the JSON of the command, so both give equal digits. Every number is printed so that it parses back to a bitwise equal value.
+//! the JSON of the command-line program, so Python and that program give equal digits. Every number is printed so that it parses back to a
+//! bitwise equal value.
 //!
 //! | file | what |
 //! |---|---|
@@ -20,7 +21,7 @@
 //! | `export` | FMU |
 //! | `papers` | reports, workbooks, certificates, figures |
 //! | `rig` | the virtual rig, and matrices of tests |
-//! | `errors` | exceptions with the messages of the command |
+//! | `errors` | exceptions with the messages of the command-line program |
 //! | `work` | long work without the interpreter lock, on separate threads, interrupted by Ctrl-C |
 //! | `progress` | calls of a Python function during long work |
 

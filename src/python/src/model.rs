@@ -271,7 +271,7 @@ fn long<T: Send>(
     work::run(py, progress, |progress| work(&|done, all| progress.say(done as f64 / all as f64, text)))
 }
 
-/// Writes a text to a file atomically. Without `force`, a device, an input of the run or a write-protected file is an error.
+/// Writes a text to a file atomically. Without `force`, a device, a write-protected file or an existing file of another kind is an error.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn write(path: PathBuf, text: &str, force: bool) -> PyResult<()> {

@@ -22,7 +22,7 @@ pub struct Tests {
 }
 
 impl Tests {
-    /// Returns the tests of the thesis with the given changes.
+    /// Returns the tests of the thesis (Jonnalagadda & Vyas 2020) with the user's changes.
     fn of_thesis(&self) -> Result<Matrix, Refusal> {
         let usual = MatrixOptions::default();
         Matrix::thesis(&MatrixOptions {
@@ -48,7 +48,7 @@ impl Tests {
     }
 
     /// Returns the tests of a campaign. If effects are injected (`hides`), the default is a plan. Otherwise, the default is the tests of
-    /// the thesis. `order` is the seed for the order of a plan's tests.
+    /// the thesis (Jonnalagadda & Vyas 2020). `order` is the seed for the order of a plan's tests.
     fn chosen(&self, hides: bool, order: u64) -> Result<Matrix, Refusal> {
         if let Some(file) = &self.matrix {
             return Matrix::read(file);
@@ -159,7 +159,8 @@ pub fn measure(
     measured?.map_err(refused)
 }
 
-/// Returns the test matrix of the thesis, with changes, as the text of a CSV file. Also returns the number of tests.
+/// Returns the test matrix of the thesis (Jonnalagadda & Vyas 2020), with the user's changes, as the text of a CSV file. Also returns the
+/// number of tests.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
 pub fn test_matrix(tests: Tests) -> PyResult<(String, usize)> {

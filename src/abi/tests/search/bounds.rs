@@ -10,7 +10,7 @@ pub enum Against {
     Possible,
     /// The forces in short steps alone. Forces below the sum of the single elements' forces are not compared.
     ///
-    /// This bound detects a mass whose natural frequency long steps shift to the frequency of the drive.
+    /// This bound detects a mass whose natural frequency long steps shift to the frequency of the imposed motion.
     ShortSteps,
 }
 
@@ -30,13 +30,13 @@ const BESIDE: [&str; 12] = [
     "rebound_stop",
 ];
 
-/// Numbers of substeps with which implicit Euler is tried if a force exceeds the bound from its steps of 1/32.
+/// Numbers of substeps with which implicit Euler is tried if a force exceeds the bound from implicit Euler with 32 substeps.
 ///
-/// Implicit Euler dissipates the energy of every oscillation, and less with shorter steps. For a mass in a gap, short steps of all other
-/// methods gave 24 kN. Implicit Euler gave 1 kN in steps of 1/32 and 20 kN in steps of 1/2048.
+/// Implicit Euler dissipates the energy of every oscillation, and less with shorter steps. For a mass with free play, short steps of all
+/// other methods gave 24 kN. Implicit Euler gave 1 kN with 32 substeps and 20 kN with 2048.
 const FINEST: [usize; 2] = [512, 2048];
 
-/// Largest ratio of a run's force to the force in short steps that passes. A fifth of the elements' force is allowed in addition.
+/// Largest allowed ratio of a run's force to the force in short steps. A fifth of the elements' force is allowed in addition.
 const SHORT_STEPS: f64 = 1.5;
 
 fn largest(forces: &[f64]) -> f64 {
@@ -62,17 +62,17 @@ fn finer(case: &Case, parts: usize) -> Case {
     fine
 }
 
-/// Returns the highest speed of the moving end on its cubic paths.
+/// Returns the highest speed, m/s, of the moving end on its cubic paths.
 fn fastest(case: &Case) -> f64 {
     finer(case, 4).motion.iter().fold(0.0, |top, g| g.v.abs().max(top))
 }
 
-/// Elements that multiply the FV curve instantaneously.
+/// Elements that multiply the force of the FV curve instantaneously.
 ///
-/// They multiply the force of a cold damper by up to twenty. Without them, this force would count as a force that no element makes.
+/// They multiply the force of a cold damper by up to twenty. If the bound ignored them, this force would count as an error.
 const SCALING: [&str; 2] = ["temperature_fade", "position_dependent_damping"];
 
-/// Returns the largest force of the FV curve at a speed, in both directions and at rest, at the positions and temperatures of the run.
+/// Returns the largest force, N, of the FV curve at 0 and ±`speed`, m/s, at the positions and temperatures of the run.
 fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
     alone.on.retain(|name| *name == "fv_curve" || SCALING.contains(name));
@@ -85,7 +85,7 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
 /// Friction elements whose force depends on the instantaneous velocity.
 const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
 
-/// Returns the largest friction behind the series spring up to a velocity, or 0 if the friction does not act there.
+/// Returns the largest friction, N, behind the series spring up to `speed`, m/s, or 0 if the friction does not act there.
 ///
 /// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and the given velocity.
 /// Friction that decreases with velocity has two equilibria with the spring, stuck and sliding. The step size decides between them, and
@@ -99,8 +99,8 @@ fn stuck(case: &Case, speed: f64) -> f64 {
     // Side force and temperature are constant in an ordinary motion.
     let Some(given) = case.motion.first() else { return 0.0 };
     let mut v = speed;
-    // The lowest break-away velocity of the table is 1e-5 m/s. With a ratio of 1.1 between velocities, the result lacks at most a hundredth
-    // of a peak.
+    // The lowest break-away velocity that the parameter table allows is 1e-5 m/s. With a ratio of 1.1 between velocities, the result lacks
+    // at most a hundredth of the largest friction.
     while v > 1e-7 {
         alone.motion.extend([v, -v].map(|v| Given { x: Some(0.0), v, dt: 1e-3, ..*given }));
         v /= 1.1;
@@ -114,7 +114,7 @@ fn number(case: &Case, name: &str) -> f64 {
     set.unwrap_or_else(|| dashpot_core::Params::new().number(Number::find(name).unwrap()))
 }
 
-/// Returns the force of the series spring and its damper that stops the internal mass from a speed.
+/// Returns the force, N, with which the series spring and its damper stop the internal mass from `speed`, m/s.
 ///
 /// The mass includes the moving mass if that is attached to the internal mass.
 fn caught(case: &Case, speed: f64) -> f64 {
@@ -133,13 +133,13 @@ fn caught(case: &Case, speed: f64) -> f64 {
     speed * ((stiffness * mass).sqrt() + number("series_damping"))
 }
 
-/// Returns the total variation of the moving end's velocity along its cubic paths.
+/// Returns the total variation, m/s, of the moving end's velocity along its cubic paths.
 fn turned(case: &Case) -> f64 {
     let mut last = 0.0;
     finer(case, 8).motion.iter().fold(0.0, |sum, g| sum + (g.v - std::mem::replace(&mut last, g.v)).abs())
 }
 
-/// Returns the force of the series path if its spring stores all energy that the drive can supply to the mass.
+/// Returns the force, N, of the series path if its spring stores all energy that the imposed motion can supply to the mass.
 ///
 /// Relative to the moving end, the mass gains at most the velocity change of that end, whatever the spring. The estimate assumes no
 /// damping.
@@ -149,7 +149,8 @@ fn thrown(case: &Case) -> f64 {
     if straight == 0.0 || !case.on.contains(&"bushing") {
         return straight;
     }
-    // At a deflection d, rubber has the energy ½ k d² (1 + ½ d²/d_h²) and the force k d (1 + d²/d_h²).
+    // Rubber has the stiffness k and the hardening deflection d_h. At a deflection d, its energy is ½ k d² (1 + ½ d²/d_h²) and its force k
+    // d (1 + d²/d_h²).
     let stiffness = number(case, "series_stiffness");
     let unit = stiffness * number(case, "bushing_hardening");
     let (times, square) = (straight / unit, (straight / unit) * (straight / unit));
@@ -160,7 +161,7 @@ fn thrown(case: &Case) -> f64 {
 /// Largest ratio of the force of a lagging valve to the FV curve. A closed valve passes a hundredth of the flow.
 const SHUT: f64 = 100.0;
 
-/// Returns the largest force of the elements along the motion, with the worst timing.
+/// Returns the largest force, N, of the elements along the motion, with the worst timing.
 ///
 /// It assumes that no damper absorbs the energy of the mass. It also assumes that a valve with an internal state is closed at the highest
 /// speed of the piston.
@@ -177,14 +178,14 @@ fn run(case: &Case) -> Option<Run> {
     case.run(&*prepare(case)?, false).ok()
 }
 
-/// Returns the largest force of the elements that depend only on the motion of the moving end.
+/// Returns the largest force, N, of the elements that depend only on the motion of the moving end.
 fn beside(case: &Case) -> f64 {
     let mut alone = case.clone();
     alone.on.retain(|name| BESIDE.contains(name));
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// Returns the case with another integration method.
+/// Returns the case with another integration method and number of substeps.
 fn by(case: &Case, method: f64, substeps: f64) -> Case {
     let mut other = case.clone();
     other.values.retain(|(name, _)| *name != "method" && *name != "substeps");
@@ -195,8 +196,8 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
 
 /// Describes the first similar damper whose force in short steps would explain the case, or else the one with the largest force.
 ///
-/// A method shifts the frequency of a mass that its steps hardly resolve. A heavier mass or a softer spring may have, in short steps, the
-/// force of the case in long steps. Then the case shows only this shift of a resonance.
+/// An integration method shifts the natural frequency of a mass that its steps hardly resolve. A heavier mass or a softer spring may have,
+/// in short steps, the force of the case in long steps. Then the case shows only this shift of a resonance.
 fn nearby(fine: &Case, top: f64) -> String {
     let with = |changes: &[(&'static str, f64)]| {
         let mut other = fine.clone();
@@ -207,7 +208,7 @@ fn nearby(fine: &Case, top: f64) -> String {
         }
         run(&other).map_or(0.0, |run| largest(&run.forces))
     };
-    // Try quarter octaves up to a factor of eight, because a step size of a third of the period shifts a frequency by that much.
+    // Try quarter octaves up to a factor of eight. A step size of a third of the period shifts a natural frequency by this factor.
     let mut best = (0.0, String::new());
     for times in (1..=12).map(|k| f64::powf(2.0, f64::from(k) / 4.0)) {
         for (what, changes) in [
@@ -223,7 +224,8 @@ fn nearby(fine: &Case, top: f64) -> String {
     format!("; with {} these come to {:.2} of it", best.1, best.0 / top)
 }
 
-/// Returns whether the force `top` exceeds the bound from short steps (`same`) or the bound from implicit Euler in short steps.
+/// Returns whether the force `top` exceeds the bound from short steps (`same`) or from implicit Euler in short steps (`euler`). Both bounds
+/// increase with the sum `elements` of the single elements' forces. All are in N.
 fn is_beyond(top: f64, same: f64, euler: f64, elements: f64) -> bool {
     top > SHORT_STEPS * same + 0.2 * elements || top > 10.0 * euler + elements
 }

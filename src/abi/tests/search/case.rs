@@ -21,7 +21,7 @@ use std::ffi::CString;
 use std::fmt::Write as _;
 use std::mem::{MaybeUninit, size_of, zeroed};
 
-/// Input of the host in one step.
+/// Input of the host in one step: displacement `x`, m, velocity `v`, m/s, side force, N, temperature, °C, and step size `dt`, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Given {
     pub x: Option<f64>,
@@ -59,7 +59,7 @@ pub struct Run {
     pub refused: usize,
 }
 
-/// Prepares a model on the heap. Returns `None` if a parameter is rejected.
+/// Prepares a model on the heap. Returns `None` if a parameter or the model is rejected.
 pub fn prepare(case: &Case) -> Option<Box<dashpot_model>> {
     // SAFETY: the structure contains only numbers and pointers, for which zero bytes are valid.
     let mut params: dashpot_params = unsafe { zeroed() };
@@ -217,7 +217,7 @@ fn scalar(r: &mut Random, low: f64, high: f64, default: f64) -> f64 {
     }
 }
 
-/// Draws an increasing table with jumps and horizontal sections.
+/// Draws an increasing table with jumps and horizontal sections. Its abscissae span `width`, its ordinates are scaled by `height`.
 fn rising(r: &mut Random, width: f64, height: f64) -> (Vec<f64>, Vec<f64>) {
     let most = if r.chance(0.1) { 61 } else { 14 };
     let n = 2 + r.one_of(most);
@@ -298,7 +298,8 @@ impl Case {
         Case { on, values, start: 0.0, motion: Vec::new(), ordinary: true }
     }
 
-    /// Draws a case with `more` and all elements that are on by default, or only the FV curve and the series compliance of those.
+    /// Draws a case with the elements `more` and all elements that are on by default. Sometimes only the FV curve and the series compliance
+    /// remain of the latter.
     pub fn with(r: &mut Random, more: &[&'static str]) -> Case {
         let mut on: Vec<_> = names().filter(|n| dashpot_core::Params::new().is_on(Element::find(n).unwrap())).collect();
         if r.chance(0.3) {

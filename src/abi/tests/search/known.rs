@@ -31,8 +31,8 @@ fn holds(case: &Case) {
     }
 }
 
-/// A jump of the FV curve is rejected; in an earlier version it gave 9 GN. The steepest accepted curve gives moderate forces, wherever its
-/// steep segment lies.
+/// A jump of the FV curve is rejected; in an earlier version it gave 9 GN. The steepest accepted curve gives small forces, at whatever
+/// velocity its steep segment lies.
 #[test]
 fn a_curve_that_nearly_jumps_behind_rubber_air_and_a_void() {
     let on = ["bushing", "aeration", "cavitation"];
@@ -60,7 +60,7 @@ fn points_that_no_channel_tells_apart_are_refused() {
     }
 }
 
-/// Extreme speeds and positions are rejected or give finite results, and an error leaves the state valid.
+/// Extreme speeds and positions cause an error or give finite results, and an error leaves the state valid.
 #[test]
 fn absurd_motion_poisons_no_state() {
     for on in [&[][..], &["bushing", "aeration"], &["cavitation"], &["gas_spring", "bump_stop"], &["lagged_polynomial"]]
@@ -82,8 +82,8 @@ fn absurd_motion_poisons_no_state() {
     }
 }
 
-/// In an earlier version, the state of a void came from a stage whose iteration had not converged. A damper at rest then had forces of 0.2
-/// and 2 MN.
+/// In an earlier version, the state of a void came from an integration stage whose iteration had not converged. A damper at rest then had
+/// forces of 0.2 MN and 2 MN.
 #[test]
 fn gas_in_a_void_under_a_lasting_force() {
     let v = [-1.96, -1.33, -0.4, 0.517, 0.587, 0.5908, 1.236, 1.2395, 1.2432, 1.5975, 1.6011, 1.96];
@@ -111,7 +111,7 @@ fn gas_in_a_void_under_a_lasting_force() {
 }
 
 /// The friction of a contact with a presliding length of 1e-5 m stays within its limit. In each step the moving end moves back and forth by
-/// 0.17 mm.
+/// 1.7e-4 m.
 #[test]
 fn a_short_contact_turned_over_in_every_step() {
     for (elastic, power) in [(0.0, 1.0), (1.0, 1.0), (0.0, 4.0), (1.0, 4.0)] {
@@ -194,9 +194,9 @@ fn a_spring_of_a_table_is_met_where_the_mass_comes_to() {
     }
 }
 
-/// In an earlier version, the cheap step used the tangent of a steep segment of the FV curve far beyond that segment.
+/// In an earlier version, one substep of implicit Euler used the tangent of a steep segment of the FV curve far beyond that segment.
 ///
-/// The force was 1.9 kN with a curve of 29 N.
+/// The force was 1.9 kN with a curve of at most 29 N.
 #[test]
 fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     let mut checked = 0;
@@ -227,7 +227,8 @@ fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     assert_eq!(checked, 100);
 }
 
-/// If friction decreases with velocity, the residual of the stage equation may decrease. The solver then uses substitute derivatives.
+/// If friction decreases with velocity, so may the residual of the equation of an integration stage. The solver then uses substitute
+/// derivatives.
 ///
 /// In an earlier version, a Newton step with a substitute derivative accelerated the mass to 3 km/s, and the force was 3 MN.
 #[test]
@@ -296,7 +297,7 @@ fn no_straight_step_by_slopes_that_stand_in() {
     );
     case.start = -0.0007231144944081771;
     let x = Some(-0.0007213224068065827);
-    // The velocity alternates, except for two steps.
+    // The velocity alternates in sign from step to step, except for two steps.
     let signs = "+-+-+-++-+-+-+-+-+-+--+-+-+-+-+-+-+-+-+-+-+-+-+-+-+-+-+--+-+-+-+-+-+";
     case.motion = signs
         .chars()
@@ -360,14 +361,14 @@ fn euler_behind_air_in_cold_oil_makes_what_the_elements_do() {
         ..given(Some(0.0018004537947555938), 1.514666012486117, 0.002)
     }];
     holds(&case);
-    // The bound is the curve times e³, which is the largest factor of the fade.
+    // The bound is the largest force of the curve, 34481.62 N, times e³, which is the largest factor of the temperature fade.
     let run = case.run(&prepare(&case).unwrap(), false).unwrap();
     assert!(run.forces.iter().all(|f| f.abs() < 1.01 * 34481.62 * 3f64.exp()), "{:?}", run.forces);
 }
 
-/// In an earlier version, the fourth-order method combined its stages to an open spool, although the stages had closed it.
+/// In an earlier version, the fourth-order method computed an open valve spool from its stages, although the stages had closed it.
 ///
-/// The force was 272 kN at the end of the step and 0.2 kN at its last stage. The motion makes 163 kN.
+/// The force was 272 kN at the end of the step and 0.2 kN at its last stage. The elements make at most 163 kN along the motion.
 #[test]
 fn a_spool_that_turns_inside_a_step() {
     let mut case = millimetre(
@@ -393,8 +394,8 @@ fn a_spool_that_turns_inside_a_step() {
 
 /// One half of the FV curve is horizontal. The other is a thousand times steeper than the response of soft oil and mass.
 ///
-/// In an earlier version, all midpoints of the bracket lay at one end, and the stage ended without a root. A force of 37 N accelerated half
-/// a kilogram to 0.16 m/s in 10 µs (seed 503, case 3947).
+/// In an earlier version, all midpoints of the solver's bracket lay at one end, and an integration stage ended without a root. A force of
+/// 37 N accelerated half a kilogram to 0.16 m/s in 10 µs (seed 503, case 3947 of the search).
 #[test]
 fn soft_oil_on_the_level_half_of_a_curve() {
     let on = [
@@ -451,7 +452,7 @@ fn soft_oil_on_the_level_half_of_a_curve() {
     ];
     let speed = 0.0016794412413345115;
     let motion = (0..99).map(|i| {
-        // The velocity alternates, but one step of the motion is omitted.
+        // The velocity alternates in sign from step to step, but one step of the motion is omitted.
         let towards = (i % 2 == 0) == (i < 90);
         Given {
             x: Some(-0.013440454233588509),
@@ -470,7 +471,7 @@ fn soft_oil_on_the_level_half_of_a_curve() {
     });
 }
 
-/// Makes a case in which the velocity alternates in every step of 0.25 ms, behind a spring of 100 MN/m.
+/// Makes a case in which the velocity alternates between ±`speed`, m/s, in every step of 0.25 ms. The series spring has 100 MN/m.
 fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[(&'static str, &[f64])]) -> Case {
     let motion = (0..steps).map(|i| if i % 2 == 0 { speed } else { -speed });
     let stiff: (_, &[f64]) = ("series_stiffness", &[1e8]);
@@ -485,8 +486,8 @@ fn to_and_fro(speed: f64, steps: i32, side: f64, on: &[&'static str], values: &[
 
 /// The FV curve has no damping below a speed of 0.3 m/s in compression.
 ///
-/// An earlier version used the mean derivative over the whole range and thus one substep for the mass. The numerical frequency of the mass
-/// then equaled the frequency of the drive, with three times the force.
+/// An earlier version used the mean derivative of the whole curve and thus only one substep for the mass. The numerical frequency of the
+/// mass then equaled the frequency of the imposed motion, with three times the force of short steps.
 #[test]
 fn a_mass_on_the_level_middle_of_a_curve_has_the_substeps_of_one_that_nothing_damps() {
     let (v, f) = ([-0.545, -0.372, -0.341, -0.304, -0.248, 0.0], [-6473.0, -4014.0, -3858.0, 0.0, 0.0, 0.0]);
@@ -505,7 +506,8 @@ fn a_chosen_method_has_more_substeps_where_nothing_damps_the_mass() {
 
 /// If the user chooses the substeps, they may not resolve the oscillation of a mass. Backward Euler then removes its energy.
 ///
-/// In an earlier version, the method shifted the frequency of the mass to that of the drive, with three times the force of short steps.
+/// In an earlier version, the method shifted the natural frequency of the mass to that of the imposed motion. The force was three times
+/// that of short steps.
 #[test]
 fn chosen_substeps_that_do_not_follow_a_mass_take_its_energy() {
     for mass in (0..40).map(|i| 0.06 + 5e-4 * f64::from(i)) {

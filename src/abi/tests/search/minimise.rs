@@ -5,7 +5,8 @@ use crate::case::{Case, Failure};
 /// Removes elements, parameters and steps while the case still fails.
 pub fn minimise(mut case: Case, fails: impl Fn(&Case) -> Option<Failure>) -> (Case, Failure) {
     let mut failure = fails(&case).expect("a case that fails");
-    // A smaller case must fail by at least the original ratio or 20, whichever is smaller. Otherwise it may be a case of another failure.
+    // The ratio of the force to its limit (`by`) must stay at least at its original value or at 20, whichever is smaller. A smaller case
+    // with a smaller ratio may show another failure.
     let enough = failure.by.min(20.0);
     let mut budget = 600;
     loop {

@@ -9,15 +9,15 @@ use std::mem::zeroed;
 
 /// Step widths of the finite differences, for displacement, m, and velocity, m/s.
 ///
-/// A wide difference may include a knee that a narrow one excludes. For a void of nanometers the opposite holds.
+/// A wide difference may include a knee of the force that a narrow one excludes. For a void of a few nanometers, the opposite holds.
 const WIDTHS: [[f64; 7]; 2] =
     [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
-/// Largest deviation of a derivative from a difference, relative to the largest difference. A host's Newton iteration tolerates it.
+/// Largest deviation of a derivative from a finite difference, relative to the largest one. A host's Newton iteration tolerates it.
 const NEAR: f64 = 0.02;
-/// Rounding error of a difference, relative to the forces.
+/// Rounding error of a finite difference of forces, relative to the forces.
 const ROUNDING: f64 = 1e-13;
-/// Shifts that measure the noise of the force, relative to the narrowest width. A shift may end the solver's iteration one step earlier or
-/// later.
+/// Shifts of the input that measure the numerical noise of the force, relative to the narrowest width. A shift may end the solver's
+/// iteration one step earlier or later.
 const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
 
 /// A comparison that failed: its step and a description.
@@ -64,7 +64,8 @@ fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -
     (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
 }
 
-/// Compares both derivatives at a fraction `share` of the steps of a case. Returns the number of comparisons and the failures.
+/// Compares the derivatives over displacement and velocity in a random fraction `share` of the steps of a case. Returns the number of
+/// comparisons and the failures.
 pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
     let (mut count, mut off) = (0, Vec::new());
     let Some(model) = prepare(case) else { return (0, off) };

@@ -184,8 +184,8 @@ fn one(finding: &Finding) -> Vec<String> {
     lines
 }
 
-/// Formats the rms errors and the noise, N, before and after the added effects as a table. The last line is the part of
-/// the gap that the effects close.
+/// Formats the rms errors and the noise, N, before and after the added effects as a table. The last line is the fraction of the gap between
+/// error and noise that the effects close.
 fn errors(found: &Diagnosis) -> Vec<String> {
     let row = |name: &str, f: &Figures| {
         let optional = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| digits(v, 3));

@@ -56,7 +56,8 @@ pub fn run(
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
     let changing = whole_records::quality_where_the_setting_changes(&found, records)?;
-    // If the errors between the settings are larger, the rating of the fit applies only at the settings of the records.
+    // The rating applies only at the settings of the records if a prediction at a left-out setting is worse than the fit. It also does if
+    // no setting was left out.
     let is_worse_between = found.worst_left_out().is_none_or(|of| of.is_worse());
     let is_of_all = !is_worse_between && changing.is_none();
     say(&if is_of_all { good } else { format!("At the settings of the records: {}", lower_first(&good)) })?;

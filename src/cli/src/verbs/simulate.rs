@@ -68,7 +68,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let options = Options { positive: args.positive, ..args.columns.options()? };
     let mut record = read_motion(&args.motion, &options)?;
-    // A stated direction is not doubted.
+    // If the user states the positive direction of the file, the recorded force does not test it.
     let recorded = record.positive.is_none().then(|| read_force_of_motion(&args.motion, &options)).flatten();
     if let Some(of) = &mut record.setting {
         // [`Commands::choose`] rejects an incompatible unit later, if the setting is used.
@@ -103,7 +103,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     let answers = simulate(motion)?;
     let doubt = match recorded {
-        // The recorded force belongs to the samples of the file.
+        // The recorded force has the times of the file, so it is compared with a simulation of the motion as read.
         Some(force) if resampled.is_some() => doubt_sign(&as_read, &simulate(&as_read)?, &force, &simulate)?,
         Some(force) => doubt_sign(&as_read, &answers, &force, &simulate)?,
         None => None,

@@ -82,8 +82,8 @@ impl Commands {
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
-        // A part of a file name such as 1A may number the motions. It counts as a current only if the model depends on current and the
-        // range of its settings includes the value.
+        // A part of a file name such as 1A may number the motions. It counts as a current only if the model depends on a current in this
+        // unit and the range of its settings includes the value.
         let (low, high) = axis.range();
         let can_be = |of: &&MotionSetting| {
             of.source != SettingSource::Name { is_sure: false }

@@ -306,7 +306,7 @@ pub fn settings_table(model: &ModelFile, validation: &Validation) -> String {
 /// recommends longer constant settings between the steps.
 const SETTLED: f64 = 0.97;
 
-/// Formats the response times of measurement and model for one kind of step.
+/// Formats the response times of measurement and model for one kind of step of the setting.
 fn response(of: &StepResponse, unit: &str) -> String {
     let times = |times: &Option<ResponseTimes>, uncertainty: Option<TimeUncertainty>| match times {
         Some(t) => {

@@ -21,7 +21,7 @@ pub struct Loaded {
     pub campaign: Campaign,
     /// Prepared data of each test, in the order of the records.
     pub tests: Vec<Seen>,
-    /// Temperature of the oil above the surroundings at the start of each test.
+    /// Temperature, K, of the oil above the surroundings at the start of each test.
     pub warm: WarmStarts,
     /// The campaign before the measurement corrections, if corrections were applied.
     original: Option<Box<Campaign>>,
@@ -109,7 +109,7 @@ fn part(record: &Record, motion: &Motion, taken: &[usize], cycle: usize) -> (Rec
 /// Fraction of the peak velocity above which [`peaks`] averages samples. For a sine, these are 3 % of the cycle at each velocity peak.
 const FASTEST: f64 = 0.995;
 
-/// Averages velocity and force of the fastest samples in rebound and in compression. A direction without motion gives NaN.
+/// Averages velocity, m/s, and force, N, of the fastest samples in rebound and in compression. A direction without motion gives NaN.
 fn peaks(record: &Record, motion: &Motion) -> [[f64; 2]; 2] {
     let whole = match (record.cycles.first(), record.cycles.last()) {
         (Some(first), Some(last)) => first.start..last.end,
@@ -146,7 +146,7 @@ impl Loaded {
         self.original.as_deref().unwrap_or(&self.campaign)
     }
 
-    /// Returns the campaign with corrected records, and the note on the corrections.
+    /// Returns the campaign with other `records`: the corrected ones with the note on the corrections, or the original ones without a note.
     pub fn seen_as(&self, records: Vec<Record>, note: Option<Note>) -> Loaded {
         let mut campaign = self.original().clone();
         let original = note.is_some().then(|| Box::new(campaign.clone()));
@@ -163,8 +163,8 @@ impl Loaded {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")
     }
 
-    /// Finds the test whose amplitude, frequency and mean displacement are those of a test of another campaign. Returns `None` if there is
-    /// no such test.
+    /// Finds the test whose amplitude, frequency and mean displacement are those of a test of another campaign. The mean displacements may
+    /// differ by a tenth of the amplitude. Returns `None` if there is no such test.
     pub fn like(&self, wanted: &Record) -> Option<usize> {
         /// Largest relative difference of amplitude, and of frequency, between equal tests of two campaigns. The diagnosis against a
         /// reference uses the same value.

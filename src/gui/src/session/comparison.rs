@@ -93,7 +93,7 @@ impl Comparison {
         Ok(self.ticked.par_iter().zip(found).map(of_test).collect())
     }
 
-    /// Simulates the ticked tests with the values on screen.
+    /// Simulates the ticked tests with the parameter values on screen.
     fn run_shown(&self, report: progress::Report<'_>) -> Result<Vec<Compared<'_>>, Sentence> {
         let made = |params: &Params| Model::new(params).map_err(|fault| Sentence::as_it_is(fault.reason.text()));
         let (loaded, file) = (&self.loaded, &self.file);

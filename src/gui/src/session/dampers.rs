@@ -9,20 +9,20 @@ use dashpot_records::{Record, is_same_setting};
 use dashpot_simulation::own_setting::OwnSetting;
 use dashpot_simulation::prediction::{predict, predict_family};
 
-/// The adjustable damper to which the values on screen belong.
+/// The adjustable damper to which the parameter values on screen belong.
 #[derive(Debug, Clone, PartialEq)]
 struct Over {
     damper: Box<Definition>,
-    /// The setting of the values on screen.
+    /// Setting to which the parameter values on screen belong.
     at: f64,
-    /// Whether the values were tuned at this setting.
+    /// Whether the user tuned the parameter values at this setting.
     is_tuned: bool,
 }
 
 /// The dampers of all tests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dampers {
-    /// The values on screen.
+    /// Parameter values on screen.
     params: Params,
     /// The adjustable damper, if tests have their own settings.
     over: Option<Over>,
@@ -40,21 +40,21 @@ pub enum TestDamper {
 }
 
 impl Dampers {
-    /// Makes dampers that use the values on screen for all tests.
+    /// Makes dampers that use the parameter values on screen for all tests.
     pub fn shown(params: Params) -> Dampers {
         Dampers { params, over: None }
     }
 
     /// Makes dampers that use each test's own setting.
     ///
-    /// The values on screen apply to tests without a setting. Tuned values also apply to tests at the setting `at`, at which they were
-    /// tuned.
+    /// The parameter values on screen, `params`, apply to tests without a setting. Tuned values also apply to tests at the setting `at`, at
+    /// which they were tuned.
     pub fn over_setting(params: Params, damper: Definition, at: f64) -> Dampers {
         let is_tuned = damper.params_at(at) != params;
         Dampers { params, over: Some(Over { damper: Box::new(damper), at, is_tuned }) }
     }
 
-    /// Returns the values on screen.
+    /// Returns the parameter values on screen.
     pub fn params(&self) -> &Params {
         &self.params
     }
@@ -71,7 +71,7 @@ impl Dampers {
         }
     }
 
-    /// Returns whether a test belongs to the setting of the values on screen: it has this setting, or no setting.
+    /// Returns whether a test belongs to the setting of the parameter values on screen: it has this setting, or no setting.
     pub fn is_at_shown(&self, record: &Record) -> bool {
         let Some(over) = &self.over else { return true };
         match OwnSetting::find(&over.damper.axis, record) {
@@ -81,7 +81,7 @@ impl Dampers {
         }
     }
 
-    /// Returns the values of a test's damper, or `None` if the setting of the test changes.
+    /// Returns the parameters of a test's damper, or `None` if the setting of the test changes.
     pub fn params_of(&self, record: &Record) -> Option<Params> {
         match (self.of_test(record), &self.over) {
             (TestDamper::AtSetting(value), Some(over)) => Some(over.damper.params_at(value)),
@@ -90,7 +90,7 @@ impl Dampers {
         }
     }
 
-    /// Returns the constant settings at which tests are simulated, in increasing order, with the values at each setting.
+    /// Returns the constant settings at which tests are simulated, in increasing order, with the parameters at each setting.
     pub fn settings(&self, records: &[Record]) -> Vec<(f64, Params)> {
         let Some(over) = &self.over else { return Vec::new() };
         let own = records.iter().filter_map(|record| match self.of_test(record) {
@@ -103,7 +103,7 @@ impl Dampers {
         all.into_iter().map(|value| (value, over.damper.params_at(value))).collect()
     }
 
-    /// Returns whether the values on screen affect one of these tests.
+    /// Returns whether the parameter values on screen affect one of these tests.
     pub fn uses_shown(&self, records: &[&Record]) -> bool {
         records.iter().any(|record| self.of_test(record) == TestDamper::Shown)
     }

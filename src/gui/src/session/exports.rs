@@ -44,7 +44,7 @@ impl Host {
 pub struct Export {
     /// Target of the export.
     pub host: Host,
-    /// Values of the model.
+    /// Parameter values of the model.
     pub params: Params,
     /// Text of the model file.
     pub text: String,

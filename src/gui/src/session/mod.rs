@@ -9,7 +9,7 @@
 //! | [`tasks`] | long tasks with progress and cancel |
 //! | [`verbs`] | fit, validate, diagnose |
 //! | [`outputs`], [`exports`] | all written files |
-//! | [`results`] | the results of the verbs, and whether they match the data on screen |
+//! | [`results`] | the results of fit, validation and diagnosis, and whether they match the data on screen |
 //! | [`replacing`] | replacement of the model, with undo |
 //! | [`matrix`], [`study`] | the error matrix, and variation of one parameter |
 //! | [`two_ways`] | gas and drag of a cycle |
@@ -91,7 +91,7 @@ pub struct Session {
     pub simulated: Option<Arc<Simulated>>,
     /// Forces of the identified model, for comparison.
     pub identified: Option<Arc<Simulated>>,
-    /// Results of the verbs.
+    /// Results of fit, validation and diagnosis.
     pub results: Results,
     /// Responses of the force to steps of the setting in the open tests.
     pub responses: valve::Responses,
@@ -235,7 +235,7 @@ impl Session {
         self.order_responses();
     }
 
-    /// Applies the measurement corrections of the model's fit to the open records, like the verbs of the command. For a model without
+    /// Applies the measurement corrections of the model's fit to the open records, like the command `dashpot`. For a model without
     /// corrections, the records are restored to those that were read.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
@@ -318,8 +318,8 @@ impl Session {
         self.model.as_ref().is_some_and(Tuned::is_unsaved)
     }
 
-    /// Changes the model, and discards the models that redo would restore. The plotted loops follow immediately. The whole records of all
-    /// tests follow after a pause.
+    /// Changes the model, and discards the models that redo would restore. The plots show the new forces of one cycle immediately. The
+    /// whole records of all tests are simulated after a pause of the slider.
     pub fn tune(&mut self, change: impl FnOnce(&mut Tuned) -> bool) {
         if self.step(change) {
             self.forget_future();
@@ -454,7 +454,7 @@ impl Session {
                 self.results.diagnosis = Some(Finding::of_diagnosis(diagnosed, *basis));
                 self.arrived = Some(Kind::Diagnose);
             }
-            // `poll_responses` collects the results of this separate task.
+            // `poll_responses` collects the results of the separate task `Kind::Respond`, so they do not arrive here.
             Outcome::Responded(_) => {}
             Outcome::Studied(study) => {
                 self.study = Some(study);
@@ -530,7 +530,7 @@ impl Session {
         }
     }
 
-    /// Returns the values of a test's damper with an additional effect, or `None` if the setting of the test changes.
+    /// Returns the parameters of a test's damper with an additional effect, or `None` if the setting of the test changes.
     pub fn with_effect(&self, record: &Record, element: Element, strength: f64) -> Option<Params> {
         Some(model::with_prior(&self.dampers()?.params_of(record)?, element, strength))
     }

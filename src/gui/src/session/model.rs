@@ -20,19 +20,19 @@ const START: usize = 0;
 pub struct Tuned {
     /// Path of the file that was read or last saved.
     pub path: Option<PathBuf>,
-    /// Values as read or fitted. Tuned values are compared with them, and a reset restores them.
+    /// Parameter values as read or fitted. Tuned values are compared with them, and a reset restores them.
     pub identified: Params,
     /// Results of the fit.
     pub identification: Identification,
     /// Indices of the parameters that the file contains.
     given: Vec<usize>,
-    /// The adjustable damper and the setting of the values; `None` for an ordinary damper.
+    /// The adjustable damper and the setting of the parameter values; `None` for an ordinary damper.
     over: Option<(Definition, f64)>,
     /// Text of the file that was read, or that a fit or a diagnosis made. It is valid while no value is tuned.
     text: Option<String>,
-    /// Current and earlier values.
+    /// Current and earlier parameter values.
     history: History<Params, Change>,
-    /// Values as last saved, or `None` if the model was never saved.
+    /// Parameter values as last saved, or `None` if the model was never saved.
     saved: Option<Params>,
     /// Reason why the last change was rejected, or `None` if it was accepted.
     pub rejected: Option<String>,
@@ -105,7 +105,7 @@ impl Tuned {
         file.map_or_else(String::new, |n| n.to_string_lossy().into_owned())
     }
 
-    /// Returns the axis of an adjustable damper and the setting of the values, or `None` for an ordinary damper.
+    /// Returns the axis of an adjustable damper and the setting of the parameter values, or `None` for an ordinary damper.
     pub fn over_setting(&self) -> Option<(&Axis, f64)> {
         self.over.as_ref().map(|(damper, setting)| (&damper.axis, *setting))
     }
@@ -121,7 +121,7 @@ impl Tuned {
         Some(ModelFile::new(params, axis, self.identification.clone(), self.given.clone()))
     }
 
-    /// Returns the damper of each test for the values on screen. If `own` is set, each test has its own setting.
+    /// Returns the damper of each test with the values `params` at the current setting. If `own` is set, each test has its own setting.
     pub fn dampers(&self, params: &Params, own: bool) -> Dampers {
         match &self.over {
             Some((damper, at)) if own => Dampers::over_setting(*params, *damper, *at),
@@ -180,12 +180,12 @@ impl Tuned {
         self.saved.as_ref() != Some(self.params())
     }
 
-    /// Returns whether the values differ from the identified values.
+    /// Returns whether the parameter values differ from the identified values.
     pub fn is_tuned(&self) -> bool {
         self.identified != *self.params()
     }
 
-    /// Sets values that make a valid model. Otherwise stores the reason in `rejected`. Returns whether the values changed.
+    /// Sets the parameter values if they make a valid model. Otherwise stores the reason in `rejected`. Returns whether the values changed.
     pub fn change(&mut self, change: Change, params: Params) -> bool {
         match Model::new(&params) {
             Ok(_) => {
@@ -231,13 +231,13 @@ impl Tuned {
         self.history.seal();
     }
 
-    /// Undoes the last change.
+    /// Undoes the last change. Returns whether there was one.
     pub fn undo(&mut self) -> bool {
         self.rejected = None;
         self.history.undo()
     }
 
-    /// Redoes the last undone change.
+    /// Redoes the last undone change. Returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.rejected = None;
         self.history.redo()
@@ -341,7 +341,7 @@ pub struct Reach {
     pub low: f64,
     /// Value at the right end, in the unit of the parameter.
     pub high: f64,
-    /// Whether the scale is logarithmic.
+    /// Whether the scale of the slider is logarithmic.
     pub factors: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Writing of the reports and workbooks of the verbs in the language of the window.
+//! Writing of the reports and workbooks of fit, validation and diagnosis in the language of the window.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;

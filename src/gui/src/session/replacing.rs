@@ -35,7 +35,7 @@ const DEPTH: usize = 20;
 pub struct Others {
     past: Vec<Tuned>,
     future: Vec<Tuned>,
-    /// Values whose loss the user has confirmed.
+    /// Unsaved parameter values whose loss the user has confirmed.
     allowed: Option<Params>,
 }
 

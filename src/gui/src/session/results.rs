@@ -1,4 +1,4 @@
-//! The last results of the verbs, and whether they match the model and tests on screen.
+//! The last results of fit, validation and diagnosis, and whether they match the model and tests on screen.
 
 use crate::session::Session;
 use crate::session::campaign::Loaded;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Model, records and tests from which a result was computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Basis {
-    /// The values on screen, or `None` if the result does not depend on them.
+    /// Parameter values on screen, or `None` if the result does not depend on them.
     params: Option<Params>,
     /// The adjustable damper to which these values belong.
     damper: Option<Definition>,
@@ -62,7 +62,7 @@ impl<T> Finding<T> {
 pub struct Fitted {
     /// The fit.
     pub fit: Box<Fit>,
-    /// Error of the model, of the FV curve alone, and noise; `None` if the records are not comparable.
+    /// Errors of the model and of the FV curve alone, and the noise; `None` if the records are not comparable.
     pub quality: Option<Quality>,
 }
 
@@ -78,7 +78,7 @@ pub struct Diagnosed {
     pub reference: Option<Arc<Loaded>>,
 }
 
-/// The last results of the verbs.
+/// The last results of fit, validation and diagnosis.
 #[derive(Default)]
 pub struct Results {
     /// Last fit of an ordinary damper.
@@ -93,7 +93,7 @@ pub struct Results {
 
 impl Session {
     /// Returns the basis of a validation at present, or `None` without a model. If every ticked test has its own setting and no value is
-    /// tuned, the basis contains no values on screen.
+    /// tuned, the basis contains no parameter values.
     pub fn basis(&self) -> Option<Basis> {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;

@@ -24,7 +24,7 @@ pub struct Question {
     pub test: usize,
 }
 
-/// Result for one value of the parameter.
+/// Result for one value of the varied parameter.
 #[derive(Debug, Clone)]
 pub struct Member {
     /// Value of the parameter, SI.
@@ -44,7 +44,7 @@ pub struct Study {
     pub question: Question,
     /// Results for the valid values, in the order of the values.
     pub members: Vec<Member>,
-    /// Area, J, and gap, N, of the measured cycle.
+    /// Area, J, and gap, N, of the measured cycle, defined as in [`Member`].
     pub measured: [f64; 2],
 }
 
@@ -113,7 +113,7 @@ mod tests {
         let phase = |i: usize| TAU * i as f64 / n as f64;
         let x: Vec<f64> = (0..n).map(|i| 0.01 * libm::sin(phase(i))).collect();
         let v: Vec<f64> = (0..n).map(|i| 0.01 * TAU * libm::cos(phase(i))).collect();
-        // The test damper has c = 1000 N s/m and a spring of 5000 N/m. The motion has the amplitude X = 10 mm and the
+        // The test damper has the viscous damping c = 1000 N s/m and a spring of 5000 N/m. The motion has the amplitude X = 10 mm and the
         // angular frequency ω = 2π rad/s. The area is π c ω X², and only the spring causes a gap.
         let force: Vec<f64> = x.iter().zip(&v).map(|(x, v)| 1000.0 * v + 5000.0 * x).collect();
         let wanted = std::f64::consts::PI * 1000.0 * TAU * 0.01 * 0.01;

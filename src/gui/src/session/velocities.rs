@@ -15,7 +15,7 @@ pub struct AtPeak {
     pub test: String,
     /// Amplitude, m.
     pub amplitude: f64,
-    /// Velocity, m/s, and forces in rebound and in compression; `None` for a direction without motion.
+    /// Velocity, m/s, and forces, N, in rebound and in compression; `None` for a direction without motion.
     pub sides: [Option<(f64, Pair)>; 2],
 }
 
@@ -56,7 +56,7 @@ pub fn at_peaks(session: &Session) -> Vec<AtPeak> {
     rows
 }
 
-/// Averages the model's force over the fastest samples of the shown cycle, in the direction `sign`.
+/// Averages the model's force, N, over the fastest samples of the shown cycle, in rebound (`sign` 1) or in compression (`sign` −1).
 fn of_model(of: &OfTest, seen: &Seen, sign: f64) -> Option<f64> {
     let at = |i: usize| sign * seen.motion.velocity.get(seen.shown.start + i * of.stride).copied().unwrap_or(0.0);
     let fastest = (0..of.shown.len()).map(at).fold(0.0, f64::max);
@@ -120,8 +120,8 @@ impl Cycle {
         }
     }
 
-    /// Interpolates the forces at a given speed in the direction `sign`, while the speed rises or falls. Returns `None` if the cycle does
-    /// not pass this speed.
+    /// Interpolates the forces, N, at the speed `speed`, m/s, in the direction `sign`, while the speed rises or falls. Returns `None` if
+    /// the cycle does not pass this speed.
     fn at(&self, sign: f64, speed: f64, rising: bool) -> Option<Pair> {
         let n = self.velocity.len();
         let crossings: Vec<(usize, f64)> = (0..n)

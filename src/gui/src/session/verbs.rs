@@ -86,15 +86,15 @@ impl Session {
         });
     }
 
-    /// Returns the ticked tests that a diagnosis uses: those to which the values on screen apply.
+    /// Returns the ticked tests that a diagnosis uses: those to which the parameter values on screen apply.
     pub fn diagnosed(&self) -> Vec<usize> {
         let Some(dampers) = self.dampers() else { return Vec::new() };
         let is_used = |k: &usize| self.record(*k).is_some_and(|record| dampers.is_at_shown(record));
         self.ticked().into_iter().filter(is_used).collect()
     }
 
-    /// Computes the loops of one test for several values of a parameter. The damper has the test's own setting, or the
-    /// values on screen if this setting changes.
+    /// Computes the loops of one test for several values of a parameter. The damper has the test's own setting. If the test states no
+    /// setting, or if its setting changes, the damper has the other parameter values on screen.
     pub fn study(&mut self, question: Question) {
         let (Some(loaded), Some(dampers)) = (self.campaign.clone(), self.dampers()) else { return };
         let own = self.record(question.test).and_then(|record| dampers.params_of(record));

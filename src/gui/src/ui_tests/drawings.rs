@@ -8,7 +8,7 @@ use crate::words::Language;
 use dashpot_core::number;
 use eframe::egui::accesskit::Role;
 
-/// A monotube whose parameters correspond to 25 bar on a rod of 12 mm.
+/// A monotube whose gas force corresponds to a gas pressure of 25 bar on a rod of 12 mm diameter.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
      oil_stiffness = 1.0554e7\noil_shortening = 7.69\nfv_velocity = [-1.0, -0.3, -0.1, -0.05, 0.0, 0.05, 0.1, 0.3, 1.0]\n\
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\

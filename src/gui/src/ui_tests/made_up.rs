@@ -72,7 +72,7 @@ pub fn campaign_of_family(text: &str, folder: &Path) {
             let x = speed * if rises { phase } else { 2.0 * turn - phase } - 0.5 * speed * turn;
             (x, if rises { speed } else { -speed })
         };
-        // The steps lie within the strokes.
+        // The current steps in the middle of the strokes, where the velocity is constant.
         let current = |i: usize| of_half[usize::from((i + 200) / 400 % 2 == 1)];
         let input = |i: usize| {
             let (x, v) = at(i);
@@ -94,7 +94,7 @@ pub fn campaign_of_family(text: &str, folder: &Path) {
     }
 }
 
-/// Writes a model file and returns its path.
+/// Writes a model file with the default parameters, and returns its path.
 pub fn model(folder: &Path) -> PathBuf {
     let path = folder.join("damper.toml");
     let text = dashpot_identification::model_file::flat(&Params::new(), |_| String::new());

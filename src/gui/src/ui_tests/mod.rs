@@ -240,7 +240,7 @@ fn a_fit_is_cancelled_and_leaves_everything_as_it_was() {
     let mut harness = opened(folder.path(), 24, vec![]);
     let before = *harness.state().session.model.as_ref().unwrap().params();
     // Cancel before the next frame, because the fit may be complete by then. The window discards even a complete result. The test of a
-    // cancelled diagnosis presses the button.
+    // cancelled diagnosis clicks the Cancel button instead.
     harness.state_mut().session.fit();
     assert!(harness.state().session.task.as_ref().is_some_and(|t| t.kind == Kind::Fit));
     harness.state().session.cancel();

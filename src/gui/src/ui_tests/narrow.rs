@@ -34,7 +34,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
         for word in [words.from_data, words.as_file_says] {
             assert!(word.chars().count() <= 18, "{language:?}: {word}");
         }
-        // The cells of the error matrix end before the panel.
+        // The cells of the error matrix end before the panel on the right-hand side.
         let cut = cut_off(&harness, Role::Button, (280.0, panel));
         assert!(cut.is_empty(), "{language:?}: {cut:#?}");
         press(&mut harness, words.tune);

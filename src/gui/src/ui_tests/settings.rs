@@ -45,7 +45,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     for test in ["soft", "hard", "steps"] {
         assert!(error(&harness, test) < 1.0, "{test}: {}", error(&harness, test));
     }
-    // The slider affects no test, because all tests have their own settings.
+    // The slider over the setting affects no test, because all tests have their own settings.
     let before = error(&harness, "hard");
     harness.state_mut().session.move_to(0.5);
     computed(&mut harness);

@@ -1,4 +1,4 @@
-//! Menus and verbs at the top, and their keyboard shortcuts.
+//! Menus, and the buttons that fit, validate and diagnose, at the top, with their keyboard shortcuts.
 
 use crate::dialogs::Ask;
 use crate::session::Session;

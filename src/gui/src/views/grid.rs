@@ -70,7 +70,7 @@ fn room_for_numbers(input: &GridInput, least: f64) -> f64 {
     let largest = input.bounds.0.abs().max(input.bounds.1.abs()).max(1.0);
     let digits = 2.0 + libm::log10(largest).floor().max(0.0);
     let mut apart = least;
-    // A larger distance never needs more decimals, so the iteration ends when the number fits.
+    // A larger distance never needs more decimals, so the distance stays constant once the longest number fits into it.
     for _ in 0..4 {
         let decimals = decimals_of(step_of(input, apart)) as f64;
         let letters = digits + if decimals > 0.0 { decimals + 0.5 } else { 0.0 };

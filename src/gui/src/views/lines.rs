@@ -162,8 +162,8 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
 
 /// Formats a suffix for the name of a simulated line. It states the test's own setting at which the model is simulated.
 ///
-/// If the values on screen are simulated instead, the suffix states that the test's setting changes or belongs to another damper. Otherwise
-/// the suffix is empty.
+/// If the parameter values on screen are simulated instead, the suffix states that the test's setting changes or belongs to another damper.
+/// Otherwise the suffix is empty.
 fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     let Some(dampers) = session.dampers() else { return String::new() };
     let axis = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0));

@@ -2,7 +2,7 @@
 //!
 //! | file | view |
 //! |---|---|
-//! | [`bar`] | menus and verbs at the top |
+//! | [`bar`] | menus, and the buttons that fit, validate and diagnose, at the top |
 //! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and the last message, at the bottom |
 //! | [`tests`] | the tests with their notes |
@@ -50,7 +50,7 @@ pub enum Side {
     /// Elements and sliders of the model.
     #[default]
     Tune,
-    /// Results of the verbs.
+    /// Results of fit, validation and diagnosis.
     Result,
     /// Options of reading.
     Records,

@@ -1,9 +1,9 @@
-//! Akima's curve through points, which Adams uses for a property file (AKISPL), and a search for points whose Akima curve follows another
-//! curve.
+//! Akima's interpolation, which Adams uses (function AKISPL) for the force-velocity points of a damper's property file. Also searches for
+//! points whose Akima curve follows another curve.
 //!
-//! H. Akima, J. ACM 17, 1970. The curve is a cubic between two points. Its slope at a point is the weighted mean of the chord slopes on
-//! both sides. The weight of a chord is the absolute difference between the two chord slopes on the other side of the point. Beyond each
-//! end, two chord slopes are extrapolated linearly from the last two chords.
+//! H. Akima, J. ACM 17, 1970. The curve is a cubic polynomial between two points. Its slope at a point is the weighted mean of the two
+//! adjacent chord slopes. The weight of a chord is the absolute difference between the two chord slopes on the other side of the point.
+//! Beyond each end, two chord slopes are extrapolated linearly from the last two chords.
 
 use super::property::Curve;
 use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
@@ -13,8 +13,8 @@ use dashpot_core::curve::{Interpolation, MAX_POINTS, NEAREST, derivatives};
 const SHARE: f64 = 0.005;
 /// Smallest allowed difference, N. It applies to a direction with almost no force, and is below the resolution of a load cell.
 const LEAST: f64 = 1.0;
-/// Fraction of the allowed difference at which [`refined`] stops adding points. The margin keeps the difference within the allowed one when
-/// a file is read and written again, so that the file keeps its points.
+/// Ratio of a difference to the allowed difference at which [`refined`] stops adding points. The margin keeps the ratio below 1 when a file
+/// is read and written again, so that no points are added then.
 const ADDED: f64 = 0.5;
 /// Number of equal intervals between two points of a table. [`worst`] compares two curves at the ends of these intervals, except at the
 /// points of the table.
@@ -30,7 +30,7 @@ pub enum Reading {
 }
 
 impl Reading {
-    /// Returns the slopes of the curve just below and just above each point, or `None` for linear interpolation.
+    /// Returns the slopes, N s/m, of the curve just below and just above each point, or `None` for linear interpolation.
     fn slopes(self, curve: &Curve) -> Option<Vec<[f64; 2]>> {
         let (v, f) = (&curve.velocities, &curve.forces);
         match self {
@@ -41,7 +41,7 @@ impl Reading {
     }
 }
 
-/// Computes Akima's slopes at the points.
+/// Computes Akima's slopes, N s/m, at the points with velocities `v`, m/s, and forces `f`, N.
 fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let n = v.len();
     let chord = |k: usize| (f[k + 1] - f[k]) / (v[k + 1] - v[k]);
@@ -55,14 +55,14 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     let of = |m: &[f64]| {
         let (left, right) = ((m[3] - m[2]).abs(), (m[1] - m[0]).abs());
         let size = m.iter().fold(0.0f64, |most, m| most.max(m.abs()));
-        // If the chord slope does not change on either side, Akima uses the mean. The tolerance keeps rounding errors from affecting this
-        // decision.
+        // If the chord slope changes on neither side of the point, Akima uses the mean of the two adjacent chord slopes. The tolerance
+        // keeps rounding errors from affecting this decision.
         if left + right <= 1e-9 * size { 0.5 * (m[1] + m[2]) } else { (left * m[1] + right * m[2]) / (left + right) }
     };
     chords.windows(4).map(of).collect()
 }
 
-/// Returns the index of the last point at or below a velocity, but at most the index of the last but one point.
+/// Returns the index of the last of the increasing velocities `v` at or below `at`, but at most the index of the last but one.
 fn piece(v: &[f64], at: f64) -> usize {
     v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
@@ -78,7 +78,7 @@ impl<'a> Read<'a> {
         Read { curve, slopes: reading.slopes(curve) }
     }
 
-    /// Returns the force at a velocity within the table.
+    /// Returns the force, N, at a velocity, m/s, within the table.
     fn at(&self, at: f64) -> f64 {
         let (v, f) = (&self.curve.velocities, &self.curve.forces);
         let i = piece(v, at);
@@ -91,8 +91,8 @@ impl<'a> Read<'a> {
     }
 }
 
-/// Returns the force of a table at zero velocity with Adams's interpolation, or with linear interpolation if `straight` is set. Returns 0
-/// if the table excludes zero velocity or has fewer than two points.
+/// Returns the force, N, of a table at zero velocity with Adams's interpolation, or with linear interpolation if `straight` is set. Returns
+/// 0 if the table excludes zero velocity or has fewer than two points.
 pub fn at_rest(curve: &Curve, straight: bool) -> f64 {
     let holds =
         curve.velocities.first().is_some_and(|v| *v <= 0.0) && curve.velocities.last().is_some_and(|v| *v >= 0.0);
@@ -133,8 +133,8 @@ fn tolerance(curve: &Curve) -> [f64; 2] {
     })
 }
 
-/// Computes the largest difference between the target and a table, over all `readings` and between the points. Also computes the largest
-/// ratio of a difference to `allowed`.
+/// Computes the largest difference, N, between `target` and the table `curve`, over all interpolations in `readings`. The velocities lie
+/// between the points of the table. Also computes the largest ratio of a difference to the `allowed` one, N, in compression or in rebound.
 fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
     let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
     let mut most = Difference::default();
@@ -157,8 +157,8 @@ fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn
     most
 }
 
-/// Adds points to a table until it follows the target with each of the `readings`. Stops earlier if a model can contain no more points, or
-/// if two points are too close for another between them.
+/// Adds points to a table until it differs from `target` by at most [`ADDED`] of the `allowed` difference, N, with each interpolation in
+/// `readings`. Stops earlier at [`MAX_POINTS`] points, or if two points are too close for another between them.
 fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Curve {
     while curve.velocities.len() < MAX_POINTS {
         let at = worst(&curve, readings, allowed, target);
@@ -179,8 +179,8 @@ fn refined(mut curve: Curve, readings: &[Reading], allowed: [f64; 2], target: &d
     curve
 }
 
-/// Adds points to a model's curve until the Akima curve through the points follows `model`. Returns the points and the remaining
-/// difference.
+/// Adds points to a model's FV curve until the Akima curve through them follows `model`, which returns the force, N, at a velocity, m/s.
+/// Returns the points and the remaining difference between the Akima curve and `model`.
 pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) -> f64) -> (Curve, Difference) {
     let allowed = tolerance(&points);
     let akima = |curve: &Curve| worst(curve, &[Reading::Akima], allowed, model);
@@ -196,8 +196,9 @@ pub fn written(points: Curve, interpolation: Interpolation, model: &dyn Fn(f64) 
 
 /// Finds points and an interpolation with which a model's curve follows the Akima curve of a file.
 ///
-/// Keeps the points of the file if one of the interpolations suffices. Otherwise, adds points. If the file has more points than a model can
-/// contain, begins with few of them. Returns the points, the model's interpolation and the remaining difference.
+/// Keeps the points of the file if one of the model's interpolations suffices. Otherwise, adds points. If the file has more points than a
+/// model can contain, begins with few of them. Returns the points, the model's interpolation and the remaining difference of the two
+/// curves.
 pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     let allowed = tolerance(&points);
     let akima = Read::new(&points, Reading::Akima);
@@ -229,10 +230,9 @@ pub fn read(points: Curve) -> (Curve, Interpolation, Difference) {
     (curve, interpolation, left)
 }
 
-/// Converts the points of a file with linear interpolation.
+/// Returns points whose linear interpolation in a model follows the linear curve of a file.
 ///
-/// If a model cannot contain all points, computes fewer points whose curve follows the file's curve. Returns the points and the remaining
-/// difference.
+/// If a model cannot contain all points of the file, computes fewer. Also returns the remaining difference between the two curves.
 pub fn read_linear(points: Curve) -> (Curve, Difference) {
     if points.velocities.len() <= MAX_POINTS {
         return (points, Difference::default());
@@ -244,7 +244,7 @@ pub fn read_linear(points: Curve) -> (Curve, Difference) {
     (curve, left)
 }
 
-/// Returns the end points of a table and the point nearest to zero velocity. [`refined`] adds other points to them.
+/// Returns the end points of a table and its point nearest to zero velocity. [`refined`] adds other points to them.
 fn few(points: &Curve) -> Curve {
     let (v, last) = (&points.velocities, points.velocities.len() - 1);
     let slowest = (0..=last).min_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
@@ -266,7 +266,7 @@ mod tests {
         table(&[[-1.0, -1200.0], [-0.002, -200.0], [0.0, 0.0], [0.002, 200.0], [1.0, 2200.0]])
     }
 
-    /// Reference values from scipy.interpolate.Akima1DInterpolator.
+    /// The expected forces in `AKIMA` come from scipy.interpolate.Akima1DInterpolator.
     #[test]
     fn the_curve_is_akimas() {
         let curve = table(&[[-1.0, -900.0], [-0.3, -500.0], [0.0, 0.0], [0.2, 600.0], [0.5, 900.0], [1.0, 1100.0]]);
@@ -310,7 +310,7 @@ mod tests {
 
     #[test]
     fn a_file_becomes_the_curve_that_adams_makes_of_it() {
-        // Akima's curve decreases between points of the steep table, but a model's curve cannot decrease. So the test expects that the
+        // Akima's curve decreases between points of the table `steep()`, but a model's curve cannot decrease. So the test expects that the
         // model does not follow the curve of this table.
         let car = table(&[
             [-1.27, -1495.5],

@@ -12,7 +12,7 @@ const JOINT: char = '\n';
 pub struct Statement {
     /// Text in capitals, without comments and continuation commas.
     text: String,
-    /// Position in the file of every character of the text.
+    /// Byte position in the file of each character of `text`.
     places: Vec<usize>,
 }
 
@@ -20,23 +20,23 @@ pub struct Statement {
 pub struct Function {
     /// Text of the expression in capitals.
     pub text: String,
-    /// First byte in the file, the F of `FUNCTION`.
+    /// Position in the file of the first byte of the argument, the F of `FUNCTION`.
     pub begin: usize,
-    /// Position in the file after the last byte of the function. A final backslash belongs to the function.
+    /// Position in the file after the last byte of the expression. A final backslash belongs to the expression.
     pub end: usize,
-    /// Text of the statement after the function, in capitals.
+    /// Text of the statement after the expression, in capitals.
     pub after: String,
 }
 
 /// Points of a SPLINE statement: X, and one list of Y for each value of Z.
 pub struct Spline {
-    /// Abscissae.
+    /// X values, increasing.
     pub x: Vec<f64>,
-    /// Ordinates.
+    /// Lists of Y values, each as long as `x`.
     pub y: Vec<Vec<f64>>,
 }
 
-/// Returns the lines of a file, each with its position.
+/// Returns the lines of a file, each with its byte position in the file.
 pub fn lines(file: &[u8]) -> Vec<(usize, &[u8])> {
     let mut at = 0;
     file.split_inclusive(|b| *b == b'\n')
@@ -128,21 +128,21 @@ impl Statement {
         self.text[..end].split([',', JOINT]).map(str::trim).filter(|a| !a.is_empty())
     }
 
-    /// Returns whether the arguments include a keyword without a value, in full or in an abbreviation that Adams allows.
+    /// Returns whether the arguments include the keyword `word` without a value, such as TRANSLATIONAL, in full or abbreviated.
     pub fn has_quality(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let is = |a: &str| !a.is_empty() && !a.contains('=') && (word.starts_with(a) || a.starts_with(word));
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// Returns whether an argument `KEY = ...` exists outside the function, with the key in full or abbreviated.
+    /// Returns whether an argument `KEY = ...` exists outside the function, where KEY is `word` in full or abbreviated.
     pub fn has_key(&self, word: &str) -> bool {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let is = |a: &str| a.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && word.starts_with(k.trim()));
         self.arguments().chain(behind.split([',', JOINT]).map(str::trim)).any(is)
     }
 
-    /// Returns the id that an argument such as `I = 75` states. The function expression is not searched.
+    /// Returns the id that the argument `key` states, such as 75 in `I = 75`. The function expression is not searched.
     pub fn id_of(&self, key: &str) -> Option<u64> {
         let behind = self.function().map(|f| f.after).unwrap_or_default();
         let mut all =
@@ -160,7 +160,7 @@ impl Statement {
         })
     }
 
-    /// Returns [`Statement::key`] for FUNCTION, in full or abbreviated.
+    /// Returns the positions of the key FUNCTION, in full or abbreviated, and of its value in the text.
     fn function_key(&self) -> Option<(usize, usize)> {
         const WORD: &str = "FUNCTION";
         (1..=WORD.len()).rev().find_map(|length| self.key(&WORD[..length]))
@@ -215,7 +215,7 @@ impl Statement {
             }
         }
         let count = spline.x.len();
-        // In a spline with several lists of Y, which is a surface, a value of Z precedes each list. It is removed.
+        // In a spline with several lists of Y, which is a surface, a value of Z precedes each list. This value is removed.
         if spline.y.len() > 1 && spline.y.iter().all(|y| y.len() == count + 1) {
             spline.y.iter_mut().for_each(|y| *y = y.split_off(1));
         }

@@ -1,10 +1,11 @@
-//! Evaluation of the function expression of an FV damper at a velocity. The result shows which sign the damper force has.
+//! Evaluation of the function expression of a force-velocity (FV) damper at a velocity. The result shows whether the damper force is
+//! positive in rebound or in compression.
 
 use anyhow::{Context as _, bail};
 
 /// Values of the names in an expression.
 pub struct Meaning<'a> {
-    /// Markers of the SFORCE, if known.
+    /// Ids of the markers I and J of the damper's SFORCE, if known.
     pub markers: [Option<u64>; 2],
     /// Velocity VR between the markers of the SFORCE, in model units.
     pub speed: f64,
@@ -12,7 +13,8 @@ pub struct Meaning<'a> {
     pub spline: &'a dyn Fn(u64, f64) -> anyhow::Result<f64>,
 }
 
-/// Largest nesting depth of brackets, signs and powers. It limits the recursion of [`Reader`]. The function of a damper has a few levels.
+/// Largest nesting depth of brackets, signs and powers. It limits the recursion of [`Reader`]. The function of a real damper has a few
+/// levels.
 const DEEPEST: usize = 100;
 
 /// Evaluates an expression in capitals without spaces.

@@ -22,7 +22,7 @@ pub struct File {
 }
 
 /// Makes the files for a model with length `length`, mm, at zero displacement. If Adams's own elements cannot represent the model,
-/// native.adm is omitted, and the reason is also returned.
+/// native.adm is omitted, and the function also returns the reason.
 pub fn files(
     params: &Params,
     model: &Model,
@@ -42,7 +42,7 @@ pub fn files(
     let native = native::fragment(params, model, length);
     let read_me = match &native {
         Ok(_) => fill(include_str!("templates/README.txt")).replace("{native}", NATIVE),
-        // The note follows the title, because the export recognizes an older README.txt by its title.
+        // The note on the missing native.adm follows the title, because the export recognizes an older README.txt by its title.
         Err(reason) => {
             let lacks = wrapped(&format!("There is no native.adm of Adams's own elements, because {reason}."));
             let text = fill(include_str!("templates/README.txt")).replace("{native}\n", "");

@@ -25,7 +25,7 @@ pub struct Imported {
     pub remarks: Vec<String>,
 }
 
-/// Makes a model file from a property file: its curve, and the gas force if it has one.
+/// Makes a model file from a property file: its FV curve, and its gas force if it has one.
 ///
 /// # Errors
 /// The file cannot be read, or it does not give a valid model.
@@ -91,7 +91,8 @@ pub fn of_property_file(path: &Path) -> anyhow::Result<Imported> {
 /// Largest force at zero velocity, relative to the largest force of the curve, that counts as a rounding error and stays in the curve.
 const AT_REST: f64 = 1e-6;
 
-/// Moves the force of the curve at zero velocity to the gas force, and returns a remark. Returns `None` if this force is a rounding error.
+/// Moves the force of the curve at zero velocity to the gas force, and returns a remark on it. Returns `None`, and moves nothing, if this
+/// force is a rounding error.
 ///
 /// The FV curve of a damper is zero at zero velocity. A force that acts at rest also acts at every velocity, so it is not damping.
 fn constant_force(read: &mut property::Properties) -> Option<String> {
@@ -113,7 +114,7 @@ fn constant_too_large(named: &str, force: f64, error: anyhow::Error) -> anyhow::
     error.context(format!("{named}: the curve leaves a force of {force:.1} N at rest, which is taken for the gas force; look at its row at velocity 0"))
 }
 
-/// Describes the difference between the model's curve and Adams's interpolation of the file.
+/// Describes the difference between the model's curve and Adams's interpolation of the points in the file.
 fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     let so = format!("The model's curve differs from that of Adams by {}.", left.describe());
     let reads = "Adams Car joins the points of the file by Akima's method (AKISPL).";
@@ -132,7 +133,7 @@ fn as_adams_reads_it(rows: usize, points: usize, left: &Difference) -> String {
     }
 }
 
-/// Describes the difference if the model has fewer points than the file.
+/// Describes the difference between the curves of file and model, if the curve of the model has fewer points.
 fn fewer(rows: usize, points: usize, left: &Difference) -> String {
     format!(
         "The file has {rows} points and a model's curve at most {MAX_POINTS}: {points} points of its curve stand for them, and differ from it by {}.",
@@ -153,7 +154,7 @@ mod tests {
 
     const HEAD: &str = "[UNITS]\nLENGTH='mm'\nFORCE='newton'\nTIME='second'\n[CURVE]\n";
 
-    /// With and without a row at zero velocity in the file, the sum of curve and gas force equals the curve of the file.
+    /// The sum of the model's curve and gas force equals the curve of the file, with and without a row at zero velocity.
     #[test]
     fn a_force_at_rest_is_gas_and_the_curve_has_none() {
         for (rows, forces) in [

@@ -1,25 +1,25 @@
 //! Dataset fragment of a damper from Adams's own elements, which needs no user subroutine.
 //!
-//! The damper has splines for primary damper, parallel spring and friction, and two differential equations for the internal mass. A third
-//! equation models friction that reverses within a short travel.
+//! The damper has splines for the FV curve, the parallel spring and friction, and two differential equations for the internal mass. A third
+//! equation models presliding friction, which reverses within a short travel.
 //!
-//! The mass is not a PART. A part needs a joint to the tube, and a position in the model. The position is unknown here, and a wrong one
-//! violates the joint. The equations of the mass move it along the line between the damper's markers, as in the kernel. Its displacement is
-//! relative to the moving end, so the initial value 0 holds at any length of the damper.
+//! The mass is not a PART. A part needs a joint to the tube, and a position in the model. The export does not know this position, and a
+//! wrong one violates the joint. The equations of the mass move it along the line between the damper's markers, as in the kernel. Its
+//! displacement is relative to the moving end, so the initial value 0 holds at any length of the damper.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Input, Model, Params, State, evaluate::force};
 use dashpot_core::{element, number};
 use std::fmt::Write as _;
 
-/// Number of points of a spline.
+/// Number of points of each spline.
 const POINTS: usize = 161;
 /// Largest displacement of the splines, mm.
 const STROKE: f64 = 150.0;
 /// Highest velocity of the splines, mm/s.
 const FASTEST: f64 = 5000.0;
-/// Velocity scale of the spacing of the splines' points, mm/s. The points are uniform in asinh(v / `FINE`), where v is the velocity. So
-/// half of them lie below 71 mm/s.
+/// Velocity scale of the spacing of the splines' points, mm/s. The points are uniform in asinh(v / `FINE`), where v is the velocity, mm/s.
+/// So half of them lie within ±71 mm/s.
 const FINE: f64 = 2.0;
 
 /// Elements that a spring, a damper, a mass and splines of velocity and displacement can represent. [`fragment`] rejects a model with any
@@ -35,7 +35,7 @@ const HELD: [Element; 8] = [
     element!("gas_preload"),
 ];
 
-/// Writes the dataset fragment of a model with length `length`, mm, at zero displacement.
+/// Writes the dataset fragment of a model whose length is `length`, mm, at zero displacement.
 ///
 /// # Errors
 /// Adams's elements cannot represent the model, and the error states the reason. A spline of velocity or displacement cannot represent an
@@ -52,7 +52,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     if model.elements().carries_whole() {
         return Err("with series_load = \"whole\" friction and gas force act on the internal mass".into());
     }
-    // The internal mass and the moving end have the same motion, so that the forces of the elements at this motion result.
+    // The internal mass gets the motion of the moving end, so that `force` returns the forces of the elements at this motion.
     let at = |x: f64, v: f64| {
         let state = State {
             mass_displacement: 1e-3 * x,
@@ -65,7 +65,7 @@ pub fn fragment(params: &Params, model: &Model, length: f64) -> Result<String, S
     let displacements = spaced(|s| STROKE * s);
     let primary = spline(1, &velocities, |v| at(0.0, v).primary_force);
     let spring = spline(2, &displacements, |x| at(x, 0.0).spring_force);
-    // The spline contains only velocity-dependent friction, because a differential equation models presliding friction.
+    // The friction spline contains only velocity-dependent friction, because a differential equation models presliding friction.
     let mut of_velocity = *params;
     of_velocity.enable(element!("presliding_friction"), false);
     let sliding = Model::new(&of_velocity).map_err(|fault| fault.reason.text().to_owned())?;
@@ -101,7 +101,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     .map(|number| params.number(number));
     let (length, creep) = (1e3 * length, 1e3 * creep);
     let shape = if power == 1.0 { String::new() } else { format!("*ABS(DIF(3)/{length:?})**{:?}", power - 1.0) };
-    // For elastic return, the factor is 1 during loading and 0 during unloading.
+    // With elastic return, `slips` is 1 if velocity and contact deflection have the same sign (loading), and 0 otherwise (unloading).
     let slips = if elastic == 1.0 { "(0.5+SIGN(0.5,VR(11,12)*DIF(3)))*" } else { "" };
     let rate = format!("VR(11,12)\n, -{slips}SQRT(VR(11,12)**2+{:?})*DIF(3)/{length:?}{shape}", creep * creep);
     let contact = format!(
@@ -110,7 +110,7 @@ fn presliding(params: &Params) -> Option<(String, String)> {
     Some((contact, format!("-{:?}*DIF(3)", level / length)))
 }
 
-/// Returns abscissae that are symmetric about 0. The function `of` maps the range −1 to 1 to the abscissae.
+/// Returns [`POINTS`] abscissae that are symmetric about 0. The function `of` maps the range −1 to 1 to the abscissae.
 fn spaced(of: impl Fn(f64) -> f64) -> Vec<f64> {
     let half = (POINTS / 2) as f64;
     (0..POINTS).map(|i| of((i as f64 - half) / half)).collect()

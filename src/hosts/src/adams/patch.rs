@@ -9,17 +9,18 @@ use std::cell::Cell;
 /// A damper to replace.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Name of the SFORCE in Adams View, from the preceding comment. The part after a dot of this name suffices, and so does `SFORCE/id`.
+    /// Name of the SFORCE in Adams View, from the comment before the statement. The part after any dot of this name suffices, if it is
+    /// unique. `SFORCE/id` is also accepted.
     pub name: String,
     /// Length at zero displacement, in model units.
     pub length: f64,
-    /// Path at which the solver finds the model file of the damper.
+    /// Path at which the Adams solver finds the model file of the damper.
     pub model_file: String,
 }
 
 /// Model with its dampers replaced.
 pub struct Patched {
-    /// The bytes of the file.
+    /// The bytes of the changed file.
     pub model: Vec<u8>,
     /// Notes for the user about the replaced functions.
     pub notes: Vec<String>,
@@ -60,8 +61,8 @@ const ROUTINE: &str = "dashpot_adams::Dashpot_sfosub";
 
 /// Replaces the dampers of a model.
 ///
-/// A function may add a force at rest, such as a gas force, to its spline. Such a function is replaced only with `with_preload`, which
-/// confirms that the model file contains the force.
+/// A function may add a force at rest, such as a gas force, to its spline. Such a function is replaced only with `with_preload`, by which
+/// the user confirms that the model file contains the force.
 ///
 /// # Errors
 /// A damper is missing or ambiguous, or is not an SFORCE with an FV spline. The path of a model file cannot be part of a STRING, or the
@@ -121,7 +122,7 @@ pub fn patch(adm: &[u8], dampers: &[Damper], with_preload: bool) -> anyhow::Resu
     Ok(Patched { model: out, notes })
 }
 
-/// Checks the function of the SFORCE `name`, and returns it if it can be replaced.
+/// Checks the function of the SFORCE `name`, and returns the function if a call of dashpot's routine can replace it.
 fn function_of(
     lines: &[(usize, &[u8])],
     name: &str,
@@ -166,8 +167,8 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     };
     let is_text = |line: &[u8]| !line.starts_with(b"!") && !line.trim_ascii().is_empty();
     let begin = (comment + 1..lines.len()).find(|i| is_text(lines[*i].1)).context("nothing follows its name")?;
-    // Adams View writes a disabled element as comment lines after the name of the element. So the statement found may belong to the next
-    // element.
+    // Adams View writes a disabled element as comment lines after the name of the element. So the statement at `begin` may belong to the
+    // next element.
     if let Some(next) = lines[comment + 1..begin].iter().find_map(|l| dataset::view_name(l.1)) {
         bail!("is switched off in the model: its lines are comments, and the next element is {next}");
     }
@@ -177,11 +178,10 @@ fn find(lines: &[(usize, &[u8])], name: &str) -> anyhow::Result<usize> {
     Ok(begin)
 }
 
-/// Checks that the force of the existing function resists motion: velocity times SFORCE, summed over the points of its SPLINE, is
-/// negative.
+/// Checks that the force of the existing function resists motion: velocity times SFORCE, summed over the points of its SPLINE, is negative.
 ///
-/// Parts of the function other than its spline would be lost silently. So a force in addition to the spline is rejected. If `with_preload`
-/// is set, it is allowed, and a force at rest is reported. Factors on the spline are reported. Returns these reports.
+/// Replacement of the function would silently remove its parts other than the spline. So a force in addition to the spline is an error.
+/// With `with_preload`, a force at rest is allowed and reported. Factors on the spline are reported. Returns these reports.
 fn check_function(
     lines: &[(usize, &[u8])],
     sforce: &Statement,
@@ -213,7 +213,7 @@ fn check_function(
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
         let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
-        // A spline that is zero everywhere shows what the function adds to its spline.
+        // With a spline of zeros, the function returns what it adds to its spline.
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {
@@ -409,7 +409,7 @@ mod tests {
         }
     }
 
-    /// Generator of pseudorandom numbers. The numbers are equal in every run.
+    /// Generator of pseudorandom numbers. Equal seeds give equal numbers.
     struct Dice(u64);
 
     impl Dice {
@@ -431,7 +431,7 @@ mod tests {
         }
     }
 
-    /// Pieces of a random model: the parts that stay, and the original function of each damper, which lies between two such parts.
+    /// Pieces of a random Adams model: the parts that stay, and the original function of each damper, which lies between two such parts.
     struct Made {
         stays: Vec<Vec<u8>>,
         functions: Vec<(String, &'static str)>,
@@ -533,7 +533,7 @@ mod tests {
             head += &next(dice);
             piece.extend_from_slice(head.as_bytes());
             stays.push(piece);
-            // This factor, together with the sign of the spline, makes the SFORCE negative in rebound.
+            // This factor before the spline, together with the sign of the spline's forces, makes the SFORCE negative in rebound.
             let minus =
                 if sign > 0.0 { dice.one(&["-", "-1.0*", "(-1)*", "-2.D0 * "]) } else { dice.one(&["", "1.5*", "+"]) };
             let cut = if one_line { String::new() } else { format!("{end}{}", dice.one(&[",", ", ", ",\t"])) };

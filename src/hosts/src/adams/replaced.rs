@@ -13,7 +13,7 @@ pub struct Named {
     pub name: String,
     /// Length at zero displacement: a number in the unit of the model, or a number with its own unit.
     pub length: String,
-    /// Path at which the solver finds the model file of the damper.
+    /// Path at which the Adams solver finds the model file of the damper.
     pub model_file: String,
 }
 
@@ -23,7 +23,7 @@ const LARGEST: u64 = 256 << 20;
 /// Replaces dampers in the model of the file `input`, and returns the changed model with notes.
 ///
 /// The caller writes the result to `output`. A note reports a model file that is missing in the folder of `output`, because the solver
-/// searches that folder. With `with_preload`, a force at rest is replaced too.
+/// searches that folder. With `with_preload`, a function with a force at rest is replaced too.
 ///
 /// # Errors
 /// The file cannot be read, a length is impossible for a damper, or [`patch::patch`] fails.

@@ -1,4 +1,4 @@
-//! Zip archive with uncompressed entries. Equal files give equal bytes.
+//! Zip archive with uncompressed entries. Files with equal names and contents give an archive with equal bytes.
 
 use std::io::{Cursor, Write as _};
 use zip::write::SimpleFileOptions;
@@ -15,9 +15,9 @@ impl Archive {
         Archive { writer: ZipWriter::new(Cursor::new(Vec::new())) }
     }
 
-    /// Adds a file. The name contains the folders of the file, separated by `/`.
+    /// Adds a file. `name` contains the folders of the file, separated by `/`.
     pub fn add(&mut self, name: &str, content: &[u8]) -> anyhow::Result<()> {
-        // The date is 1 January 1980. The archive contains neither attributes nor the system of the computer.
+        // The date is always 1 January 1980, the system DOS and the attributes 0. So the bytes do not depend on the computer.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(DateTime::default())

@@ -15,9 +15,9 @@ pub const LONGEST: f64 = 3.0;
 impl Scales {
     /// Returns the scales for CarMaker.
     ///
-    /// CarMaker passes the length of the damper and its velocity, positive in extension. It expects a force that is positive if the damper
-    /// pushes. `length`, m, is the length of the damper where the displacement of the records is 0. It is also the start value of the
-    /// host's displacement.
+    /// CarMaker passes the length of the damper, m, and its velocity, m/s, positive in extension. It expects a force, N, that is positive
+    /// if the damper pushes. `length`, m, is the length of the damper where the displacement of the test records is 0. It is also the start
+    /// value of the host's displacement.
     ///
     /// # Errors
     /// The length is impossible for a damper.
@@ -29,10 +29,10 @@ impl Scales {
     }
 }
 
-/// Returns a remark that lists the elements missing in CarMaker's computation of equilibrium, or `None` if none is missing.
+/// Returns a remark that lists the elements missing when CarMaker computes the equilibrium of the vehicle, or `None` if none is missing.
 ///
-/// The pluginfo file can describe a spring, but no source states the reference length of its table. Thus, the file contains a spring
-/// without force.
+/// The pluginfo file can describe a spring for this equilibrium, but no source states the reference length of its table. Thus, the file
+/// contains a spring without force.
 pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
     (!curve.omitted_elements.is_empty()).then(|| {
         format!(
@@ -46,9 +46,10 @@ pub fn not_in_the_equilibrium(curve: &PlainCurve) -> Option<String> {
 /// Lines that link CarMaker's input for controlled dampers, `CtrlIn`, to the setting of the FMU.
 const SETTING: &str = "FMUIn.setting.Link = IFVar\nFMUIn.setting.Rel = CtrlIn\n";
 
-/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper, with the curve of `shown` if it is given.
+/// Writes the text of `NAME.pluginfo` for the FMU `NAME.fmu` of one damper. CarMaker computes its equilibrium with the curve of `shown`, if
+/// given.
 ///
-/// If the damper depends on a setting, CarMaker's `CtrlIn` is that setting.
+/// `written` is a comment on the origin of the file. If the damper depends on a setting, CarMaker's `CtrlIn` is that setting.
 ///
 /// # Errors
 /// The model is invalid, or the name contains a line break, which would begin another key.
@@ -124,7 +125,7 @@ mod tests {
             assert!(Scales::carmaker(length).is_err(), "{length}");
         }
         let scales = Scales::carmaker(0.4125).unwrap();
-        // At the start, the damper has zero displacement on the rig.
+        // At the start value, the damper has zero displacement.
         assert_eq!(scales.motion * scales.start + scales.position_offset, 0.0);
 
         assert!(plug_info(("a\nFMU.Name = b", "{1}"), false, None, "x").is_err());

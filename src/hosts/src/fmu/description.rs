@@ -10,8 +10,8 @@ use std::fmt::Write as _;
 /// Model identifier in the description, which is also the file name of the binaries.
 pub const IDENTIFIER: &str = "dashpot_damper";
 
-/// Writes the description of an FMU with these variables. `name` is the name of the model. `sources` are the files that an importer
-/// compiles.
+/// Writes the description of an FMU with these variables. `name` is the name of the model. `sources` are the names of the files that an
+/// importer compiles.
 pub fn description(version: Version, variables: &[Variable], guid: &str, name: &str, sources: &[String]) -> String {
     let name = escaped(name);
     let generator = concat!("dashpot ", env!("CARGO_PKG_VERSION"));
@@ -189,7 +189,7 @@ fn variable(out: &mut String, version: Version, all: &[Variable], reference: usi
     };
 }
 
-/// Lists the variables on which an output or a state derivative `v` depends: the inputs and states of its corner.
+/// Lists the variables on which an output or a state derivative `v` depends: the inputs and states of its corner, which is one damper.
 fn dependencies(all: &[Variable], v: &Variable) -> String {
     let on: Vec<String> = all
         .iter()

@@ -24,7 +24,7 @@ use dashpot_identification::model_file;
 use std::path::Path;
 use std::process::Command;
 
-/// Note for an export whose option `--inputs` is missing, so that the instant of the inputs is not stated.
+/// Note for an export without the option `--inputs`, so that the FMU does not know for which instant of a step its inputs are set.
 pub const INPUTS_HAVE_ZERO_ORDER_HOLD: &str = "note: in co-simulation, inputs set before a step count at its end. An importer that sets what it knows at the \
      beginning, as FMPy and most masters do, gets the force one step late: export with --inputs begin, and the FMU extrapolates. With --inputs end \
      nothing changes but this note";
@@ -98,8 +98,8 @@ pub struct Made {
     pub guid: String,
 }
 
-/// Returns the dampers of an FMU from one model, two models (front, rear) or four models (L1, R1, L2, R2). With `four`, one model is used
-/// four times.
+/// Returns one damper for each corner of an FMU from one model, two models (front, rear) or four models (L1, R1, L2, R2). With `four`, one
+/// model is used four times.
 ///
 /// # Errors
 /// There is any other number of models.
@@ -119,7 +119,7 @@ const LARGEST_BINARY: u64 = 256 << 20;
 /// the sources of one FMU.
 const RUNTIME_MARK: &[u8] = b"dashpot-fmu 3";
 
-/// Makes an FMU of one or four corners.
+/// Makes an FMU of one damper, or of four dampers at the corners of a vehicle.
 ///
 /// # Errors
 /// A required compiler is missing or fails, the prebuilt runtime is missing, or a supplied binary does not belong to this FMU.
@@ -300,7 +300,7 @@ fn compile(files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Vec<u8
     Ok(binary)
 }
 
-/// Links the static library to one object file without debugging information.
+/// Links the kernel's static library `library` to one object file without debugging information.
 fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let folder = tempfile::tempdir()?;
     let object = folder.path().join("kernel.o");

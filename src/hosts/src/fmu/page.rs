@@ -52,7 +52,7 @@ const HIDDEN: &str = "<p>The identified numbers of this damper are not among its
 /// Beginning of the table of variables.
 const HEADINGS: &str = "<table border=\"1\">\n<tr><th>name</th><th>unit</th><th>start</th><th>meaning</th></tr>\n";
 
-/// Writes `documentation/index.html`. `remarks` are important notes on this damper. A remark on several corners appears once.
+/// Writes `documentation/index.html`. `remarks` are important notes on this damper. A remark that repeats for several corners appears once.
 pub fn page(variables: &[Variable], remarks: &[String]) -> String {
     let mut out = String::from(SIGNS_AND_INSTANTS);
     for (i, remark) in remarks.iter().enumerate() {

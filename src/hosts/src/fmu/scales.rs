@@ -5,19 +5,19 @@ use anyhow::bail;
 /// Scales between the motion and force of host and damper.
 #[derive(Clone, Copy)]
 pub struct Scales {
-    /// Damper extension per unit of the host's displacement.
+    /// Damper extension, m, per unit of the host's displacement.
     pub motion: f64,
-    /// Force of the host per N of tension.
+    /// Force in the host's unit per N of tension.
     pub force: f64,
-    /// Extension of the damper from the rig's zero at zero displacement of the host, m.
+    /// Extension of the damper, m, at zero displacement of the host, relative to the zero of the rig.
     pub position_offset: f64,
-    /// Start value of the host's displacement. It applies if the host sets no displacement before the start.
+    /// Start value of the displacement in the host's unit. It applies if the host sets no displacement before the start.
     pub start: f64,
 }
 
 impl Scales {
-    /// Checks the user's scales. Without a scale, the host counts extension and tension positive for one damper, and compression and push
-    /// positive for a vehicle.
+    /// Checks the user's scales. The default of an omitted scale is 1 for one damper: extension and tension are positive in the host. It is
+    /// −1 for a vehicle: compression and push are positive.
     ///
     /// # Errors
     /// A scale is 0 or not finite, or the offset is larger than 1 m.

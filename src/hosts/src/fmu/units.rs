@@ -105,7 +105,7 @@ const FORCES: [(&str, f64); 8] = [
     ("kgf", 9.80665),
 ];
 
-/// Largest relative difference between a scale and the size of a unit at which the scale is taken for this unit.
+/// Largest relative difference between a scale and the size of a unit at which the scale is interpreted as this unit.
 ///
 /// A user may type 0.22481 for the reciprocal of the pound-force, which differs by 5e-6. With a larger tolerance, a motion ratio near 1
 /// would be ignored.
@@ -122,23 +122,23 @@ pub struct HostUnits {
 }
 
 impl HostUnits {
-    /// Returns the units of a host with these scales, without regard to the sign. A scale that includes a motion ratio usually corresponds
-    /// to no unit.
+    /// Returns the units of a host with these scales; the signs of the scales have no effect. A scale that includes a motion ratio usually
+    /// corresponds to no unit.
     pub fn from_scales(scales: Scales) -> HostUnits {
         HostUnits { length: named(&LENGTHS, scales.motion.abs()), force: named(&FORCES, 1.0 / scales.force.abs()) }
     }
 
-    /// Returns the unit of the displacement.
+    /// Returns the host's unit of displacement.
     pub fn displacement(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "m" })
     }
 
-    /// Returns the unit of the velocity.
+    /// Returns the host's unit of velocity.
     pub fn velocity(&self) -> Unit {
         self.length.map_or("-".into(), |(name, factor)| Unit { name: format!("{name}/s"), factor, si: "m/s" })
     }
 
-    /// Returns the unit of the force.
+    /// Returns the host's unit of force.
     pub fn force(&self) -> Unit {
         self.force.map_or("-".into(), |(name, factor)| Unit { name: name.into(), factor, si: "N" })
     }

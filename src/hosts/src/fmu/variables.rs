@@ -6,13 +6,13 @@ use dashpot_core::family::{Definition, Delay, Family};
 use dashpot_core::parameter::{self, Number, Parameter, Shape};
 use dashpot_core::{Input, Model, Output, Params, list, step};
 
-/// Indices of the states of a corner. The C sources of the FMU use the same indices.
+/// Indices of the states of a corner, which is one damper. The C sources of the FMU use the same indices.
 const TRAVEL: usize = 0;
 const DEFLECTION: usize = 1;
 const MASS_VELOCITY: usize = 2;
 const FIRST_INTERNAL: usize = 3;
 
-/// Choices for the inputs between two communication points, in the order of the C sources of the FMU.
+/// Choices for the inputs between two communication points. The index of a choice is its value in the C sources of the FMU.
 pub const BETWEEN_POINTS: [&str; 3] = ["automatic", "hold", "extrapolate"];
 
 /// Instant at which the importer sets the inputs of a co-simulation step. It determines the start value of `inputs_between_points`.
@@ -92,7 +92,7 @@ pub struct Variable {
     pub kind: Kind,
     /// Index of the corner, or `None` for a variable of the whole FMU, such as the time.
     pub corner: Option<usize>,
-    /// Index among the states, or in the list of a parameter.
+    /// Index of a state among the states of its corner, or of an element in the list of a parameter.
     pub index: Option<usize>,
     /// Name in the FMU.
     pub name: String,
@@ -315,7 +315,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
         .collect()
 }
 
-/// Returns the nominal values of the states. Each is the power of ten at or below the state's largest value on a typical stroke.
+/// Returns the nominal values of the states. Each is the power of ten at or below the state's largest absolute value on a typical stroke.
 ///
 /// Hosts multiply their relative tolerance by the nominal value. An internal state may be a length, a velocity, a force or a temperature,
 /// so its magnitude is measured in a simulation.
@@ -323,8 +323,8 @@ fn usual(damper: &Definition) -> [f64; 11] {
     if damper.axis.is_some() { usual_of_family(damper) } else { usual_of(&damper.params) }
 }
 
-/// Returns the nominal values of the states of a damper that depends on a setting. The simulation uses the start setting and both ends of
-/// the setting range.
+/// Returns the nominal values of the states of a damper that depends on a setting. The simulation starts at the setting for `None` and then
+/// alternates every 0.1 s between both ends of the setting range.
 fn usual_of_family(damper: &Definition) -> [f64; 11] {
     let mut family = Box::new(Family::OFF);
     if family.set(&damper.params, &damper.axis).is_err() {
@@ -358,14 +358,14 @@ const STEP: f64 = 1e-3;
 
 /// Returns the motion of the typical stroke at time `t`, s.
 fn motion(t: f64) -> Input {
-    // The stroke is a sine of ±25 mm with a peak velocity of 0.5 m/s. The simulation of 0.9 s has almost three cycles.
+    // The stroke is a sine with an amplitude of 25 mm and a peak velocity of 0.5 m/s. The simulation of 0.9 s has almost three cycles.
     const AMPLITUDE: f64 = 0.025;
     const SPEED: f64 = 0.5;
     let phase = SPEED / AMPLITUDE * t;
     Input::motion(-AMPLITUDE * libm::cos(phase), SPEED * libm::sin(phase))
 }
 
-/// Returns the power of ten at or below each value. A state that stays zero during the stroke gets 1e-4.
+/// Returns the power of ten at or below each value. A state that is at most 1e-9 during the stroke gets 1e-4.
 fn decades(largest: [f64; 11]) -> [f64; 11] {
     largest.map(|most| if most > 1e-9 { decade(most) } else { 1e-4 })
 }
@@ -389,7 +389,7 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
     let (usual, params) = (usual(damper), &damper.params);
     let actuator = damper.axis.actuator();
     let own = usize::from(actuator.has_lag()) + usize::from(actuator.has_hysteresis());
-    // The default applies to an invalid model. It has no effect, because such a model is rejected before the export.
+    // An invalid model gives (true, 0). These values have no effect, because such a model is rejected before the export.
     let (series, memories) =
         Model::new(params).map_or((true, 0), |m| (m.elements().has_series(), m.elements().memories() + own));
     let name = |k: usize| match k {

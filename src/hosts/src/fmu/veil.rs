@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-/// Obfuscates a text with the FMU's GUID as the key.
+/// Obfuscates a text. The key is the identifier (GUID) of the FMU.
 pub fn veiled(text: &str, guid: &str) -> String {
     let mut state = guid
         .bytes()

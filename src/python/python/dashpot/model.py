@@ -409,7 +409,8 @@ class Model:
     def export_dpr(self, path: Path, *, model_curve: bool = False, force: bool = False) -> list[str]:
         """Writes the FV curve as a damper property file of Adams Car, like ``dashpot export dpr``.
 
-        Such a file contains only a curve. Therefore it gets the plain FV curve of the fit in the model file, which is the best possible curve.
+        Such a file contains only a curve. Therefore it gets the plain FV curve of the fit in the model file, which has the smallest weighted
+        error on the fitted tests.
         Without this curve, or if parameters were changed after the fit, it gets the model's own curve without friction.
 
         :param path: path of the output. A name that ends in ``.xml`` selects the XML format, which also contains the gas preload.

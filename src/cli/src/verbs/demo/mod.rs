@@ -30,7 +30,7 @@ pub struct Args {
     seed: u64,
 }
 
-/// Name patterns of the tests that the fit does not use: all tests of the matrix at 40, 25 and 2 mm.
+/// Name patterns of the tests that the fit does not use: all tests of the matrix with amplitudes of 40, 25 and 2 mm.
 const HELD_OUT: [&str; 3] = ["a40mm*", "a25mm*", "a02mm*"];
 
 /// Runs the verb.

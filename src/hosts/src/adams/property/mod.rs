@@ -18,7 +18,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// Returns the points of the model's curve. A curve with slopes and knees gives its knees, and some points between and beyond the
+    /// Returns the points of the model's FV curve. A curve with slopes and knees gives its knees, and some points between and beyond the
     /// knees.
     pub fn from_model(params: &Params, model: &Model) -> Curve {
         let fv = model.elements().paths.fv_curve;
@@ -49,13 +49,13 @@ impl Curve {
 /// Contents of a property file, in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Properties {
-    /// The damper's curve.
+    /// FV curve of the damper.
     pub curve: Curve,
     /// Whether the curve is linear between its points. A linear rate gives such a curve.
     pub linear: bool,
     /// Constant gas force, N, positive if it pushes the rod out.
     pub gas_force: f64,
-    /// On reading: other contents, which these properties do not represent. On writing: omitted elements and the origin of the file.
+    /// On reading: notes on contents of the file that this struct does not represent. On writing: omitted elements and origin of the file.
     pub notes: Vec<String>,
 }
 
@@ -76,7 +76,7 @@ pub fn write(properties: &Properties, form: Form) -> String {
     }
 }
 
-/// Reads both formats, regardless of the file name.
+/// Reads a property file in either format, regardless of the file name.
 ///
 /// # Errors
 /// The file has another type, an unknown unit, an invalid table, or a number that is too large in SI. If one line of the file is the cause,
@@ -122,11 +122,11 @@ fn as_comment(note: &str) -> String {
     note.chars().map(ascii).collect()
 }
 
-/// Largest accepted velocity or force, in SI units. Without the limit, a number could overflow in mm/s. Real dampers, and points that
+/// Largest accepted velocity, m/s, or force, N. Without the limit, a number could overflow in mm/s. Real dampers, and points that
 /// extrapolate their curves, stay far below it.
 const MOST: f64 = 1e12;
 
-/// Reads one row of a table. An error message states `line`.
+/// Reads one row of two numbers. An error message states the line number `line` and the name `what` of the table.
 fn row(text: &str, line: usize, what: &str) -> anyhow::Result<[f64; 2]> {
     let number = |word: &str| word.replace(['D', 'd'], "e").parse::<f64>().ok().filter(|n| n.is_finite());
     let words = text.split([' ', '\t', ',']).filter(|w| !w.is_empty());
@@ -151,7 +151,7 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     }
     let mut curve = Curve::default();
     for (i, ([v, f], own)) in rows.iter().enumerate() {
-        // Line number of the row that comes later in the file, of this row and the row before it.
+        // Line number for error messages. Of this row and the row before it in the curve, the one that comes later in the file counts.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
             anyhow::bail!(
@@ -191,7 +191,7 @@ mod tests {
         let text = "[UNITS]\nLENGTH='mm'\nFORCE='KN'\nTIME='second'\n[CURVE]\n0 0\n1 1e307\n";
         let error = read(text.as_bytes()).unwrap_err().to_string();
         assert!(error.contains("becomes inf in SI"), "{error}");
-        // The number is finite in SI, but would overflow when a property file is written in mm.
+        // A velocity of 1e307 mm/s is finite in SI, but exceeds the limit, which prevents overflow when a property file is written in mm.
         assert!(read(text.replace("1 1e307", "1e307 1").as_bytes()).is_err());
         assert!(read(text.replace("1e307", "1e5").as_bytes()).is_ok());
     }

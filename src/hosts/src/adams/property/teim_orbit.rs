@@ -37,7 +37,7 @@ fn without_comment(line: &str) -> &str {
     line
 }
 
-/// Returns the words of a row. Quoted words may contain spaces.
+/// Returns the words of a line, separated by spaces, tabs or commas. Quoted words may contain spaces.
 fn words(line: &str) -> impl Iterator<Item = &str> {
     let mut rest = line;
     std::iter::from_fn(move || {
@@ -94,7 +94,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             columns = words.split([' ', '\t', ',']).filter(|w| !w.is_empty()).map(str::to_owned).collect();
             let place = |what: &str| columns.iter().position(|c| c.starts_with(what));
             if let ("CURVE", Some(force), Some(velocity)) = (block.as_str(), place("force"), place("vel")) {
-                // The table begins here, so a preceding comment sub-block has ended.
+                // The table of the curve begins here, so a preceding comment sub-block has ended.
                 (within, turned) = (String::new(), force < velocity);
             }
         } else if within == "COMMENTS" && !is_key(line) {

@@ -2,14 +2,14 @@
 
 use anyhow::bail;
 
-/// Factors to SI units.
+/// Factors that convert numbers in the units of a property file to SI units.
 #[derive(Debug, Clone, Copy)]
 pub struct Units {
-    /// Length, m.
+    /// Size of the unit of length, m.
     pub length: f64,
-    /// Time, s.
+    /// Size of the unit of time, s.
     pub time: f64,
-    /// Force, N.
+    /// Size of the unit of force, N.
     pub force: f64,
 }
 
@@ -19,8 +19,8 @@ impl Units {
         self.metres(v) / self.time
     }
 
-    /// Converts a length of the file to m. If 1 m is an integer number of units, divides, so that 254 mm becomes
-    /// exactly 0.254.
+    /// Converts a length of the file to m. If 1 m is an integer number of units, divides by this number, so that 254 mm becomes exactly
+    /// 0.254 m.
     pub fn metres(&self, x: f64) -> f64 {
         let per_metre = 1.0 / self.length;
         if per_metre.fract() == 0.0 { x / per_metre } else { x * self.length }
@@ -87,7 +87,7 @@ mod tests {
         for word in ["second", "sec", "millisecond", "minute", "hour"] {
             assert!(time(word).is_ok(), "{word}");
         }
-        // One pound-force accelerates one slug by one foot per second squared.
+        // One pound-force accelerates one slug, 14.5939 kg, by one foot per second squared.
         assert!((force("pound_force").unwrap() - 14.593_902_937_2 * 0.3048).abs() < 1e-9);
         assert_eq!(16.0 * force("ounce_force").unwrap(), force("pound_force").unwrap());
         assert_eq!(5280.0 * length("foot").unwrap(), length("mile").unwrap());

@@ -1,4 +1,4 @@
-//! XML property files: root element `afc` with bibliography, units and the damper. They can represent a gas force.
+//! XML property files of Adams Car: root element `afc` with bibliography, units and the damper. They can represent a gas force.
 
 use super::units::{self, Units};
 use super::{Curve, Properties, row};
@@ -54,7 +54,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
                 if held.is_empty() { String::new() } else { format!(", but {}", held.join(", ")) }
             )
         }
-        // The file describes a whole vehicle, such as the send file of VI-CarRealTime.
+        // A file with several dampers describes a whole vehicle, such as the send file of VI-CarRealTime.
         _ => {
             let lines: Vec<String> = dampers.iter().map(|d| line(d).to_string()).collect();
             bail!(
@@ -115,7 +115,7 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             if !(rate > 0.0) {
                 bail!("line {}: a linear damper needs a rate above 0", line(&damper));
             }
-            // The curve is extrapolated linearly, so any two velocities suffice.
+            // The curve is extrapolated linearly beyond its points, so any velocities suffice.
             (Curve { velocities: vec![-1.0, 0.0, 1.0], forces: vec![-rate, 0.0, rate] }, true)
         }
         "non_linear" => {
@@ -158,10 +158,10 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
     Ok(Properties { curve, linear: straight, gas_force, notes })
 }
 
-/// Reads the rows of a spline over velocity or over length, and converts them to SI units.
+/// Reads the rows of a spline, and converts them to SI units. Its abscissa is a velocity if `over_velocity` is set, and a length otherwise.
 fn table(document: &Document, node: &Node, units: &Units, over_velocity: bool) -> anyhow::Result<Curve> {
     let first = document.text_pos_at(node.range().start).row as usize;
-    // A spline may have its own units.
+    // A spline may have its own units, which replace the units of the file.
     let own = |name: &str| node.attribute(name).map(str::trim).filter(|u| !u.is_empty());
     let mut units = *units;
     let at = || format!("line {first}");
