@@ -102,14 +102,14 @@ fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
     SettingError { mean_error_n: newtons / count, error_percent: percent / count }
 }
 
-/// Computes the error of a parameter set, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if the parameters
-/// form no valid model.
+/// Computes the mean error of a parameter set over tests, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if
+/// the parameters form no valid model.
 fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &forces_at(params, rig, theta, tests)?))
 }
 
-/// Computes the forces of a parameter set in each test, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if
-/// the parameters form no valid model.
+/// Computes the forces, N, of a parameter set in each test, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None`
+/// if the parameters form no valid model.
 pub fn forces_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
     let model = Model::new(params).ok()?;
     let integration = Accuracy::Single.integration(params, &model);
@@ -122,7 +122,7 @@ pub fn count_records(tests: &[Test]) -> usize {
     tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len()
 }
 
-/// Computes the error of an ordinary fit on the tests to which it was fitted.
+/// Computes the error of the fit of an ordinary damper, on the tests to which it was fitted.
 fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
 }
