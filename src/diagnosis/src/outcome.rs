@@ -68,7 +68,7 @@ pub struct Diagnosis {
     pub next_tests: Vec<NextTest>,
     /// Effects that these records cannot show.
     pub could_not_test: Vec<CouldNotTest>,
-    /// Parameters of the base model that changed by more than three standard deviations when effects were added.
+    /// Parameters of the given model that changed by more than three standard deviations when effects were added.
     pub shifts: Vec<Shift>,
     /// Remarks on the records, the reference, the named effects and the priors.
     pub notes: Vec<Sentence>,
@@ -118,7 +118,8 @@ pub struct Finding {
     pub path: &'static str,
     /// Family of the effect: similar effects at the same location.
     pub family: &'static str,
-    /// Calibrated probability that the name is correct: the fraction of correct names among such names.
+    /// Calibrated probability that the name is correct: the fraction of correct names among names with such a
+    /// probability.
     pub confidence: f64,
     /// Probability that the family is correct.
     pub family_confidence: f64,
@@ -234,7 +235,7 @@ pub struct CouldNotTest {
     pub why: Sentence,
 }
 
-/// Parameter of the base model that changed when effects were added.
+/// Parameter of the given model that changed when effects were added.
 #[derive(Debug, Clone, Serialize)]
 pub struct Shift {
     /// Name of the parameter.
@@ -258,7 +259,7 @@ pub struct TestOutcome {
     pub before_rmse_n: f64,
     /// Root mean square error of the improved model, N.
     pub after_rmse_n: f64,
-    /// Noise of the mean cycle, N.
+    /// Standard deviation of the noise of one sample of the mean cycle, N.
     pub noise_n: f64,
     /// Error that noise and the form of curves are expected to cause, N. [`Diagnosis::gap_closed`] measures the errors
     /// of this test in units of this value.
@@ -268,7 +269,7 @@ pub struct TestOutcome {
     pub curves: Curves,
 }
 
-/// Mean cycle of a test: motion, measured force, and the forces of both models.
+/// Mean cycle of a test: motion, measured force, and the forces of the given and the improved model.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
     /// Displacement, m.
@@ -303,11 +304,11 @@ pub struct Trial {
 pub struct Evidence {
     /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
     pub fraction: f64,
-    /// Mean square residual of a test without the effect, relative to the error expected from noise and from the form
-    /// of the FV curve.
+    /// Mean square residual of a test without the effect, in units of the squared error expected from noise and from
+    /// the FV curve's form.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with the effect, relative to the error expected from noise and from the form of
-    /// the FV curve.
+    /// Mean square residual of a test with the effect, in units of the squared error expected from noise and from the
+    /// FV curve's form.
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///

@@ -56,8 +56,8 @@ fn has_friction(params: &Params) -> bool {
 }
 
 /// Returns the structure with the step of its FV curve at zero velocity converted to friction and gas force. Returns
-/// the structure unchanged if it already has friction, or if the records fit worse after the conversion. `fit` fits a
-/// model to the records.
+/// the structure unchanged if it already has friction, or if the conversion raises the mean square residual by more
+/// than 5 %. `fit` fits a model to the records.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
     /// Largest ratio of the mean square residuals with and without friction at which the friction is accepted.
     const OPEN: f64 = 1.05;

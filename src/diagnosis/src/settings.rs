@@ -93,7 +93,7 @@ pub struct SettingFigures<D> {
     pub diagnosis: D,
 }
 
-/// Results of a diagnosis at several settings, in the form that the command writes and Python reads.
+/// Results of a diagnosis at several settings, in the form that `dashpot diagnose` writes and Python reads.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingsFigures<'a, D> {
     setting: AxisFigures<'a>,

@@ -26,7 +26,7 @@ pub enum DimensionsError {
     Entry {
         /// Path.
         file: PathBuf,
-        /// Line.
+        /// Line number, from 1.
         line: usize,
         /// Key.
         key: String,

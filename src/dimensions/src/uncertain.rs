@@ -66,8 +66,8 @@ impl Interval {
     }
 }
 
-/// Number of samples of one interval. The error of the ends is a hundredth of the width. More samples cost time and do
-/// not change the printed digits.
+/// Number of samples from which one interval is computed. The error of its ends is a hundredth of its width. More
+/// samples cost time and do not change the printed digits.
 const SAMPLES: usize = 4000;
 
 /// Computes the interval of a formula of uncertain numbers by sampling. A result that is not finite counts as infinite,

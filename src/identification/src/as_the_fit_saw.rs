@@ -23,8 +23,8 @@ impl Identification {
 
     /// Corrects the records in place for the measurement errors that the fit found. Returns a note, or `None` if the fit found no error.
     ///
-    /// If the fit used at least one of these records, all of them count as records of the rig and campaign of the fit, even left-out ones.
-    /// If the fit used none of them, they stay unchanged. The note then reports the errors that the fit found in its own records.
+    /// If the fit used at least one of these records, all of them count as records of the fit's rig and campaign, even left-out ones. If
+    /// the fit used none of them, they stay unchanged. The note then reports the errors that the fit found in its own records.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = to_measurement_error(&measured);

@@ -146,9 +146,8 @@ fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
     wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
 }
 
-/// Returns the force at a velocity, m/s, from peaks of tests with one amplitude. The force is interpolated between the neighboring peaks.
-/// If the ratio of their speeds exceeds [`BETWEEN`] by more than [`NEAR`], or one of them is missing, a peak within [`NEAR`] of the speed
-/// gives the force.
+/// Returns the force at a velocity, m/s, from peaks of tests with one amplitude. The force is interpolated between the neighboring peaks,
+/// if the ratio of their speeds is small enough ([`BETWEEN`]). Otherwise, a peak within [`NEAR`] of the speed gives the force.
 fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let speed = |p: &Point| p.peak.velocity_m_s.abs();
     let wanted = velocity.abs();

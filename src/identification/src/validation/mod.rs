@@ -10,7 +10,7 @@
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
 //! | [`hysteresis`] | force gap between rising and falling velocity, loop area, energy per cycle |
 //! | [`ResponseTimes`] | times of the force response to a step of the setting |
-//! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
+//! | [`matrix`] | mean errors by amplitude, by peak velocity and for the slow friction tests |
 //!
 //! The definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5. Thus, the figures are
 //! comparable with those published there.
