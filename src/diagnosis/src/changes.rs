@@ -22,7 +22,7 @@ pub struct Change {
     /// Lower end of the 95 % interval of `value`, on the assumption that `reference` is exact. The lower end of the
     /// interval of the change is `low` minus `reference`.
     pub low: f64,
-    /// Upper end of the 95 % interval of `value`, on the same assumption.
+    /// Upper end of the 95 % interval of `value`, on the assumption that `reference` is exact.
     pub high: f64,
     /// Unit of `reference`, `value`, `low` and `high`.
     pub unit: &'static str,

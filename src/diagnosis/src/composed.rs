@@ -48,8 +48,8 @@ const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
-    /// Remarks about a reference that contains the same measurements, has the opposite positive direction, or was
-    /// measured at another temperature.
+    /// Remarks about a reference that contains measurements of the diagnosed campaign, has the opposite positive
+    /// direction, or was measured at another temperature.
     pub reference_remarks: Vec<Sentence>,
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
@@ -78,7 +78,7 @@ struct Judged {
 
 impl Composed<'_> {
     /// Returns the probable effects that are not in the given model, most probable first. The first list contains the
-    /// effects to name, the second list the effects whose force is too small.
+    /// effects to name, the second list the effects whose force is too small to name them.
     fn named<'c>(
         &'c self,
         items: &[InventoryItem],

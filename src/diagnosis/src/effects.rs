@@ -310,7 +310,7 @@ mod tests {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // The other effects without a candidate are those of the base model and those that no rig can separate.
+        // All other effects without a candidate are those of the base model and those that no rig can separate.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),

@@ -19,10 +19,10 @@ pub enum Verdict {
     NothingMissing,
     /// No effect is missing, but parameters differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
-    /// An effect is missing, and several effects explain the disagreement equally well.
+    /// An effect is missing, and several effects explain the disagreement of model and records equally well.
     #[serde(rename = "cannot_tell")]
     Ambiguous,
-    /// An effect is missing, and no known effect explains the disagreement.
+    /// An effect is missing, and no known effect explains the disagreement of model and records.
     UnknownEffect,
 }
 
@@ -46,7 +46,8 @@ pub struct Diagnosis {
     pub inventory: Vec<InventoryItem>,
     /// Smallest set of changes that explains the difference from a reference, largest force first.
     pub changes: Vec<Change>,
-    /// Effects that are not named but may explain the disagreement, or its remainder. Most probable first.
+    /// Effects that are not named but may explain the disagreement of model and records, or its remainder. Most
+    /// probable first.
     pub suspects: Vec<Rival>,
     /// Regions where model and records disagree before any effect is added, worst first.
     #[serde(rename = "where")]
@@ -156,14 +157,15 @@ pub struct Value {
     pub plausible: bool,
 }
 
-/// Effect that may explain a disagreement, in addition to the named effects or instead of one.
+/// Effect that may explain a disagreement of model and records, in addition to the named effects or instead of one.
 #[derive(Debug, Clone, Serialize)]
 pub struct Rival {
     /// Name of the effect.
     pub effect: &'static str,
     /// Probability that this name is correct.
     pub confidence: f64,
-    /// Fraction of the disagreement that the effect explains.
+    /// Fraction of the disagreement of model and records that the effect explains. The disagreement is the mean square
+    /// residual in excess of noise.
     pub fraction: f64,
     /// Reason why the effect was not named.
     pub why: Sentence,
@@ -302,7 +304,8 @@ pub struct Trial {
 /// Statistics of a refit with an effect.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
-    /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
+    /// Fraction of the disagreement of model and records that the effect explains, as a ratio of mean squares in excess
+    /// of noise.
     pub fraction: f64,
     /// Mean square residual of a test without the effect, in units of the squared error expected from noise and from
     /// the FV curve's form.

@@ -1,5 +1,5 @@
 //! Correction based on a reference: the same tests on a good damper. The residual of the model on these tests is its
-//! form error, which both dampers share. After the correction, only changes of the damper remain.
+//! form error, which the diagnosed damper shares. After the correction, only changes of the damper remain.
 
 use dashpot_core::Input;
 use dashpot_estimation::samples::Test;

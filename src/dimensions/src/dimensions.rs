@@ -39,7 +39,7 @@ const DISCHARGE: Uncertain = Uncertain { value: 0.7, low: 0.6, high: 0.8 };
 const WORKSHOP: Uncertain = Uncertain { value: 20.0, low: 15.0, high: 25.0 };
 
 impl Dimensions {
-    /// Returns the stated value of an entry, if the drawing states it.
+    /// Returns the stated value of an entry, or `None` if these dimensions do not state it.
     pub fn stated(&self, entry: Entry) -> Option<Uncertain> {
         self.entries[entry as usize]
     }
@@ -83,7 +83,7 @@ impl Dimensions {
         }
     }
 
-    /// Returns whether the drawing has no entries.
+    /// Returns whether these dimensions have no entries.
     pub fn is_empty(&self) -> bool {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }

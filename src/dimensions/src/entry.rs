@@ -7,9 +7,9 @@ pub enum Entry {
     Bore,
     /// Diameter of the rod.
     Rod,
-    /// Length of the oil on the rod's side of the piston.
+    /// Length of the oil between the piston and the rod guide.
     ReboundChamber,
-    /// Length of the oil on the other side of the piston.
+    /// Length of the oil between the piston and the base valve or floating piston.
     CompressionChamber,
     /// Total volume of oil and gas in the reserve.
     ReserveVolume,

@@ -8,9 +8,9 @@ const Z: f64 = 1.959_963_985;
 pub struct Uncertain {
     /// Central value.
     pub value: f64,
-    /// Lower end.
+    /// Lower end of the 95 % interval.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the 95 % interval.
     pub high: f64,
 }
 
@@ -52,9 +52,9 @@ impl Uncertain {
 pub struct Interval {
     /// Value at the central inputs.
     pub value: Option<f64>,
-    /// Lower end.
+    /// Lower end of the 95 % interval.
     pub low: Option<f64>,
-    /// Upper end.
+    /// Upper end of the 95 % interval.
     pub high: Option<f64>,
 }
 

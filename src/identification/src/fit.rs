@@ -155,7 +155,7 @@ pub struct Fit {
     pub tests: Vec<String>,
     /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
-    /// Plain FV curve fitted to the same tests, for comparison.
+    /// Plain FV curve fitted to the tests that the fit used, for comparison.
     pub fv_only: Params,
     /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,

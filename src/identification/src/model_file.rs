@@ -33,7 +33,8 @@ pub struct ModelFile {
     pub identification: Identification,
     /// Indices, in the parameter table, of the parameters that the text gives, whether their element is on or off.
     pub specified: Vec<usize>,
-    /// Names of the numbers outside the interval from their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] has removed these intervals.
+    /// Names of the numbers outside the interval from their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] has removed the intervals of
+    /// these numbers.
     pub edited: Vec<String>,
 }
 

@@ -96,7 +96,7 @@ pub struct FamilyFit {
     pub actuator: Option<ActuatorFit>,
     /// Effects with their forces, over all settings and at each setting.
     pub inventory: Vec<FamilyItem>,
-    /// Measurement errors of the records. They never become part of the model.
+    /// Measurement errors of the records. These errors never become part of the model.
     pub measured: Vec<Measured>,
     /// Time at which the drifts of the force channel's gain and zero are zero, s since 1970. `None` if the records have no common clock
     /// with date and time.

@@ -32,7 +32,7 @@ pub struct SettingReport {
     pub tests: usize,
     /// Error of an ordinary damper fitted to the setting alone.
     pub own_fit: SettingError,
-    /// Error of the family.
+    /// Error of the family fitted to all settings.
     pub family: SettingError,
     /// Error of the family fitted to all other settings. `None` at the ends of the grid, where nothing is interpolated, and if that fit
     /// fails.
@@ -55,8 +55,8 @@ pub struct WorstLeftOut {
 }
 
 impl WorstLeftOut {
-    /// Largest ratio at which a prediction between settings counts as good as a fit at the setting. It is the target of the figures in the
-    /// book, and affects messages only.
+    /// Largest ratio of prediction error to fit error at which a prediction between settings counts as good as a fit at the setting. It is
+    /// the target of the figures in the book, and affects messages only.
     const AS_GOOD: f64 = 1.3;
 
     /// Returns whether the model is worse between its settings than at its settings.

@@ -38,7 +38,7 @@ pub enum SettingLimitError {
         name: String,
         /// Line of the limit.
         line: u64,
-        /// Unit of the limit.
+        /// Unit of the limit's setting.
         unit: String,
         /// Unit of the damper's setting, or "no unit".
         own: String,

@@ -20,7 +20,7 @@ pub struct BoucWen {
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
-    /// Coefficient β; γ is 1 − β.
+    /// Coefficient β of the hysteresis; the coefficient γ is 1 − β.
     pub beta: f64,
     /// Stiffness k, N/m.
     pub stiffness_n_m: f64,

@@ -37,8 +37,8 @@ const SAME: f64 = 1.25;
 const SMALLEST: f64 = 0.010;
 /// Smallest slope of the curve, relative to the range of measured force divided by the range of velocity.
 ///
-/// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force by less than a
-/// newton, and the curve stays invertible.
+/// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force in such a section
+/// by less than a newton, and the curve stays invertible.
 const LEAST_SLOPE: f64 = 0.1;
 /// Smallest number of samples between a point and the next point toward zero. With fewer samples, the point is left out. If it is the
 /// outermost point, the next point toward zero is left out instead.

@@ -22,7 +22,7 @@ pub struct Spencer {
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
-    /// Coefficient β; γ is 1 − β.
+    /// Coefficient β of the hysteresis; the coefficient γ is 1 − β.
     pub beta: f64,
     /// Damping c₀ in parallel with the hysteresis, N s/m.
     pub inner_damping_n_s_m: f64,
