@@ -85,8 +85,8 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Fit the given model with an FV curve that has a kink at zero velocity, and with one that is smooth there. If
-        // the model has no friction, also fit models made from the records alone. A change of friction cannot show
+        // Fit the given model in both forms of its FV curve at zero velocity, kinked and smooth, if the curve has both.
+        // If the model has no friction, also fit models made from the records alone. A change of friction cannot show
         // relative to a model without friction.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;

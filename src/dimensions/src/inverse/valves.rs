@@ -1,9 +1,9 @@
 //! Bleed, leak and blow-off, from the FV curve of each stroke.
 //!
-//! Below the knee of the FV curve, the force of the passages at the piston speed w is a w + b w² (Merritt, Hydraulic
-//! Control Systems, 1967, chapter 3). The coefficient b, N s²/m², belongs to an orifice. The inverse 1/a of the
-//! coefficient a, N s/m, is proportional to the leak at very low speed. At the largest force, the flow in excess of the
-//! bleed flow passes the blow-off valve.
+//! Below the knee of the FV curve, the force of the passages at the piston speed w is a w + b w². This law is from
+//! Merritt, Hydraulic Control Systems, 1967, chapter 3. The coefficient b, N s²/m², belongs to an orifice. The inverse
+//! 1/a of the coefficient a, N s/m, is proportional to the leak at very low speed. At the largest force, the flow in
+//! excess of the bleed flow passes the blow-off valve.
 
 use super::errors;
 use super::model::Identified;

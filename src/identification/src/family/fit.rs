@@ -132,8 +132,8 @@ impl FamilyFit {
 /// Fits one damper family to records measured at several values of the setting with the name `setting`.
 ///
 /// # Errors
-/// The records lack the setting, it changes within all records, they have a single setting or too many settings, or no damper can be fitted
-/// at a setting. Further errors are forces that are not finite, and numbers that the kernel rejects.
+/// The records lack the setting, have a single setting or too many, or the setting changes within all of them. Further errors are a setting
+/// at which no damper can be fitted, forces that are not finite, and numbers that the kernel rejects.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,

@@ -1,8 +1,8 @@
 //! Validation of a model against the rig: error figures, the error matrix and hysteresis.
 //!
 //! The input is one [`Compared`] for each test. It contains the measured record, and two simulated forces at its samples: those of the full
-//! model and of the force–velocity curve alone. Every figure is given for both simulated forces, because the effort of a full model is
-//! justified only if its error is smaller than the curve's error.
+//! model and of the force–velocity curve alone. Every figure is given for both simulated forces. The effort of a full model is justified
+//! only if its error is smaller than that of the curve.
 //!
 //! | file | measure |
 //! |---|---|
