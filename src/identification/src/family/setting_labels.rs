@@ -128,8 +128,9 @@ struct Suspect {
     record: usize,
     /// Index, in the grid, of the setting whose damper fits the record.
     fitting: usize,
-    /// Ratio of the error at the stated setting to the error at the fitting setting, or to the median error of all records if that is
-    /// larger. In [`strays`], ratio of the smaller error at the neighbors of the stated setting to the error at the fitting setting.
+    /// Ratio of the error at the stated setting to the error at the fitting setting. A fitting error below the median error of all records
+    /// counts as that median. In [`strays`], ratio of the smaller error at the neighbors of the stated setting to the error at the fitting
+    /// setting.
     ratio: f64,
 }
 

@@ -223,7 +223,7 @@ mod tests {
         )
     }
 
-    /// Makes step responses: one from 0 to 1.6 in 12 ms, one from 0 to 0.8 in 9 ms, and one from 1.6 to 0 in 20 ms.
+    /// Makes step responses with different times until 63 %. They take 12 ms from 0 to 1.6, 9 ms from 0 to 0.8, and 20 ms from 1.6 to 0.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
