@@ -19,7 +19,8 @@ static CALIBRATION: LazyLock<Calibration> = LazyLock::new(|| {
     toml::from_str(include_str!("calibration.toml")).expect("calibration.toml holds three numbers")
 });
 
-/// Log odds above which the confidence no longer increases, in a comparison with a reference.
+/// Log odds of the search's probability above which the confidence no longer increases, in a comparison with a
+/// reference.
 const MOST: f64 = 8.0;
 
 /// Returns the probability that the name of an effect is correct if the search computes `probability` for this effect.

@@ -1,4 +1,4 @@
-//! Changes relative to a reference: the smallest set of changes that explains the difference.
+//! Changes relative to a reference damper: the smallest set of changes that explains the difference.
 
 use super::phrases;
 use dashpot_core::{Params, list};
@@ -22,7 +22,7 @@ pub struct Change {
     /// Lower end of the 95 % interval of `value`, on the assumption that `reference` is exact. The lower end of the
     /// interval of the change is `low` minus `reference`.
     pub low: f64,
-    /// Upper end of the 95 % interval of `value`, on the same assumption.
+    /// Upper end of the 95 % interval of `value`, on the assumption that `reference` is exact.
     pub high: f64,
     /// Unit of `reference`, `value`, `low` and `high`.
     pub unit: &'static str,
@@ -35,9 +35,9 @@ pub struct Change {
     pub force_n_rms: f64,
 }
 
-/// Returns the velocity, m/s, rebound positive, at which the force of a part of the FV curve is stated. This is the
-/// point of the curve nearest to 0.05 m/s for low speeds, 0.3 m/s for all speeds and 1 m/s for high speeds. For a part
-/// without points, it is this speed itself.
+/// Returns the velocity, m/s, rebound positive, at which the force of a part of the FV curve is stated. The wanted
+/// speed is 0.05 m/s for low speeds, 0.3 m/s for all speeds and 1 m/s for high speeds. The nearest point of the curve
+/// in the stroke direction gives the velocity. Without such a point, it is the wanted speed itself.
 fn velocity_of(part: CurvePart, base: &Params) -> f64 {
     let velocity = base.list(list!("fv_velocity"));
     let is_rebound = part.side != Side::Compression;
@@ -59,8 +59,8 @@ fn force_at(params: &Params, velocity: f64) -> f64 {
     near.map_or(0.0, |k| f[k])
 }
 
-/// Lists the changes of a structure relative to its base, largest force first. `ends` contains the 95 % intervals of
-/// the structure's free parameters.
+/// Lists the changes of a structure relative to its base, the reference damper, largest force first. `ends` contains
+/// the 95 % intervals of the structure's free parameters.
 ///
 /// `probability` and `force` return the probability and the force, N rms, of an effect from its name.
 pub fn changes(

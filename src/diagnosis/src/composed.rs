@@ -34,7 +34,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Ending of the names of those cavitation forms in which the damper has no force at the beginning of a stroke.
 const LOST_STROKE: &str = "begins with a lost stroke";
 
-/// Smallest confidence at which the name of an effect needs no further test that confirms it.
+/// Smallest confidence at which no further test is proposed to confirm the name of an effect.
 const DECIDED: f64 = 0.9;
 /// Largest number of competing effects among which the proposed tests distinguish.
 const UNDECIDED: usize = 3;
@@ -42,14 +42,14 @@ const UNDECIDED: usize = 3;
 /// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
-/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the error
-/// expected from noise and curve form.
+/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the square
+/// of the error expected from noise and curve form.
 const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
-    /// Remarks about a reference that contains the same measurements, has the opposite positive direction, or was
-    /// measured at another temperature.
+    /// Remarks about a reference that contains measurements of the diagnosed campaign, has the opposite positive
+    /// direction, or was measured at another temperature.
     pub reference_remarks: Vec<Sentence>,
     pub records: &'a [&'a Record],
     pub fitted: Vec<Test>,
@@ -78,7 +78,7 @@ struct Judged {
 
 impl Composed<'_> {
     /// Returns the probable effects that are not in the given model, most probable first. The first list contains the
-    /// effects to name, the second list the effects whose force is too small.
+    /// effects to name, the second list the effects whose force is too small to name them.
     fn named<'c>(
         &'c self,
         items: &[InventoryItem],
@@ -137,8 +137,8 @@ impl Composed<'_> {
         let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
         let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
         let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies only to added effects. Effects in both models keep the probability that the search
-        // computed.
+        // The calibration applies only to added effects. Effects of the given model that the best structure also has
+        // keep the probability that the search computed.
         for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
             item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
             if item.probability < 0.5 {
@@ -334,7 +334,8 @@ impl Composed<'_> {
             let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let more = changed.len().saturating_sub(TOLD);
             let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            // A residual above `QUIET` is mainly form error of the model, which may conceal further changes.
+            // A residual above `QUIET` is mainly form error of the model, which may conceal further changes. The
+            // summary then states that more may have changed.
             let rest = if after.sqrt() <= QUIET {
                 if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
             } else {
@@ -496,8 +497,8 @@ impl Composed<'_> {
         names.iter().map(one).collect()
     }
 
-    /// Returns the length of the lost stroke, m, in the longest stroke of the fitted tests: the unfilled fraction times
-    /// this stroke. Returns `None` if the form has no lost stroke.
+    /// Returns the length of the lost stroke, m: the unfilled fraction times the longest stroke of the fitted tests,
+    /// twice their largest amplitude. Returns `None` if the form has no lost stroke.
     fn lost_stroke(&self, form: &str, parameters: &BTreeMap<&'static str, Value>) -> Option<Value> {
         let unfilled = parameters.get("cavitation_unfilled").filter(|_| form.ends_with(LOST_STROKE))?;
         let stroke = 2.0 * self.fitted.iter().map(|t| t.segment.amplitude).fold(0.0, f64::max);
@@ -510,8 +511,8 @@ impl Composed<'_> {
         })
     }
 
-    /// Returns the fraction of the gap between the given model and the noise that reopens if one effect is removed.
-    /// `less` is the best structure without this effect. Uses the left-out tests if there are any.
+    /// Returns the fraction of the gap between the error of the given model and the noise that reopens if one effect is
+    /// removed. `less` is the best structure without this effect. Uses the left-out tests if there are any.
     ///
     /// Returns `None` if the gap is at most 2 % of the noise, or if a model gives no finite force.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
@@ -592,8 +593,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Proposes tests that distinguish undecided effect names. Returns none if nothing is missing. Also returns none if
-    /// all names are decided and no other effect is suspected.
+    /// Proposes tests that distinguish undecided effect names. The list is empty if nothing is missing, or if all names
+    /// are decided and no other effect is suspected.
     fn next_tests(&self, judged: &Judged, names: &[&Component], probability: &dyn Fn(&str) -> f64) -> Vec<NextTest> {
         let is_sure = names.iter().all(|c| probability(c.effect) >= DECIDED);
         if judged.verdict.nothing_is_missing()

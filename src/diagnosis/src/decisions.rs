@@ -20,8 +20,8 @@ pub const QUIET: f64 = 1.5;
 /// Smallest gain of log likelihood at which a structure with other effects is preferred to the given model. The value 1
 /// is a likelihood ratio of e.
 ///
-/// With a smaller value, the diagnosis replaced an effect of the given model by another effect with an equally good
-/// fit.
+/// With a smaller value, the diagnosis replaced an effect of the given model by another effect that fits the records as
+/// well.
 pub const NEEDED: f64 = 1.0;
 
 /// Unexplained fraction of the disagreement above which the diagnosis reports it in addition to the named effects. The

@@ -7,9 +7,9 @@ use dashpot_messages::Sentence;
 
 /// Returns a note if the residual is more than [`CLEARLY`] times the noise of the mean cycles, otherwise `None`.
 ///
-/// The part of the residual beyond the noise counts as form error of the FV curve. An effect of this size cannot be
-/// distinguished from that form error. `mean_squares` contains the mean square residual of each test, in units of the
-/// error expected from noise and curve form ([`Test::unit`]).
+/// The part of the residual beyond the noise counts as form error of the FV curve. An effect whose force is as large as
+/// this part cannot be distinguished from the form error. `mean_squares` contains the mean square residual of each
+/// test, in units of the squared error expected from noise and curve form ([`Test::unit`]).
 pub fn note(tests: &[Test], mean_squares: &[f64]) -> Option<Sentence> {
     let count = tests.len().max(1) as f64;
     let squares: f64 = tests.iter().zip(mean_squares).map(|(test, square)| square * test.unit().powi(2)).sum();

@@ -26,17 +26,20 @@ fn nothing(_: &Situation) -> Option<Sentence> {
 }
 
 /// Smallest range of side forces, N, at which tests of a car damper can distinguish side-force friction from other
-/// friction. Heavier dampers need a proportionally larger range.
+/// friction. Heavier dampers need a range that is larger in proportion to their force.
 const SIDE_FORCE: f64 = 50.0;
-/// Smallest range of positions at one speed, m, at which tests can show position-dependent damping. [`FREQUENCIES`] is
-/// the smallest ratio of the highest to the lowest frequency at which tests can show frequency-selective damping.
+/// Smallest range of displacements passed at one speed, m, at which tests can show position-dependent damping.
+/// [`FREQUENCIES`] is the smallest ratio of the highest to the lowest frequency at which tests can show
+/// frequency-selective damping.
 ///
-/// If tests pass each position at only one speed, an effect of position cannot be separated from an effect of speed.
+/// If tests pass each displacement at only one speed, an effect of position cannot be separated from an effect of
+/// speed.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
 /// Smallest range of accumulated heat over the tests, J, at which the temperature of a car damper changes noticeably.
+/// Heavier dampers need a range that is larger in proportion to their force.
 const HEAT: f64 = 500.0;
-/// Smallest displacement from the zero position, m, that tests must reach to show a stop of a car damper.
+/// Smallest distance from zero displacement, m, that tests must reach to show a stop of a damper.
 const STOPS: f64 = 0.04;
 
 fn behind_series(s: &Situation) -> Option<Sentence> {
@@ -247,8 +250,8 @@ pub fn remedy(effect: &str) -> Template {
     card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy)
 }
 
-/// Returns whether the given tests can show an effect at all. Stops always count, because the search looks for them
-/// within the range of the tests.
+/// Returns whether the given tests can show an effect at all. A stop always counts as shown, because the search looks
+/// for stops within the range of the tests.
 pub fn can_be_shown(effect: &str, s: &Situation) -> bool {
     card(effect).is_none_or(|c| c.family == "stop" || (c.missing)(s).is_none())
 }
@@ -307,7 +310,7 @@ mod tests {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // The other effects without a candidate are those of the base model and those that no rig can separate.
+        // All other effects without a candidate are those of the base model and those that no rig can separate.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),

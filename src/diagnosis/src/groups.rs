@@ -30,7 +30,7 @@ pub struct GroupResult {
 pub struct GroupResults {
     /// Name of the reference. In a chain ([`Comparison::Chain`]), name of the reference of the first group.
     pub reference: String,
-    /// Tests that belong to no group.
+    /// Names of tests that belong to no group.
     pub left_aside: Vec<String>,
     /// Lines of the list of groups that name none of the tests.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -15,7 +15,7 @@ use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
 
-/// Returns estimates of the free scalar parameters of the model in the final hypothesis, with the 95 % intervals
+/// Returns estimates of the free scalar parameters of the damper in the structure `found`, with the 95 % intervals
 /// `ends`. If `ends` is `None`, the estimates have no intervals and count as not identified.
 pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Estimate> {
     let (last, end) = (&found.hypothesis, &found.refit);
@@ -41,7 +41,8 @@ pub(super) fn estimates(found: &Structure, ends: Option<&[[f64; 2]]>) -> Vec<Est
         .collect()
 }
 
-/// Returns the measurement errors in the final hypothesis that can be corrected when records are read.
+/// Returns the measurement errors in the structure `found` that can be corrected when records are read. `ends` contains
+/// the 95 % intervals of its free parameters.
 pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
     let (last, end) = (&found.hypothesis, &found.refit);
     let numbers = last.numbers.iter().enumerate();
@@ -57,7 +58,8 @@ pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
 
 /// Combines the measurement errors that were corrected before the diagnosis with those that the diagnosis found.
 ///
-/// The corrected errors come from a fit. If the fit found none, they are those that the user stated (`given`).
+/// The corrected errors are those of a `fit`. An error that the fit did not find was corrected as the user stated it
+/// (`given`).
 fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {
@@ -105,8 +107,8 @@ impl Diagnosis {
             tests: used.iter().map(|r| r.name.clone()).collect(),
             fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
             // The plain FV curve is fitted again, because the curve in the file of the diagnosed model is unsuitable.
-            // With a reference, it belongs to another damper. Without a fit, it is the FV curve of the model, without
-            // friction.
+            // With a reference, that curve belongs to another damper. Without a fit, it is the FV curve of the model,
+            // without friction.
             fv_only: fv_curve::fit(&of_records(&used)).params(),
             misfit: self.after.rmse_n / self.after.noise_n.max(1e-9),
         }

@@ -25,7 +25,7 @@ pub struct Rival<'a> {
     pub effect: &'static str,
     /// The hypothesis.
     pub hypothesis: &'a Hypothesis,
-    /// Values of the free parameters.
+    /// Values of the hypothesis's free parameters.
     pub theta: &'a [f64],
     /// Probability of the hypothesis.
     pub confidence: f64,

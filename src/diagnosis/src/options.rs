@@ -39,7 +39,7 @@ pub enum DiagnosisError {
     },
     /// The reference campaign has no test.
     NothingToCompare {
-        /// Note if both campaigns were read with opposite positive directions.
+        /// Note if the campaign and the reference were read with opposite positive directions.
         turned: Option<Sentence>,
     },
     /// The model gives no finite force.

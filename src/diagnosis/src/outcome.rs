@@ -19,10 +19,10 @@ pub enum Verdict {
     NothingMissing,
     /// No effect is missing, but parameters differ from those of the reference damper: see [`Diagnosis::changes`].
     Changed,
-    /// An effect is missing, and several effects explain the disagreement equally well.
+    /// An effect is missing, and several effects explain the disagreement of model and records equally well.
     #[serde(rename = "cannot_tell")]
     Ambiguous,
-    /// An effect is missing, and no known effect explains the disagreement.
+    /// An effect is missing, and no known effect explains the disagreement of model and records.
     UnknownEffect,
 }
 
@@ -46,7 +46,8 @@ pub struct Diagnosis {
     pub inventory: Vec<InventoryItem>,
     /// Smallest set of changes that explains the difference from a reference, largest force first.
     pub changes: Vec<Change>,
-    /// Effects that are not named but may explain the disagreement, or its remainder. Most probable first.
+    /// Effects that are not named but may explain the disagreement of model and records, or its remainder. Most
+    /// probable first.
     pub suspects: Vec<Rival>,
     /// Regions where model and records disagree before any effect is added, worst first.
     #[serde(rename = "where")]
@@ -68,7 +69,7 @@ pub struct Diagnosis {
     pub next_tests: Vec<NextTest>,
     /// Effects that these records cannot show.
     pub could_not_test: Vec<CouldNotTest>,
-    /// Parameters of the base model that changed by more than three standard deviations when effects were added.
+    /// Parameters of the given model that changed by more than three standard deviations when effects were added.
     pub shifts: Vec<Shift>,
     /// Remarks on the records, the reference, the named effects and the priors.
     pub notes: Vec<Sentence>,
@@ -118,7 +119,8 @@ pub struct Finding {
     pub path: &'static str,
     /// Family of the effect: similar effects at the same location.
     pub family: &'static str,
-    /// Calibrated probability that the name is correct: the fraction of correct names among such names.
+    /// Calibrated probability that the name is correct: the fraction of correct names among names with such a
+    /// probability.
     pub confidence: f64,
     /// Probability that the family is correct.
     pub family_confidence: f64,
@@ -155,14 +157,15 @@ pub struct Value {
     pub plausible: bool,
 }
 
-/// Effect that may explain a disagreement, in addition to the named effects or instead of one.
+/// Effect that may explain a disagreement of model and records, in addition to the named effects or instead of one.
 #[derive(Debug, Clone, Serialize)]
 pub struct Rival {
     /// Name of the effect.
     pub effect: &'static str,
     /// Probability that this name is correct.
     pub confidence: f64,
-    /// Fraction of the disagreement that the effect explains.
+    /// Fraction of the disagreement of model and records that the effect explains. The disagreement is the mean square
+    /// residual in excess of noise.
     pub fraction: f64,
     /// Reason why the effect was not named.
     pub why: Sentence,
@@ -234,7 +237,7 @@ pub struct CouldNotTest {
     pub why: Sentence,
 }
 
-/// Parameter of the base model that changed when effects were added.
+/// Parameter of the given model that changed when effects were added.
 #[derive(Debug, Clone, Serialize)]
 pub struct Shift {
     /// Name of the parameter.
@@ -258,7 +261,7 @@ pub struct TestOutcome {
     pub before_rmse_n: f64,
     /// Root mean square error of the improved model, N.
     pub after_rmse_n: f64,
-    /// Noise of the mean cycle, N.
+    /// Standard deviation of the noise of one sample of the mean cycle, N.
     pub noise_n: f64,
     /// Error that noise and the form of curves are expected to cause, N. [`Diagnosis::gap_closed`] measures the errors
     /// of this test in units of this value.
@@ -268,7 +271,7 @@ pub struct TestOutcome {
     pub curves: Curves,
 }
 
-/// Mean cycle of a test: motion, measured force, and the forces of both models.
+/// Mean cycle of a test: motion, measured force, and the forces of the given and the improved model.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
     /// Displacement, m.
@@ -301,13 +304,14 @@ pub struct Trial {
 /// Statistics of a refit with an effect.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Evidence {
-    /// Fraction of the disagreement that the effect explains, as a ratio of mean squares in excess of noise.
+    /// Fraction of the disagreement of model and records that the effect explains, as a ratio of mean squares in excess
+    /// of noise.
     pub fraction: f64,
-    /// Mean square residual of a test without the effect, relative to the error expected from noise and from the form
-    /// of the FV curve.
+    /// Mean square residual of a test without the effect, in units of the squared error expected from noise and from
+    /// the FV curve's form.
     pub mean_square_before: f64,
-    /// Mean square residual of a test with the effect, relative to the error expected from noise and from the form of
-    /// the FV curve.
+    /// Mean square residual of a test with the effect, in units of the squared error expected from noise and from the
+    /// FV curve's form.
     pub mean_square_after: f64,
     /// Natural logarithm of the posterior odds with the effect relative to without the effect.
     ///

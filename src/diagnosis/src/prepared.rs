@@ -56,8 +56,8 @@ fn has_friction(params: &Params) -> bool {
 }
 
 /// Returns the structure with the step of its FV curve at zero velocity converted to friction and gas force. Returns
-/// the structure unchanged if it already has friction, or if the records fit worse after the conversion. `fit` fits a
-/// model to the records.
+/// the structure unchanged if it already has friction, or if the conversion raises the mean square residual by more
+/// than 5 %. `fit` fits a model to the records.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
     /// Largest ratio of the mean square residuals with and without friction at which the friction is accepted.
     const OPEN: f64 = 1.05;
@@ -70,8 +70,8 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 impl Prepared {
-    /// Fits the model to the reference, and corrects the tests by the form error that both dampers share. Returns the
-    /// structure of the reference, and the tests without an equal counterpart.
+    /// Fits the model to the reference, and corrects the tests by the form error, which this damper shares with the
+    /// reference. Returns the structure of the reference, and the tests without an equal counterpart.
     pub fn against(
         &mut self,
         records: &[&Record],
@@ -85,8 +85,9 @@ impl Prepared {
             let turned = opposite::opposite(records, reference);
             return Err(DiagnosisError::NothingToCompare { turned });
         }
-        // Fit the given model in both forms of its FV curve at zero velocity. If the model has no friction, also fit
-        // models made from the records alone. A change of friction cannot show relative to a model without friction.
+        // Fit the given model in both forms of its FV curve at zero velocity, kinked and smooth, if the curve has both.
+        // If the model has no friction, also fit models made from the records alone. A change of friction cannot show
+        // relative to a model without friction.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)
@@ -105,7 +106,7 @@ impl Prepared {
             .max_by(|a, b| a.log_posterior.total_cmp(&b.log_posterior))
             .ok_or(DiagnosisError::NotFinite)?;
         let structure = with_friction(structure, |params| fit(start(params)));
-        // Use the integration of the refits, because its error is then equal for both dampers.
+        // Use the integration of the refits, because its error is then equal for this damper and the reference damper.
         let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let (mut missing, mut shifted) = (Vec::new(), Vec::new());

@@ -1,5 +1,5 @@
 //! Correction based on a reference: the same tests on a good damper. The residual of the model on these tests is its
-//! form error, which both dampers share. After the correction, only changes of the damper remain.
+//! form error, which the diagnosed damper shares. After the correction, only changes of the damper remain.
 
 use dashpot_core::Input;
 use dashpot_estimation::samples::Test;
@@ -62,7 +62,7 @@ impl Left {
         Left { by_phase }
     }
 
-    /// Interpolates linearly between the two samples around a phase.
+    /// Interpolates the residual, N, linearly between the two samples around a phase, rad.
     fn at(&self, phase: f64) -> f64 {
         let n = self.by_phase.len();
         let right = self.by_phase.partition_point(|p| p.0 <= phase);
@@ -85,11 +85,11 @@ pub struct Freed {
 }
 
 /// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar.
-/// The value corresponds to a factor of two in both.
+/// The value corresponds to a factor of two in both speed and amplitude.
 const ALIKE: f64 = 0.98;
 
 /// Returns the logarithmic distance of two motions in speed and amplitude. Returns `None` if one has no cycles, or if
-/// mean displacement or side force differ.
+/// they differ too much in mean displacement or side force.
 fn distance(a: &At, b: &At) -> Option<f64> {
     let speed = |at: &At| at.amplitude * at.frequency;
     let is_comparable = a.frequency > 0.0
@@ -103,8 +103,8 @@ fn distance(a: &At, b: &At) -> Option<f64> {
 /// to the noise of the test.
 ///
 /// If the reference does not contain the test, the correction uses the form error of the nearest motion. This error is
-/// scaled with the largest force of the test. Half of this error counts as uncertain. A test without a similar motion
-/// is not corrected. `residual` is measured minus computed force of every reference test, N.
+/// scaled with the ratio of the largest forces of the two tests. Half of this error counts as uncertain. A test without
+/// a similar motion is not corrected. `residual` is measured minus computed force of every reference test, N.
 pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Vec<f64>]) -> Freed {
     let known: Vec<(At, Left, f64, f64)> = reference
         .iter()

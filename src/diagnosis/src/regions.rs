@@ -11,7 +11,7 @@ use dashpot_records::newtons::newtons;
 const SPEEDS: [f64; 7] = [0.0, 0.05, 0.15, 0.3, 0.6, 1.2, f64::INFINITY];
 /// Largest number of reported regions.
 const TOLD: usize = 12;
-/// Smallest ratio of residual to noise at which a region is reported.
+/// Smallest ratio of the root mean square residual to the noise at which a region is reported.
 const STANDS_OUT: f64 = 1.5;
 /// Smallest number of samples for which a region is evaluated.
 const FEWEST: usize = 5;

@@ -93,7 +93,7 @@ pub struct SettingFigures<D> {
     pub diagnosis: D,
 }
 
-/// Results of a diagnosis at several settings, in the form that the command writes and Python reads.
+/// Results of a diagnosis at several settings, in the form that `dashpot diagnose` writes and Python reads.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingsFigures<'a, D> {
     setting: AxisFigures<'a>,
@@ -288,8 +288,8 @@ fn percents(probabilities: impl Iterator<Item = f64>) -> String {
     if low == high { format!("{low} %") } else { format!("{low}–{high} %") }
 }
 
-/// Summarizes the missing effects and the changes with their settings. `open` lists the settings with a disagreement
-/// that no effect explains.
+/// Summarizes the missing effects and the changes with their settings. `open` lists the settings at which model and
+/// records disagree and no effect explains it.
 fn summarize(
     effects: &[EffectOverSettings],
     changes: &[ChangeOverSettings],
@@ -376,7 +376,7 @@ mod tests {
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
-        // An unnamed disagreement counts as a finding.
+        // An unnamed disagreement of model and records counts as a finding.
         let said = summary(&all[2..], &[], &[2.0], false);
         assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");
         let said = summary(&all[2..], &[], &[0.0, 1.0, 2.0], false);

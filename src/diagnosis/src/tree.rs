@@ -22,7 +22,7 @@ fn sorted(mut branches: Vec<Branch>) -> Vec<Branch> {
     branches
 }
 
-/// Returns the tree of a search, with its paths as the first level.
+/// Returns the tree of a search, with its paths as the first level. `at` contains the divisors of the log posteriors.
 pub fn tree(search: &StructureSearch, at: Temperatures) -> Vec<Branch> {
     let distinct = |names: Vec<&'static str>| {
         let mut all: Vec<&'static str> = Vec::new();

@@ -7,13 +7,14 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
 
-/// Smallest squared response of an effect of typical strength, in σ² over all tests, at which the records can show the
-/// effect. Only that part of the response counts which the other parameters of the model cannot reproduce.
+/// Smallest squared response of an effect of typical strength over all tests at which the records can show the effect.
+/// The unit is σ², the squared allowed error of a sample. Only that part of the response counts which the other
+/// parameters of the model cannot reproduce.
 const TRACE: f64 = 20.0;
 
 /// Lists all effects that could not be tested, because of missing channels, too small ranges, or a small response at a
 /// typical strength. Effects of the base model and the named effects `found` are not listed. `invisible` contains the
-/// squared response of each screened effect in σ².
+/// squared response of each screened effect, in units of the squared allowed error of a sample.
 pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {

@@ -8,7 +8,8 @@ use dashpot_records::Record;
 
 /// Difference of a test's mean temperatures on damper and reference, K, above which it is reported.
 ///
-/// At this difference, the gas force differs by 3 %. The valve forces of dampers of one series differ as much.
+/// At this difference, the gas force differs by 3 %. The valve forces of dampers of one series differ as much, so a
+/// smaller difference of temperature needs no report.
 const WARMER: f64 = 8.0;
 
 /// Returns the mean temperature of a record, °C, if the temperature was recorded.

@@ -30,7 +30,7 @@ const OIL_DENSITY: Uncertain = Uncertain { value: 850.0, low: 800.0, high: 890.0
 /// Young's modulus of steel, Pa.
 const TUBE_MODULUS: Uncertain = Uncertain { value: 206e9, low: 200e9, high: 212e9 };
 /// Wall thickness of pressure tubes, m: 1.2 to 1.5 mm in twin tubes, 2 to 2.5 mm in monotubes (Dixon 2007, chapter 1).
-/// The tube contributes a tenth of the column's compliance.
+/// The tube contributes a tenth of the oil column's compliance.
 const TUBE_WALL: Uncertain = Uncertain { value: 1.8e-3, low: 1.1e-3, high: 3e-3 };
 /// Discharge coefficient of sharp and slightly rounded passages (Merritt, Hydraulic Control Systems, 1967, chapter 3;
 /// Dixon 2007, chapter 6). Computed areas are inversely proportional to the coefficient.
@@ -39,12 +39,12 @@ const DISCHARGE: Uncertain = Uncertain { value: 0.7, low: 0.6, high: 0.8 };
 const WORKSHOP: Uncertain = Uncertain { value: 20.0, low: 15.0, high: 25.0 };
 
 impl Dimensions {
-    /// Returns the stated value of an entry, if the drawing states it.
+    /// Returns the stated value of an entry, or `None` if these dimensions do not state it.
     pub fn stated(&self, entry: Entry) -> Option<Uncertain> {
         self.entries[entry as usize]
     }
 
-    /// Returns the drawing with one entry stated, in SI units (a temperature in °C).
+    /// Returns these dimensions with `entry` stated as `value`, in SI units (a temperature in °C).
     pub fn with(mut self, entry: Entry, value: Uncertain) -> Dimensions {
         self.entries[entry as usize] = Some(value);
         self
@@ -64,8 +64,9 @@ impl Dimensions {
         })
     }
 
-    /// Computes a volume from the other stated entries. The oil volume is that of the chambers, plus the oil in the
-    /// reserve if the drawing states it. Returns `None` for other entries, and if the volume is unknown.
+    /// Computes a volume, m³, from the other stated entries. The oil volume is that of the chambers, plus the reserve's
+    /// oil if that is stated. Returns `None` for entries that are no volumes of gas or oil, and if the volume is
+    /// unknown.
     pub fn by_others(&self, entry: Entry) -> Option<Uncertain> {
         match entry {
             Entry::GasVolume => {
@@ -82,7 +83,7 @@ impl Dimensions {
         }
     }
 
-    /// Returns whether the drawing has no entries.
+    /// Returns whether these dimensions have no entries.
     pub fn is_empty(&self) -> bool {
         self.design.is_none() && self.entries.iter().all(Option::is_none)
     }
@@ -98,7 +99,7 @@ impl Dimensions {
     }
 }
 
-/// Computes a positive number from entries. Returns `None` if its interval reaches zero or is unbounded.
+/// Computes a positive number from the values of entries. Returns `None` if its interval reaches zero or is unbounded.
 fn bounded(inputs: &[Uncertain], formula: impl Fn(&[f64]) -> f64) -> Option<Uncertain> {
     let found = through(inputs, formula);
     let (value, low, high) = (found.value?, found.low?, found.high?);

@@ -7,9 +7,9 @@ pub enum Entry {
     Bore,
     /// Diameter of the rod.
     Rod,
-    /// Length of the oil on the rod's side of the piston.
+    /// Length of the oil between the piston and the rod guide.
     ReboundChamber,
-    /// Length of the oil on the other side of the piston.
+    /// Length of the oil between the piston and the base valve or floating piston.
     CompressionChamber,
     /// Total volume of oil and gas in the reserve.
     ReserveVolume,
@@ -68,8 +68,8 @@ const fn row(
 }
 
 /// The table of entries, in the order of [`Entry`]. Tolerances are those of production (bore and rod to ISO 286 IT 9)
-/// and of filling. Lengths have a wider tolerance, because the lengths of a drawing do not account for valves and
-/// washers. Tighter tolerances would give contradictions that are only differences of measurement.
+/// and of filling with oil and gas. Lengths have a wider tolerance, because the lengths of a drawing do not account for
+/// valves and washers. Tighter tolerances would give contradictions that are only differences of measurement.
 pub const ENTRIES: [EntryRow; 17] = [
     row(Entry::Bore, "bore_mm", 1e-3, (5.0, 300.0), 0.005, "inner diameter of the tube in which the piston runs"),
     row(Entry::Rod, "rod_mm", 1e-3, (1.0, 150.0), 0.005, "diameter of the rod"),

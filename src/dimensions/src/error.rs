@@ -8,7 +8,7 @@ pub enum DimensionsError {
     /// The file cannot be read.
     #[error("cannot read the dimensions {file}: {why}")]
     Unreadable {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// The system's reason.
         why: std::io::Error,
@@ -16,7 +16,7 @@ pub enum DimensionsError {
     /// The text is not TOML.
     #[error("{file} is not a TOML file: {why}")]
     Toml {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// Message of the TOML reader, with line and column.
         why: String,
@@ -24,11 +24,11 @@ pub enum DimensionsError {
     /// An entry is invalid.
     #[error("{file}, line {line}: {key}{text}")]
     Entry {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
-        /// Line.
+        /// Line number, from 1.
         line: usize,
-        /// Key.
+        /// Key of the invalid entry.
         key: String,
         /// The problem and its remedy.
         text: String,
@@ -36,7 +36,7 @@ pub enum DimensionsError {
     /// Two entries contradict each other.
     #[error("{file}: {text}")]
     Together {
-        /// Path.
+        /// Path of the file.
         file: PathBuf,
         /// The problem and its remedy.
         text: String,

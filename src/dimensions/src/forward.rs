@@ -18,7 +18,8 @@ pub struct Expectation {
     pub number: Number,
     /// Name of the parameter as English text.
     pub noun: &'static str,
-    /// Implied value in the unit of the parameter. The 95 % interval includes the errors of entries and form.
+    /// Implied value in the unit of the parameter. The 95 % interval includes the errors of the entries and of the
+    /// formula.
     pub expected: Uncertain,
     /// Keys of the stated entries from which the value follows.
     pub from: Vec<&'static str>,
@@ -60,13 +61,14 @@ const COLUMN: &str = "Merritt 1967, chapter 2; Lamé's tube";
 const TWIN: &str = "Segel & Lang 1981; Duym & Reybrouck 1998";
 const EYES: &str = "springs in line";
 
-/// Computes the modulus of oil and tube together, Pa. Air is a separate element.
+/// Computes the modulus of oil and tube together, Pa. Both moduli are in Pa, the bore and the wall thickness in m. Air
+/// is a separate element.
 fn modulus(oil_modulus: f64, bore: f64, wall: f64, tube: f64) -> f64 {
     1.0 / (1.0 / oil_modulus + oil::tube_compliance(bore, wall, tube))
 }
 
-/// The formulas. If a form error is too small, sound dampers have contradictions. If it is too large, the prior does
-/// not help to distinguish effects.
+/// Formulas from entries to parameters. If the form error of a formula is too small, sound dampers have contradictions.
+/// If it is too large, the prior does not help to distinguish effects.
 const RULES: &[Rule] = &[
     Rule {
         number: number!("gas_force"),
@@ -75,7 +77,8 @@ const RULES: &[Rule] = &[
         states: &[GasPressure, Rod],
         design: None,
         formula: |x| gas::force(x[0], x[1]),
-        // The gas is up to 25 K warmer than during filling, and a load cell has a zero offset of some newtons.
+        // The form error covers gas that is up to 25 K warmer than during filling, and a load cell offset of some
+        // newtons.
         form: 1.15,
         shape: Shape::Place,
         source: GAS,
@@ -98,7 +101,7 @@ const RULES: &[Rule] = &[
         states: &[GasPressure, Rod],
         design: None,
         formula: |x| gas::stiffness(x[0], x[1], x[2]),
-        // The stiffness in a fast test is up to 1.4 times the slow stiffness.
+        // The formula gives the slow stiffness. The stiffness in a fast test is up to 1.4 times as large.
         form: 1.5,
         shape: Shape::Place,
         source: GAS,
@@ -132,7 +135,7 @@ const RULES: &[Rule] = &[
         states: &[Bore, Rod, ReboundChamber],
         design: None,
         formula: |x| oil::rebound_stiffness(modulus(x[0], x[1], x[4], x[5]), x[1], x[2], x[3]),
-        // If the model has no element for the air, the air makes the column softer.
+        // If the model has no element for the air, the air makes the fitted column softer than the formula.
         form: 1.6,
         shape: Shape::Size,
         source: COLUMN,

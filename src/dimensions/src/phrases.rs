@@ -60,7 +60,7 @@ pub(crate) const QUANTITIES: [(&str, &str); 11] = [
     ("compression_blow_off_area", "blow-off area in compression"),
 ];
 
-/// English names of the implied parameters in a contradiction.
+/// English names, in contradictions, of the parameters that a drawing implies.
 pub(crate) const NOUNS: [&str; 12] = [
     "gas force",
     "growth of the gas force with temperature",
@@ -76,7 +76,8 @@ pub(crate) const NOUNS: [&str; 12] = [
     "parallel spring",
 ];
 
-/// Units that contain words, and partly missing parameters of a model.
+/// Texts that messages contain as values and that need a translation: units with words, and missing parameters of a
+/// model.
 const WORDS: [&str; 5] = [
     "bar gauge",
     "% at 1.013 bar absolute",

@@ -8,9 +8,9 @@ const Z: f64 = 1.959_963_985;
 pub struct Uncertain {
     /// Central value.
     pub value: f64,
-    /// Lower end.
+    /// Lower end of the 95 % interval.
     pub low: f64,
-    /// Upper end.
+    /// Upper end of the 95 % interval.
     pub high: f64,
 }
 
@@ -52,9 +52,9 @@ impl Uncertain {
 pub struct Interval {
     /// Value at the central inputs.
     pub value: Option<f64>,
-    /// Lower end.
+    /// Lower end of the 95 % interval.
     pub low: Option<f64>,
-    /// Upper end.
+    /// Upper end of the 95 % interval.
     pub high: Option<f64>,
 }
 
@@ -66,8 +66,8 @@ impl Interval {
     }
 }
 
-/// Number of samples of one interval. The error of the ends is a hundredth of the width. More samples cost time and do
-/// not change the printed digits.
+/// Number of samples from which one interval is computed. The error of its ends is a hundredth of its width. More
+/// samples cost time and do not change the printed digits.
 const SAMPLES: usize = 4000;
 
 /// Computes the interval of a formula of uncertain numbers by sampling. A result that is not finite counts as infinite,

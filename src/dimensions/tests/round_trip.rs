@@ -1,5 +1,5 @@
-//! Round trip of the forward and the inverse formulas: the parameters that a drawing implies are explained, and the
-//! explanation gives the drawing again.
+//! Round trip of the forward and the inverse formulas. A model with the parameters that a drawing implies is explained,
+//! and the explanation gives the entries of the drawing again.
 
 use dashpot_dimensions::orifice::quadratic_force;
 use dashpot_dimensions::{Dimensions, explain, forward, geometry, read};
@@ -12,7 +12,7 @@ const RIGID: &str = "tube_wall_mm = 50\ntube_modulus_gpa = 400\n";
 /// Eyes that are much stiffer than any oil column. The range is narrow: with the ordinary tolerance of eyes, a softer eye
 /// is as likely a cause of a contradiction as a wrong length.
 const STIFF_EYES: &str = "eye_stiffness_n_mm = [0.98e6, 1e6]\n";
-/// Center of that range, N/m.
+/// Center of the range of [`STIFF_EYES`], N/m.
 const STIFFNESS_OF_EYES: f64 = 0.99e9;
 
 fn drawing(text: &str) -> Dimensions {
@@ -121,7 +121,8 @@ proptest! {
         let found = &explanation.contradictions[0];
         prop_assert_eq!(found.causes[0].entry, "rebound_chamber_mm");
         prop_assert!((found.causes[0].value / length - 1.0).abs() < 0.02, "{found:?}");
-        // The diameter of the rod would have to be that of another damper.
+        // A wrong rod diameter would need a far larger change to explain the contradiction, so the gas pressure is not
+        // in doubt.
         let pressure = explanation.find("gas_pressure").unwrap();
         prop_assert!(pressure.note.is_none(), "{pressure:?}");
         let modulus = explanation.find("oil_modulus_effective").unwrap();

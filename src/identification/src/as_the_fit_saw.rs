@@ -11,7 +11,8 @@ use dashpot_records::measurement_correction::{MeasurementError, correct_record};
 use dashpot_records::{Note, Record};
 use rayon::prelude::*;
 
-/// Kind of the note that reports the correction, or the errors that were found in other records.
+/// Kind of a [`Note`] on the measurement errors that a fit found. The note reports that the records were corrected for them, or that the
+/// fit used none of these records.
 pub const AS_THE_FIT_SAW: &str = "as_the_fit_saw";
 
 impl Identification {
@@ -22,8 +23,8 @@ impl Identification {
 
     /// Corrects the records in place for the measurement errors that the fit found. Returns a note, or `None` if the fit found no error.
     ///
-    /// If the fit used one of the records, all records count as records of the rig and campaign of the fit, even left-out ones. If the fit
-    /// used none of the records, they stay unchanged. The note then reports the errors that the fit found in its own records.
+    /// If the fit used at least one of these records, all of them count as records of the fit's rig and campaign, even left-out ones. If
+    /// the fit used none of them, they stay unchanged. The note then reports the errors that the fit found in its own records.
     pub fn right<'r>(&self, records: impl IntoIterator<Item = &'r mut Record>) -> Option<Note> {
         let measured = self.measured();
         let off = to_measurement_error(&measured);
@@ -47,7 +48,8 @@ impl Identification {
             if let (Some(from), Some(begins)) = (self.clock_from, record.begins) {
                 record.clock_s = begins - from;
             }
-            // The reader has already corrected the errors that the user stated. So only the rest is corrected here.
+            // The reader has already corrected the errors that the user stated. So only the difference between found and stated errors is
+            // corrected here.
             *record = correct_record(record, &off.beyond(&record.stated_error));
         });
         let text = Sentence::from(phrases::TAKEN_OUT_AS_THE_FIT_DID);

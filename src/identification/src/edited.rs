@@ -6,13 +6,14 @@ use dashpot_core::family::Axis;
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::parameter::{self, Number, Row};
 
-/// Interval of a number for which the fit gives no information.
+/// Interval, with NaN ends, that replaces the interval of a point that was changed since the fit.
 const NONE: [f64; 2] = [f64::NAN; 2];
 
-/// Removes the intervals and sources of changed numbers, and returns their names in the format of the entry `not_identified` of a model
-/// file.
+/// Removes the intervals and sources of numbers that were changed since the fit. Returns the names of these numbers in the format of the
+/// entry `not_identified` of a model file.
 ///
-/// A curve keeps the intervals of its unchanged points. A change of a number without an interval cannot be detected.
+/// `known` contains the results of the fit. A curve keeps the intervals of its unchanged points. A change of a number without an interval
+/// cannot be detected.
 pub(crate) fn take_out(params: &Params, axis: &Axis, known: &mut Identification) -> Vec<String> {
     let mut edited = Vec::new();
     for row in parameter::table().filter(|row| row.element().is_none_or(|element| params.is_on(element))) {
@@ -43,7 +44,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         Some(Interval::List(all)) if all.len() == values.len() => {
             edited.extend(blank(all, values).into_iter().map(|at| format!("{name}[{at}]")));
         }
-        // The number of points changed, so no interval of the fit is valid.
+        // The list has another number of points than its intervals, so no interval of the fit is valid.
         Some(Interval::List(_)) => {
             known.intervals.remove(name);
             edited.push(name.to_owned());
@@ -71,7 +72,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
         }
         _ => false,
     };
-    // The grid or the number of points was changed, so no interval over the setting is valid.
+    // The grid of settings or the number of points of a curve was changed, so no interval over the setting is valid.
     if is_over_setting && !is_whole {
         known.intervals_over_setting.remove(name);
         edited = vec![name.to_owned()];
@@ -82,7 +83,7 @@ fn of_row(row: &Row, params: &Params, axis: &Axis, known: &mut Identification) -
     edited
 }
 
-/// Sets the intervals that do not contain their value to NaN. Returns their indices.
+/// Replaces each interval that does not contain its value by NaN ends. Returns the indices of these intervals.
 fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     let mut places = Vec::new();
     for (at, (ends, value)) in all.iter_mut().zip(values).enumerate() {
@@ -94,8 +95,8 @@ fn blank(all: &mut [[f64; 2]], values: &[f64]) -> Vec<usize> {
     places
 }
 
-/// Returns whether an interval contains a value. An interval with a NaN end contains every value. The interval of a fixed point has two
-/// equal ends, so a tolerance of 1e-9 of the value covers rounding.
+/// Returns whether an interval contains a value. An interval with a NaN end contains every value. The interval of a fixed point of a curve
+/// has two equal ends, so a tolerance of 1e-9 of the value covers rounding.
 fn holds(ends: &[f64; 2], value: f64) -> bool {
     let room = 1e-9 * value.abs();
     ends.iter().any(|end| end.is_nan()) || (ends[0] - room..=ends[1] + room).contains(&value)

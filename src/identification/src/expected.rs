@@ -8,7 +8,8 @@ use dashpot_estimation::prior_set::{DamperPrior, PriorSet};
 use dashpot_messages::Sentence;
 use dashpot_records::reading_unit;
 
-/// Formats a sentence for each number that has its own prior: the expected value, or the contradiction with the records.
+/// Formats a sentence for each estimate whose number has a prior in `priors`: the value expected from the prior, or its contradiction with
+/// the records.
 pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentence> {
     let own = |estimate: &Estimate| {
         let row = priors.rows().iter().find(|row| row.number.name() == estimate.name)?;
@@ -17,14 +18,14 @@ pub fn describe_priors(priors: &PriorSet, estimates: &[Estimate]) -> Vec<Sentenc
     estimates.iter().filter_map(own).collect()
 }
 
-/// Returns whether the records identify the number and their interval does not overlap the interval of the prior.
+/// Returns whether the records identify a number, and the 95 % interval of its estimate does not overlap the 95 % interval of its prior.
 pub(crate) fn is_contradiction(row: &DamperPrior, estimate: &Estimate) -> bool {
     let (low, high) = row.interval();
     let is_outside = |(from, to): (f64, f64)| to < low || from > high;
     estimate.standing == Standing::Identified && estimate.low.zip(estimate.high).is_some_and(is_outside)
 }
 
-/// Formats the expected value of a number, with its interval and the dimensions from which it follows.
+/// Formats the expected value of a number, with the 95 % interval of its prior and the dimensions from which the prior follows.
 pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
     let (low, high) = row.interval();
     let (factor, unit) = reading_unit(row.center(), row.number.parameter().unit);
@@ -37,7 +38,7 @@ pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
         .with("facts", row.facts())
 }
 
-/// Formats the contradiction of a number: the identified value, the expected value and their ratio.
+/// Formats the contradiction between the records and the prior of a number: the identified value, the expected value and their ratio.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
     let (factor, unit) = reading_unit(row.center(), row.number.parameter().unit);
     Sentence::from(phrases::CONTRADICTS)

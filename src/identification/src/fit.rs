@@ -144,9 +144,10 @@ pub struct Fit {
     /// Measurement errors of the records. The fit adds them to the computed forces, and later comparisons correct the records for them. The
     /// model never contains them.
     pub measured: Vec<Measured>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
+    /// Time at which the drifts of the force channel's gain and zero are zero, s since 1970. `None` if the records have no common clock
+    /// with date and time.
     pub clock_from: Option<f64>,
-    /// Prior knowledge of the damper, in addition to its records.
+    /// Prior knowledge of the damper that the fit used in addition to the records.
     pub priors: PriorSet,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
@@ -154,7 +155,7 @@ pub struct Fit {
     pub tests: Vec<String>,
     /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
     pub fingerprints: Vec<String>,
-    /// Plain FV curve fitted to the same tests, for comparison.
+    /// Plain FV curve fitted to the tests that the fit used, for comparison.
     pub fv_only: Params,
     /// Root mean square of the weighted residual. At 1, the residual equals noise and form error, the error of a curve between its points.
     pub misfit: f64,
@@ -202,7 +203,8 @@ fn mix(estimates: &mut [Estimate], others: &[(f64, Vec<Estimate>)]) {
     }
 }
 
-/// Widens the intervals until they contain the intervals of another fit of the same numbers. The records do not exclude that fit.
+/// Widens the intervals of `estimates` until they contain the intervals of `others`, another fit of the same numbers. The records do not
+/// exclude that fit.
 pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Item = &'e Estimate> + Clone) {
     for estimate in estimates {
         let same = |e: &&Estimate| e.name == estimate.name && e.index == estimate.index;
@@ -213,15 +215,16 @@ pub(crate) fn hold_too<'e>(estimates: &mut [Estimate], others: impl Iterator<Ite
     }
 }
 
-/// Prior standard deviation of the delay of the force channel, s. A filter of 200 Hz delays by about 1 ms.
+/// Prior standard deviation of the delay of the force channel, s. A low-pass filter with a cutoff of 200 Hz delays by about 1 ms.
 const USUAL_DELAY: f64 = 1e-3;
-/// Prior standard deviation of the mass between load cell and damper, kg. It covers eye, clamp and joint of a car's damper.
+/// Prior standard deviation of the mass between load cell and damper, kg. It covers eye, clamp and joint of a car's damper, and scales with
+/// the force of other dampers.
 const USUAL_MASS: f64 = 2.0;
 
-/// Makes a hypothesis in which a delay of the force channel and a mass on the load cell are free within their priors. The search has
-/// rejected these errors.
+/// Makes a hypothesis in which the delay of the force channel and the mass on the load cell are also free within their priors.
 ///
-/// Returns `None` if `of` already contains each of the two errors or the user stated it.
+/// An error that the hypothesis `of` already contains, or that the user stated in `given`, stays unchanged. Returns `None` if this applies
+/// to both errors.
 pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -> Option<Hypothesis> {
     let mut freed = of.clone();
     let scale = Scale::from_params(&freed.base).force();
@@ -245,7 +248,7 @@ pub(crate) fn with_free_measurement(of: &Hypothesis, given: &MeasurementError) -
 }
 
 /// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors. A soft series
-/// path may become stiff once these errors are free.
+/// path may become stiff once these errors are free. Returns no estimates if neither error can be free, or if the refit fails.
 fn with_open_measurement(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Vec<Estimate> {
     let Some(freed) = with_free_measurement(&structure.hypothesis, given) else { return Vec::new() };
     let start = freed.start();
@@ -369,7 +372,7 @@ pub(crate) struct About {
     clock_runs_on: bool,
     /// Measurement errors that the user stated.
     pub(crate) given: MeasurementError,
-    /// Middle of the range of the measured temperatures, °C. `None` if no temperatures were measured, or if they hardly vary.
+    /// Middle of the range of the measured temperatures, °C. `None` if a record has no temperatures, or if they vary by at most 3 K.
     temperature: Option<f64>,
 }
 
@@ -615,17 +618,17 @@ fn kernel_model(name: &'static str, segments: &[Segment]) -> Result<Params, FitE
     found.params().ok_or(FitError::Literature(LiteratureError::NotFinite { name }))
 }
 
-/// Fraction of the residual mean square due to a constant force in each test above which [`zero_moves`] reports these forces.
+/// Fraction of the residual mean square due to a constant force in each test above which [`zero_moves`] reports these constant forces.
 ///
-/// A model that fits stays below this limit and below [`OFF`]. A model distorted by zeros that differ between tests exceeds both.
+/// A model that fits stays below this limit and below [`OFF`]. A model distorted by force zeros that differ between tests exceeds both.
 const CONSTANT: f64 = 0.2;
-/// Ratio of the residual to noise and form error above which a fit searches the residual for constant forces.
+/// Ratio of the root mean square residual to noise and form error above which a fit searches the residual for constant forces.
 const OFF: f64 = 2.0;
 
-/// Returns a remark if the residuals of at least three tests consist to a large part of a different constant force in each test.
+/// Returns a remark if the residuals of at least three tests consist to a large part of a constant force in each test.
 ///
-/// A model has the same numbers in all tests. Such residuals therefore mean that the zero of the force channel drifts, or that the gas
-/// force changes with its temperature.
+/// A model has the same numbers in all tests, so it already contains any force that all tests share. Such residuals therefore mean that the
+/// zero of the force channel drifts, or that the gas force changes with its temperature.
 fn zero_moves(segments: &[Segment], params: &Params) -> Option<Sentence> {
     let model = Model::new(params).ok()?;
     let (mut constant, mut rest) = (Vec::new(), 0.0);
@@ -657,7 +660,7 @@ pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
-/// Returns notes about tests that the campaign lacks: slow tests, and tests of different amplitudes.
+/// Returns notes about tests that the campaign lacks: slow tests, and tests whose amplitudes differ by a factor of at least two.
 pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     let mut notes = Vec::new();
     let velocity = format!("{:.0}", 1e3 * SLOW);
@@ -671,7 +674,7 @@ pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
     if is_one(&mut segments.iter().map(|s| s.amplitude)) {
         notes.push(phrases::ONE_AMPLITUDE.into());
     } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {
-        // Slow tests show friction and gas, but hardly the spring in series.
+        // Slow tests show friction and gas force, but hardly the spring in series, so the fast tests also need different amplitudes.
         notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity));
     }
     notes
@@ -725,7 +728,7 @@ mod tests {
         assert!(said("gas_force", 58.040_02, "N").ends_with("held at 58.04 N"));
     }
 
-    /// Makes a sine test of ±12 mm at 0.9 Hz on a damper with friction and spring.
+    /// Makes a sine test of ±12 mm at 0.9 Hz on a damper with spring, viscous damping and friction.
     fn slow_sine() -> Record {
         let n = 1000;
         let time: Vec<f64> = (0..n).map(|i| i as f64 * 0.01).collect();
@@ -750,7 +753,8 @@ mod tests {
 
     #[test]
     fn a_single_slow_record_is_no_reason_to_panic_for_any_kind_of_model() {
-        // The seventh power of 0.07 m/s needs coefficients that the parameter table rejects.
+        // The polynomial's seventh power of 0.07 m/s would need coefficients that the parameter table rejects. The fit must still give a
+        // valid model.
         let record = slow_sine();
         for family in [Family::Lag, Family::Piecewise, Family::Fv] {
             let found = fit(&[&record], &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();

@@ -25,7 +25,7 @@ pub struct Identification {
     /// Messages of the remarks and sources, so that reports can show them in other languages.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub messages: Vec<Kept>,
-    /// Instant from which the drifts of gain and zero count, s since 1970 by the rig's own clock.
+    /// Instant from which the drifts of the force channel's gain and zero count, s since 1970 by the rig's own clock.
     #[serde(
         default,
         deserialize_with = "known_time",

@@ -18,12 +18,12 @@ use serde::Serialize;
 
 /// Half-width of a 95 % interval in standard deviations.
 pub(crate) const Z: f64 = 1.96;
-/// Largest half-width of an interval, relative to the value, at which a parameter counts as identified. [`SHARE`] states a second
+/// Largest half-width of an interval, relative to the value, at which a parameter counts as identified. [`SHARE`] is an alternative
 /// criterion.
 const RELATIVE: f64 = 0.5;
-/// Largest force effect of an interval's half-width, as a fraction of the largest force, at which a parameter also counts as identified.
+/// Largest force due to an interval's half-width, relative to the largest measured force, at which a parameter also counts as identified.
 const SHARE: f64 = 0.005;
-/// Side force, N, at which the force effect of the side-force friction is evaluated.
+/// Side force, N, at which the force of the side-force friction is evaluated for [`SHARE`].
 const SIDE_FORCE: f64 = 300.0;
 /// Amplitude, m, below which [`sources`] counts a test as a small-stroke test.
 const SMALL_STROKE: f64 = 0.006;
@@ -37,9 +37,11 @@ pub struct Estimate {
     pub index: Option<usize>,
     /// Value, in `unit`.
     pub value: f64,
-    /// Lower end of the 95 % interval, or `None` if the data does not determine the number.
+    /// Lower end of the 95 % interval. `None` for a single number that the data does not determine. A point of a curve always has an
+    /// interval.
     pub low: Option<f64>,
-    /// Upper end of the 95 % interval, or `None` if the data does not determine the number.
+    /// Upper end of the 95 % interval. `None` for a single number that the data does not determine. A point of a curve always has an
+    /// interval.
     pub high: Option<f64>,
     /// Unit of the value and of the interval.
     pub unit: &'static str,
@@ -84,7 +86,7 @@ pub enum Standing {
     AtBound,
 }
 
-/// Computes the estimates of all numbers of the model at a refit. Returns none if the covariance cannot be computed.
+/// Computes the estimates of all numbers of the model from a refit. The list is empty if the covariance cannot be computed.
 pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Estimate> {
     let Some((covariance, determined)) = sandwich(hypothesis, refit, tests) else { return Vec::new() };
     let known = Known { covariance, determined, sources: sources(hypothesis, refit, tests) };
@@ -93,7 +95,7 @@ pub fn estimates(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<
 
 /// Information that the records give about the free numbers of a model.
 pub struct Known {
-    /// Covariance of the numbers, in the coordinates of the fit.
+    /// Covariance of the numbers, in the coordinates of the fit, such as logarithms of values.
     pub covariance: DMatrix<f64>,
     /// Degree to which each number is determined independently of all others and of its prior, 0 to 1.
     pub determined: Vec<f64>,
@@ -113,7 +115,7 @@ impl Known {
         }
     }
 
-    /// Computes estimates of all numbers of a hypothesis at `theta`. `residual` is the residual of the tests at `theta`.
+    /// Computes estimates of all numbers of a hypothesis at `theta`. `residual` is the weighted residual of the tests at `theta`.
     pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test], residual: &[f64]) -> Vec<Estimate> {
         let Known { covariance: cov, determined, sources } = self;
         let params = hypothesis.params(theta);
@@ -150,8 +152,8 @@ impl Known {
                         _ => (value - Z * sd, value + Z * sd),
                     };
                     let half = 0.5 * (b - a);
-                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. Therefore, the force
-                    // effect also decides.
+                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. Therefore, the force due
+                    // to the half-width also decides.
                     let force = half * per_unit(*number, stroke, speed);
                     let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
                     let (bound_low, bound_high) = scale.reach(*number);
@@ -226,8 +228,8 @@ impl Known {
     }
 }
 
-/// Returns the force, N, that one unit of a number causes at the largest stroke, m, and speed, m/s. Returns infinity if that force is
-/// unknown.
+/// Returns the force, N, that one unit of a number causes at the largest amplitude `stroke`, m, and the largest velocity `speed`, m/s.
+/// Returns infinity if that force is unknown.
 fn per_unit(number: Number, stroke: f64, speed: f64) -> f64 {
     const POWERS: [Number; 4] =
         [number!("spring_linear"), number!("spring_quadratic"), number!("spring_cubic"), number!("spring_quartic")];

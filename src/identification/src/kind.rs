@@ -1,4 +1,4 @@
-//! Kinds of model that the command and Python select by name.
+//! Kinds of model that `dashpot fit` and Python select by name.
 
 use crate::fit::Family;
 

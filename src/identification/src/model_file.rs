@@ -27,13 +27,14 @@ use std::path::{Path, PathBuf};
 pub struct ModelFile {
     /// Parameters of the damper.
     pub params: Params,
-    /// Setting on which the damper depends. Its grid is empty for a file that [`read`] accepts.
+    /// Setting on which the damper depends. Its grid is empty for an ordinary damper, the only kind that [`read`] accepts.
     pub axis: Axis,
     /// Results of the fit, or empty for a file without a fit.
     pub identification: Identification,
     /// Indices, in the parameter table, of the parameters that the text gives, whether their element is on or off.
     pub specified: Vec<usize>,
-    /// Names of the numbers outside the interval from their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] has removed these intervals.
+    /// Names of the numbers outside the interval from their fit, such as `fv_force[3]@0.8`. [`ModelFile::new`] has removed the intervals of
+    /// these numbers.
     pub edited: Vec<String>,
 }
 
@@ -154,10 +155,10 @@ impl ModelFile {
         self.identification.notes.iter().cloned().chain(remarks).collect()
     }
 
-    /// Returns whether the damper differs from the damper that the fit wrote.
+    /// Returns whether the damper differs from the damper that the fit wrote into the file.
     ///
-    /// It differs if a number lies outside its interval in the file, or if an element with an identified number is off. A file that a user
-    /// edits keeps the tables of its fit, so these tables show the change. A change within an interval does not count.
+    /// The damper differs if a number lies outside its interval in the file, or if an element with an identified number is off. A file that
+    /// a user edits keeps the tables of its fit, so these tables show the change. A change within an interval does not count.
     pub fn was_changed(&self) -> bool {
         let known = &self.identification;
         let is_off = |row: &Row| row.element().is_some_and(|element| !self.params.is_on(element));
@@ -298,8 +299,8 @@ fn parsed(
     Ok(ModelFile::new(params, axis, tables.identification, given))
 }
 
-/// Checks that the start value of the setting lies within the grid, and that the hysteresis is at most a quarter of its range. Returns line
-/// number and message of the first violation.
+/// Checks that the start value of the setting lies within the grid, and that the hysteresis is at most a quarter of the grid's range.
+/// Returns line number and message of the first violation.
 fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let line =
         |key: &str| text.lines().position(|line| line.trim_start().starts_with(key)).map_or(1, |at| at as u32 + 1);
@@ -436,7 +437,7 @@ fn setting(axis: &Axis) -> String {
     }
     for (index, entry) in ENTRIES.iter().enumerate() {
         let value = axis.number(index);
-        // The start value (index 0) is always written. Times, rates and hysteresis of 0 are omitted.
+        // The start value of the setting (index 0) is always written. Times, rates and hysteresis of 0 are omitted.
         if index == 0 || value != 0.0 {
             let _ = writeln!(out, "{} = {}  # {}", entry.name, number(value), entry.meaning);
         }
@@ -736,7 +737,7 @@ mod tests {
         let with = |name: &str| said.iter().find(|note| note.contains(name)).unwrap().clone();
         assert!(with("gas_force").contains("gas_preload is off"), "{said:?}");
         assert!(with("coulomb_force").contains("coulomb_steepness"), "{said:?}");
-        // A user interface may enable the element.
+        // A user interface may enable the element of the gas force. The note on it then disappears.
         file.params.enable(element!("gas_preload"), true);
         assert_eq!(file.notes().len(), 1);
         let on = "elements = [\"gas_preload\"]\ngas_force = 150\n[identification]\nnotes = [\"kept\"]\n";

@@ -1,5 +1,5 @@
-//! Creation of an initial model from a table of peak force over peak velocity (PVP, CVP). The forces of such a table include gas force and
-//! friction. If the user states gas force and friction, they are subtracted.
+//! Creation of an initial model from a table of forces at peak velocities (PVP) or at given velocities within a cycle (CVP). The forces of
+//! such a table include gas force and friction. If the user states gas force and friction, they are subtracted.
 
 use crate::family::setting_labels::exchanged_settings;
 use crate::model_file::{self, NoModel, prepared};
@@ -11,7 +11,7 @@ use dashpot_records::{
 };
 use std::path::Path;
 
-/// Largest gas force and friction of a damper, N. The strut of an airliner has a tenth.
+/// Largest accepted gas force or friction of a damper, N. The strut of an airliner's landing gear has a tenth of it.
 const LARGEST: f64 = 1e6;
 
 /// Reason why no model can be made from a table.
@@ -103,7 +103,8 @@ pub struct Begun {
     pub points: usize,
     /// Columns that were used, with their quantity and unit.
     pub columns: String,
-    /// Description of the side that was interpreted as rebound, with the ratio of the forces in rebound and compression if it is known.
+    /// Description of the columns or the sign that were interpreted as rebound. Contains the ratio of the forces in rebound and compression
+    /// if it is known.
     pub direction: String,
     /// Whether the forces contradict the interpretation in `direction`.
     pub is_doubtful: bool,
@@ -149,7 +150,7 @@ const REACHED: f64 = 0.8;
 /// percent. Test: `a_table_of_clicks_is_one_model_over_the_clicks`, where the speeds scatter by 0.7 %.
 const SAME_SPEED: f64 = 0.98;
 
-/// Returns the force of a curve at a velocity. The force is linear between the points of the curve, and constant beyond its ends.
+/// Returns the force, N, of a curve at a velocity, m/s. The force is linear between the points of the curve, and constant beyond its ends.
 fn force_at(curve: &[(f64, f64)], velocity: f64) -> f64 {
     let after = curve.partition_point(|(own, _)| *own < velocity);
     match (after.checked_sub(1).and_then(|before| curve.get(before)), curve.get(after)) {
@@ -243,7 +244,7 @@ pub fn family_of_peaks(
     Ok(Begun { exchanged, ..begun(path, &all[0], &Definition { params, axis }, (left_out, off)) })
 }
 
-/// Reads the forces of a damper from a table, and subtracts gas force and friction.
+/// Reads the forces of a damper from a table, and subtracts `gas_force` and `friction`, N.
 fn read_curve(path: &Path, options: &PeakOptions, gas_force: f64, friction: f64) -> Result<Read, OfPeaksError> {
     for (name, value) in [("--gas-force", gas_force), ("--friction", friction)] {
         if !(0.0..=LARGEST).contains(&value) {
@@ -323,7 +324,7 @@ fn columns(peaks: &Peaks) -> String {
     pairs.collect::<Vec<_>>().join(", ")
 }
 
-/// Describes the side that was interpreted as rebound. Also returns whether the forces contradict this interpretation.
+/// Describes the columns or the sign that were interpreted as rebound. Also returns whether the forces contradict this interpretation.
 fn direction(peaks: &Peaks) -> (String, bool) {
     /// Smallest ratio of the compression force to the rebound force at which the interpretation is doubtful. Measured ratios of symmetric
     /// dampers differ from 1 by less.

@@ -1,7 +1,7 @@
 //! Measurement errors that a fit estimates: delay of the force channel, mass on the load cell, drift of gain and zero through a campaign.
 //!
-//! A fit does not estimate a constant zero error. In the force, it is equivalent to another gas force. In the displacement, it is
-//! equivalent to another table of the spring. So only the user can state it ([`dashpot_records::Options`]).
+//! A fit does not estimate a constant zero error. A zero error of the force is equivalent to another gas force, and one of the displacement
+//! to another spring characteristic. So only the user can state a zero error ([`dashpot_records::Options`]).
 //!
 //! The search for the effects of the damper also decides about these errors, and estimates them together with the numbers of the model.
 //! They never become part of the model.
@@ -152,7 +152,7 @@ pub fn to_measurement_error(measured: &[Measured]) -> MeasurementError {
     }
 }
 
-/// Returns the measurement errors that a fit found, with intervals. Returns none if the covariance cannot be computed.
+/// Returns the measurement errors that a fit found, with 95 % intervals. The list is empty if the covariance cannot be computed.
 pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<Measured> {
     let is_rig = |free: &Free| matches!(free, Free::Rig(_));
     if !hypothesis.numbers.iter().any(|n| is_rig(&n.free)) {

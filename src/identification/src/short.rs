@@ -1,6 +1,6 @@
 //! Formatting of numbers in comments and sentences.
 
-/// Returns the number of decimals that show four significant digits. The number is negative if the digits end before the decimal point.
+/// Returns the number of decimals that show four significant digits. The result is negative if the digits end before the decimal point.
 fn decimals(value: f64) -> i32 {
     3 - libm::log10(value.abs()).floor() as i32
 }

@@ -11,19 +11,22 @@ use dashpot_core::number;
 use dashpot_core::parameter::Number;
 use dashpot_messages::Sentence;
 
-/// Largest factor by which a cause changes an entry, as a natural logarithm: a hundred. A slip of a unit is larger, and
-/// mostly outside the bounds of the entry.
+/// Largest factor by which the search for a cause of a contradiction changes an entry, as a natural logarithm: a
+/// hundred. A mistaken unit gives a larger factor, and is mostly outside the bounds of the entry.
 const LARGEST_CHANGE: f64 = 4.6;
-/// Step of the search for a cause, as a natural logarithm. The result is interpolated within the step.
+/// Step of the change of an entry in the search for a cause, as a natural logarithm. The result is interpolated within
+/// the step.
 const STEP: f64 = 0.02;
-/// Largest ratio of the tolerances of a cause to those of the first cause at which an entry is in doubt.
+/// Largest ratio of a cause's change to the smallest change among all causes at which the entry is in doubt. Changes
+/// count in tolerances of their entry.
 ///
 /// With a larger ratio, the diameter of the rod would be in doubt wherever the oil column is, and with it every
 /// quantity. Test: `round_trip.rs`.
 const AS_LIKELY: f64 = 2.0;
 
 impl Contradiction {
-    /// Returns the causes that need about as few tolerances as the first one.
+    /// Returns the causes whose change, in tolerances of the entry, is at most [`AS_LIKELY`] times that of the first
+    /// cause.
     pub(super) fn likely_causes(&self) -> impl Iterator<Item = &Cause> {
         let least = self.causes.first().map_or(0.0, |cause| cause.tolerances);
         self.causes.iter().filter(move |cause| cause.tolerances <= AS_LIKELY * least)
@@ -53,12 +56,13 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
             continue;
         }
         let is_series = number == number!("series_stiffness");
-        // Without a series spring, the oil column of the model includes the eyes.
+        // Without a series spring, the oil column of the model includes the compliance of the eyes.
         let with_eyes = number == number!("oil_stiffness") && !has_series;
         let expectation =
             if with_eyes { in_series_with_eyes(expectation.clone(), drawing) } else { expectation.clone() };
-        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes. Likewise, an
-        // oil column without a series spring may be softer than the oil, if the drawing does not state the eyes.
+        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes. Likewise,
+        // an oil column without a series spring includes eyes and oil. It may be softer than the oil if the drawing
+        // does not state the eyes.
         let may_be_softer =
             if is_series { !has_column } else { with_eyes && drawing.stated(Entry::EyeStiffness).is_none() };
         let is_below = own.high < expectation.expected.low && !may_be_softer;
@@ -80,7 +84,8 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
         let stand = Stand { number: number!("series_stiffness"), noun: "series stiffness", central: &of_drawing };
         to.contradictions.push(contradiction(own, column, &stand, drawing));
     }
-    // A parallel spring holds at least the stiffness of the gas.
+    // If the gas spring is off, the parallel spring includes the stiffness of the gas, so it must not be softer than
+    // the gas.
     if let (Some(gas), Standing::Off, Standing::Known(own)) =
         (find(number!("gas_stiffness")), model.number(number!("gas_stiffness")), model.number(number!("spring_linear")))
         && own.high < gas.expected.low
@@ -91,12 +96,12 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     }
 }
 
-/// Computes the stiffness of two springs in series.
+/// Computes the stiffness, N/m, of two springs in series from their stiffnesses, N/m.
 fn in_series(one: f64, other: f64) -> f64 {
     1.0 / (1.0 / one + 1.0 / other)
 }
 
-/// Returns the expected stiffness of an oil column in series with the eyes, if the drawing states these.
+/// Returns the expected stiffness of an oil column in series with the eyes, if the drawing states the eyes' stiffness.
 fn in_series_with_eyes(column: Expectation, of: &Dimensions) -> Expectation {
     let Some(eyes) = of.stated(Entry::EyeStiffness) else { return column };
     let found = through(&[column.expected, eyes], |x| in_series(x[0], x[1]));
@@ -201,8 +206,8 @@ fn facts(expectation: &Expectation, drawing: &Dimensions) -> Sentence {
     Sentence::as_it_is(all.join(", "))
 }
 
-/// Formats a number as in the file, without digits due to rounding in the conversion to SI. The center of a stated range may have many
-/// digits; it is rounded to three decimals.
+/// Formats a number as in the file, without digits due to rounding in the conversion to SI. The center of a stated
+/// range may have many digits; it is rounded to three decimals.
 fn plain(value: f64) -> String {
     let text = if value.abs() < 1.0 { format!("{value:.6}") } else { format!("{value:.3}") };
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

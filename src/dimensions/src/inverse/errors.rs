@@ -1,9 +1,9 @@
 //! Error factor of each quantity due to the form of the model. In 95 of 100 dampers, the error is within the factor.
 //!
-//! The factors were measured on dampers that follow laws of the literature (crate `other_lab`), with the calibration
-//! seeds of `cargo run --release -p dashpot-proving --example explain_other`. Other seeds checked the factors
-//! (docs/book/src/dimensions.md). If a factor is too small, intervals do not contain the true value. If it is too
-//! large, the intervals are useless.
+//! The factors were measured on dampers that follow laws of the literature (crate `other_lab`). The command was `cargo
+//! run --release -p dashpot-proving --example explain_other` with its calibration seeds. Other seeds checked the
+//! factors (docs/book/src/dimensions.md). If a factor is too small, intervals do not contain the true value. If it is
+//! too large, the intervals are useless.
 
 /// Error factor of the gas pressure. The gas becomes warmer in the tests, and a zero offset of the load cell acts like
 /// a gas force.

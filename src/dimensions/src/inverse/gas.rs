@@ -21,8 +21,8 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     volume(model, drawing, pressure, to);
 }
 
-/// Adds the gas pressure, computed from the gas force, to the explanation and returns it. Returns `None` if an end of
-/// its interval is unbounded. If the pressure cannot be determined, adds a gap instead and returns `None`.
+/// Adds the gas pressure, computed from the gas force, to the explanation and returns it, Pa. Returns `None` if an end
+/// of its interval is unbounded. If the pressure cannot be determined, adds a [`Gap`] instead and returns `None`.
 fn pressure(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Option<Uncertain> {
     const NAME: &str = "gas_pressure";
     let gap = |why: Template, parameters: Vec<&'static str>| Gap {
@@ -67,7 +67,8 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
     let (stiffness, source, note) = match model.number(number!("gas_stiffness")) {
         Standing::Known(stiffness) => (stiffness, "gas_stiffness", None),
         Standing::Off => match model.number(number!("spring_linear")) {
-            // A damper seldom has another spring over its whole stroke than the gas.
+            // A damper seldom has another spring over its whole stroke than the gas, so the parallel spring counts as
+            // the gas.
             Standing::Known(spring) if spring.low > 0.0 => {
                 (spring, "spring_linear", Some(phrases::IF_SPRING_IS_GAS.into()))
             }

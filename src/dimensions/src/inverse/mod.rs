@@ -15,7 +15,8 @@ use crate::phrases;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_messages::Sentence;
 
-/// Determines physical quantities of a damper from its model and its drawing, and the contradictions between both.
+/// Determines physical quantities of a damper from its model and its drawing, and contradictions between model and
+/// drawing.
 ///
 /// The intervals include the uncertainties of model file, drawing and handbook data, and the form error of the model.
 pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {

@@ -41,7 +41,7 @@ impl Identified<'_> {
     /// Returns whether the fit of the model had a prior from the dimensions for a parameter, according to its notes.
     pub fn had_prior(&self, name: &str) -> bool {
         let said = [format!("{name} was expected at"), format!("{name} contradicts the dimensions")];
-        // The notes of an adjustable damper begin with the setting.
+        // The notes of an adjustable damper begin with the setting and a colon.
         let is_said = |note: &str, said: &str| note.starts_with(said) || note.contains(&format!(": {said}"));
         self.0.identification.notes.iter().any(|note| said.iter().any(|said| is_said(note, said)))
     }
@@ -51,8 +51,9 @@ impl Identified<'_> {
         self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0
     }
 
-    /// Returns speeds and forces of one stroke, slowest first. Speeds and forces are positive, and the force at zero
-    /// velocity is subtracted. Points whose force has the wrong sign are omitted.
+    /// Returns speeds, m/s, and forces, N, of one stroke, slowest first. `stroke` is 1 for rebound and −1 for
+    /// compression. Speeds and forces are positive, and the force at zero velocity is subtracted. Points whose force
+    /// has the wrong sign are omitted.
     pub fn branch(&self, stroke: f64) -> Vec<(f64, Uncertain)> {
         let Identified(file) = self;
         let (velocities, forces) = (file.params.list(list!("fv_velocity")), file.params.list(list!("fv_force")));
@@ -85,7 +86,7 @@ impl Identified<'_> {
 /// Smallest lower end of a point's interval, as a fraction of the point's force.
 const SMALLEST: f64 = 0.05;
 
-/// Interpolates the force of an FV table at zero velocity.
+/// Interpolates the force of an FV table, N, at zero velocity.
 fn at_standstill(velocities: &[f64], forces: &[f64]) -> f64 {
     let right = velocities.partition_point(|v| *v < 0.0);
     match (right.checked_sub(1), velocities.get(right)) {

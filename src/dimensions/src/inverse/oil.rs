@@ -51,10 +51,11 @@ struct Column {
     is_bound: bool,
 }
 
-/// Returns the stiffness of the oil column. It comes from the model's oil column, from its series spring without the
-/// eyes, or as a bound from the whole series spring. If none is known, the error lists the missing parameters.
+/// Returns the stiffness of the oil column. It comes from the model's oil column, or from its series spring without the
+/// compliance of the eyes. The whole series spring gives only a bound. If none is known, the error lists the missing
+/// parameters.
 fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'static str>> {
-    // Without a series spring in the model, its oil column includes the eyes.
+    // Without a series spring in the model, its oil column includes the compliance of the eyes.
     let has_series = model.number(number!("series_stiffness")) != Standing::Off;
     let eyes = drawing.stated(Entry::EyeStiffness);
     let included: Vec<Uncertain> = eyes
@@ -62,7 +63,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         .into_iter()
         .flat_map(|eyes| [eyes, Uncertain::within_factor(1.0, errors::EYES)])
         .collect();
-    // If the drawing does not state the eyes either, the column of the oil alone is at least as stiff.
+    // If the drawing does not state the eyes either, the oil alone is at least as stiff as the model's oil column.
     let is_bound = !has_series && eyes.is_none();
     let note_of = |note: Option<Template>| match () {
         () if is_bound => Some(phrases::COLUMN_BOUND),
@@ -70,7 +71,7 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
         () => Some(phrases::COLUMN_LESS_THE_EYES),
     };
     // The stiffness in compression comes first, because in compression, the column of a twin tube is the softest
-    // element in series. In rebound, the eyes are softer.
+    // element in series. In rebound, the eyes are softer than the column.
     if let (Some(Design::TwinTube), Standing::Known(own), Standing::Known(ratio)) =
         (drawing.design, model.number(number!("oil_stiffness")), model.number(number!("oil_compression")))
         && ratio.value != 1.0
@@ -128,12 +129,14 @@ fn stiffness(model: &Identified, drawing: &Dimensions) -> Result<Column, Vec<&'s
     }
 }
 
-/// Computes the stiffness of the eyes from their stiffness and its error factor. Infinite if both are missing.
+/// Computes the stiffness of the eyes, N/m, from their stated stiffness and its error factor. Infinite if both are
+/// missing.
 fn stiffness_of_eyes(inputs: &[f64]) -> f64 {
     if inputs.is_empty() { f64::INFINITY } else { inputs.iter().product() }
 }
 
-/// Computes the stiffness of a series spring without one of its parts. Infinite if the part is softer than the whole.
+/// Computes the stiffness of a series spring without one of its parts, N/m. Infinite if the part is softer than the
+/// whole.
 fn in_line_with(whole: f64, part: f64) -> f64 {
     if whole < part { 1.0 / (1.0 / whole - 1.0 / part) } else { f64::INFINITY }
 }
@@ -219,7 +222,7 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
     }
     let (Some(effective), true) = (effective, missing.is_empty()) else {
         let why = phrases::AIR_FROM.into();
-        // If the model has a column, its modulus is only a bound for lack of the eyes.
+        // If the model has an oil column, its modulus is only a bound unless the stiffness of the eyes is known.
         let has_column = matches!(model.number(number!("oil_stiffness")), Standing::Known(_));
         let parameters = match effective {
             None if !has_column => vec!["oil_stiffness or aeration_stroke"],

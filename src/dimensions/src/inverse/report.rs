@@ -8,7 +8,7 @@ use serde::Serialize;
 /// A quantity of the damper that follows from the model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Quantity {
-    /// Name.
+    /// Name of the quantity.
     pub name: &'static str,
     /// Value, or `None` if only a bound is known.
     pub value: Option<f64>,
@@ -16,7 +16,7 @@ pub struct Quantity {
     pub low: Option<f64>,
     /// Upper end of the interval, or `None` if unbounded.
     pub high: Option<f64>,
-    /// Unit.
+    /// Unit of the value and of the interval.
     pub unit: &'static str,
     /// Parameters of the model and entries of the drawing from which the quantity follows.
     pub from: Vec<&'static str>,
@@ -30,9 +30,9 @@ pub struct Quantity {
 /// A quantity that cannot be determined.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Gap {
-    /// Name.
+    /// Name of the quantity.
     pub name: &'static str,
-    /// Reason.
+    /// Reason why the quantity cannot be determined.
     pub why: Sentence,
     /// Entries of the drawing that are missing.
     pub entries: Vec<&'static str>,
@@ -51,9 +51,9 @@ pub struct Contradiction {
     pub dimensions: f64,
     /// Ratio of the model's value to that of the drawing.
     pub ratio: f64,
-    /// Unit of both values.
+    /// Unit of `model` and `dimensions`.
     pub unit: &'static str,
-    /// Entries of the drawing from which the value was computed. At least one of them, or the model, is wrong.
+    /// Entries of the drawing from which `dimensions` was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
     /// Entries that alone would explain the contradiction with another value, the smallest change first.
     pub causes: Vec<Cause>,
@@ -64,7 +64,7 @@ pub struct Contradiction {
 /// An entry of the drawing that alone explains a contradiction if it has another value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cause {
-    /// Entry.
+    /// Key of the entry in the drawing.
     pub entry: &'static str,
     /// Value that explains the contradiction, in the unit of the drawing.
     pub value: f64,

@@ -1,8 +1,9 @@
 //! Bleed, leak and blow-off, from the FV curve of each stroke.
 //!
-//! Below the knee, the force of the passages is a w + b w² at the piston speed w (Merritt, Hydraulic Control Systems,
-//! 1967, chapter 3). The coefficient b belongs to an orifice, and 1/a is proportional to the leak at very low speed. At
-//! the largest force, the flow in excess of the bleed flow passes the blow-off valve.
+//! Below the knee of the FV curve, the force of the passages at the piston speed w is a w + b w². This law is from
+//! Merritt, Hydraulic Control Systems, 1967, chapter 3. The coefficient b, N s²/m², belongs to an orifice. The inverse
+//! 1/a of the coefficient a, N s/m, is proportional to the leak at very low speed. At the largest force, the flow in
+//! excess of the bleed flow passes the blow-off valve.
 
 use super::errors;
 use super::model::Identified;
@@ -20,8 +21,8 @@ const MM2: f64 = 1e-6;
 const CM3_PER_BAR: f64 = 1e-11;
 /// Ratio of the slope of the FV curve to its steepest slope, below which a valve has opened.
 const KNEE: f64 = 0.9;
-/// Largest number of points below the knee used for the bleed law. If there are more, only the fastest are used,
-/// because further points add no information.
+/// Largest number of points below the knee from which the force law of the bleed is fitted. If there are more, only the
+/// fastest are used, because further points add no information.
 const POINTS: usize = 8;
 
 /// A stroke with the names of its quantities.
@@ -63,9 +64,10 @@ fn bleed_points(points: &[(f64, Uncertain)]) -> usize {
     points.len()
 }
 
-/// Fits h = `a` w + `b` w² by least squares of relative errors. Neither coefficient is negative.
+/// Fits h = `a` w + `b` w² to forces h, N, at speeds w, m/s, by least squares of relative errors. Neither coefficient
+/// is negative.
 fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
-    // With y = h/h = 1 the columns are w/h and w²/h.
+    // Relative errors mean that each equation is divided by its h: the target is 1, and the columns are w/h and w²/h.
     let sums = speeds.iter().zip(forces).fold([0.0; 5], |s, (w, h)| {
         let (p, q) = (w / h, w * w / h);
         [s[0] + p * p, s[1] + p * q, s[2] + q * q, s[3] + p, s[4] + q]
@@ -83,8 +85,8 @@ fn bleed_law(speeds: &[f64], forces: &[f64]) -> (f64, f64) {
 }
 
 impl Stroke {
-    /// Returns the effective piston area of the stroke: the pressure difference of the valves acts on this area, and
-    /// the area displaces their flow.
+    /// Returns the effective piston area of the stroke, m². The pressure difference of the valves acts on this area,
+    /// and the area displaces their flow. The diameters of bore and rod are in m.
     fn area(&self, design: Option<Design>, bore: f64, rod: f64) -> f64 {
         if self.sign < 0.0 && design == Some(Design::TwinTube) { area(rod) } else { annulus(bore, rod) }
     }
@@ -210,7 +212,8 @@ mod tests {
             [0.02, 0.05, 0.09].map(|w| (w, Uncertain::within(a * w + b * w * w, 0.0))).to_vec();
         points.push((0.3, Uncertain::within(900.0, 0.0)));
         assert_eq!(bleed_points(&points), 3);
-        // Friction that is 20 N too small raises all points, and most of all the slope from rest to the first.
+        // Friction that is 20 N too small raises all points. It increases only the slope from rest to the first point,
+        // which does not count.
         let raised: Vec<(f64, Uncertain)> =
             points.iter().map(|(w, h)| (*w, Uncertain::within(h.value + 20.0, 0.0))).collect();
         assert_eq!(bleed_points(&raised), 3);

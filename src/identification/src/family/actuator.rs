@@ -21,10 +21,10 @@ use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
 const RMS_OF_MEAN: f64 = 1.25;
-/// Factor on the second derivative of the force over the setting in the first and last grid interval, for a standard deviation of the
-/// force. For a bound on the error of a force, [`InterpolationError`] uses 2.
+/// Factor on the second derivative of the force over the setting, in the first and last interval of the grid. It applies to the standard
+/// deviation of an interpolated force. The bound of [`InterpolationError`] uses the factor 2 instead.
 ///
-/// The figures of the physical valve in the book were computed with this value (`prove_semi_active 4 3040000`).
+/// The figures of the physical valve in the book were computed with a factor of 1.5 (`prove_semi_active 4 3040000`).
 const AT_END: f64 = 1.5;
 /// Ratio of the posterior to the prior standard deviation of a number below which the number counts as identified.
 const NARROWED: f64 = 0.7;
@@ -51,7 +51,8 @@ pub struct ActuatorFit {
     pub tests: Vec<String>,
 }
 
-/// Adds the error of the family at constant settings to the noise of the tests. This error is `fraction` of the largest force of a test.
+/// Adds the family's error at constant settings to the noise and the allowed errors of tests, as an independent error. This error is
+/// `fraction` of the largest force of each test.
 fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     let weighed = |mut test: Test| {
         let form = fraction * test.segment.top;
@@ -62,9 +63,11 @@ fn with_form_error(tests: Vec<Test>, fraction: f64) -> Vec<Test> {
     tests.into_iter().map(weighed).collect()
 }
 
-/// Identifies the actuator of a given damper family, and writes the actuator into its axis.
+/// Identifies the actuator of the damper family `damper`, and writes the actuator into the axis of this family.
 ///
-/// `records` are the tests with a changing setting. Returns `None` if there are none, or if no start gives a finite force.
+/// `records` are the tests with a changing setting, and `reports` the errors of the family at each constant setting. `progress` receives
+/// the completed fraction, 0 to 1. Returns `None` if there are no such tests, if no start value gives finite forces, or if the axis rejects
+/// a number.
 pub fn identify_actuator(
     damper: &mut Definition,
     family: &FamilyStructure,
@@ -121,9 +124,11 @@ pub fn identify_actuator(
     })
 }
 
-/// Returns the group of each scored sample of the tests: the samples after steps between the same two settings are one group.
+/// Returns, for each test, the group index of each scored sample. Samples after steps between the same two settings are one group over all
+/// tests.
 ///
-/// All other samples of a test are one group. The model has the same error at all steps of a group.
+/// A step counts if the new setting lasts at least [`SHORTEST_LEVEL`]. All other samples of a test are one group. The model has the same
+/// error at all steps of a group, so the errors within a group are correlated.
 fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
     let mut kinds: Vec<(u64, u64, usize)> = Vec::new();
     let mut group_of = |kind: (u64, u64, usize)| {
@@ -150,10 +155,11 @@ fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
     tests.iter().enumerate().map(of_test).collect()
 }
 
-/// Widens the intervals of the numbers of an actuator to those of errors that all steps between the same two settings share.
+/// Widens the intervals of an actuator's numbers until they contain the intervals for correlated errors within `groups`. In a group, all
+/// steps are between the same two settings.
 ///
-/// The model has such errors where the force between two settings, or the response of the valve, has another form. Many steps do not make
-/// them smaller.
+/// Such errors arise if the force between two settings, or the response of the valve, has another form in the damper than in the model.
+/// Averaging over many steps does not reduce them.
 fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &[Vec<usize>]) {
     let Some(covariance) = grouped_covariance(&refit.blocks, &refit.precisions(), groups) else { return };
     for (place, number) in refit.numbers.iter().enumerate() {
@@ -166,23 +172,25 @@ fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &
     }
 }
 
-/// Widens the intervals to both sides until they hold the effect of the errors of the force between the settings on each number.
+/// Widens each interval until it contains the effect, to both sides, of errors of the interpolated force. The effect is the difference from
+/// the estimate `without` these errors.
 ///
-/// A moving valve passes these settings, where no record shows the force. The records determine these errors only together with the times
-/// of the valve, and the errors are bounded. So the intervals of the times alone would be too narrow.
+/// A moving valve passes settings between those of the grid, where no record shows the force. The records determine the errors of this
+/// force only together with the time constants of the valve, and these errors are bounded. So the intervals from the covariance alone would
+/// be too narrow.
 fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
     for estimate in known {
         let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
         let effect = (other.value - estimate.value).abs();
-        // Times and widths are not negative.
+        // Times and widths of a hysteresis are not negative, so both ends are restricted to the bounds of the number.
         let end = |moved: f64| within_bounds(estimate.name, estimate.value + moved);
         estimate.widen([end(-effect), end(effect)]);
     }
 }
 
-/// Estimates the standard deviation of the interpolated force midway between each pair of grid neighbors, as a fraction of the force. It is
-/// the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error at these settings. A moving valve
-/// passes the settings between grid values, so a wrong force would appear as a wrong response time.
+/// Estimates the standard deviation of the interpolated force midway between each pair of grid neighbors, as a fraction of a test's largest
+/// force. It is the error at the [left-out settings](SettingReport::left_out) in excess of the family's own error at these settings. A
+/// moving valve passes the settings between grid values, so a wrong force there would appear as a wrong response time.
 fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f64> {
     let errors = InterpolationError::new(damper);
     let difference = |place: usize| {
@@ -216,7 +224,7 @@ fn estimates(
 ) -> Vec<Estimate> {
     let precisions = refit.precisions();
     let Some((covariance, _)) = robust_covariance(&refit.blocks, &precisions) else { return Vec::new() };
-    // The instant of the command has the same error at all steps.
+    // The instant of the command has the same error at all steps, so averaging over steps does not reduce its effect.
     let shift = considered_shift(&refit.blocks, &precisions, timing);
     let unit = damper.axis.unit();
     let mut all = Vec::new();
@@ -257,15 +265,15 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
     let name = estimate.name;
     let part = |weight: f64, of: Option<&Estimate>| {
         let value = of.map_or(0.0, |of| of.value);
-        // An alternative in which the number has no interval gets no weight.
-        // Nor does one without hysteresis, if the number is the place in it.
+        // An alternative in which the number has no interval gets no weight. If the number is the position in the hysteresis, an
+        // alternative without hysteresis gets no weight either, because the number has no meaning there.
         let is_open = of.map_or(name == REST_ENTRY, |of| of.low.is_none());
         let weight = if is_open { 0.0 } else { weight };
         let end = |end: fn(&Estimate) -> Option<f64>| of.and_then(end).unwrap_or(value);
         Part { weight, value, ends: [end(|of| of.low), end(|of| of.high)] }
     };
     estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
-    // The mixed interval is that of a normal distribution, which may pass the bounds of the number.
+    // The mixed interval is that of a normal distribution, which may extend beyond the bounds of the number.
     estimate.low = estimate.low.map(|end| within_bounds(name, end));
     estimate.high = estimate.high.map(|end| within_bounds(name, end));
 }
@@ -276,8 +284,8 @@ fn within_bounds(name: &str, value: f64) -> f64 {
     entry.map_or(value, |entry| dashpot_records::restrict(value, entry.bounds.0, entry.bounds.1))
 }
 
-/// Returns the unit of a number of the axis. In the table, `*` stands for the unit of the setting, which the user chooses. Only A and V are
-/// known here; any other unit gives an empty text.
+/// Returns the unit of a number of the axis. In the table [`ENTRIES`], `*` stands for the unit of the setting, which the user chooses. Only
+/// A and V are known here; any other unit gives an empty text.
 fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     match (unit, of_setting) {
         ("*", "A") => "A",
@@ -289,7 +297,7 @@ fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     }
 }
 
-/// Returns remarks on the actuator for the engineer.
+/// Returns remarks on the actuator for the engineer. `name` is the name of the setting.
 pub fn notes(fit: &ActuatorFit, name: &str) -> Vec<Sentence> {
     let mut notes = Vec::new();
     let open: Vec<&str> =

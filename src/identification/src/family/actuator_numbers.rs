@@ -18,7 +18,7 @@ pub struct ActuatorNumber {
 
 /// Returns the nonzero numbers of the actuator of an axis.
 pub fn actuator_numbers(axis: &Axis, known: &Identification) -> Vec<ActuatorNumber> {
-    // The first entry is the start of the setting, which is not a number of the actuator.
+    // The first entry is the start value of the setting, which is not a number of the actuator.
     let entries = ENTRIES.iter().enumerate().skip(1).filter(|(index, _)| axis.number(*index) != 0.0);
     entries
         .map(|(index, entry)| ActuatorNumber {

@@ -1,4 +1,4 @@
-//! Evaluation of a damper family at one setting. It gives an ordinary damper with those results of the fit that hold at the setting.
+//! Evaluation of a damper family at one setting: an ordinary damper, with those results of the fit that hold at this setting.
 
 use super::interpolation_error::InterpolationError;
 use crate::model_file::{FvOnly, FvOnlyAt, Interval, IntervalOverSetting, ModelFile};
@@ -117,7 +117,7 @@ impl Place {
                 let number = Number::find(name).ok()?;
                 let values = axis.values(number)?;
                 let both = [self.left, self.right].map(|place| Some((*values.get(place)?, *ends.get(place)?)));
-                // The ends of an interval are NaN if the number was changed since the fit.
+                // The ends of an interval are NaN if the number was changed since the fit. The number then has no interval.
                 let error = error.of_value(self.setting, |params| params.number(number))?;
                 let ends = self.between(at.number(number), both, error)?;
                 ends.iter().all(|end| !end.is_nan()).then(|| Interval::Number(ends.map(|end| number.inside(end))))
@@ -136,8 +136,9 @@ impl Place {
         }
     }
 
-    /// Interpolates the distances of the neighbors' interval ends from their values, and adds the error of interpolation. Returns the ends
-    /// around `value`, or `None` if a neighbor has no interval.
+    /// Interpolates the distances of the neighbors' interval ends from their values, and adds the error of interpolation. `both` contains
+    /// the value and the interval ends at the left and right neighbor. Returns the ends around `value`, or `None` if a neighbor has no
+    /// interval.
     fn between(&self, value: f64, both: [Option<(f64, [f64; 2])>; 2], error: f64) -> Option<[f64; 2]> {
         let [(left, ends_left), (right, ends_right)] = [both[0]?, both[1]?];
         Some([0, 1].map(|end| {
@@ -155,8 +156,8 @@ mod tests {
     use crate::model_file::family_of_text;
     use dashpot_core::number;
 
-    /// Family whose Coulomb friction and FV curve depend linearly on the setting. With three settings, a quarter of the difference between
-    /// neighbors remains uncertain.
+    /// Family whose Coulomb friction and FV curve depend linearly on the setting. On a grid of three settings, the least error of
+    /// interpolation is a quarter of the difference between the values at neighboring settings.
     const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [0.0, 1.0, 2.0]\n\
          setting_name = \"current\"\nsetting_unit = \"A\"\ngas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\
          fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0], [-4000.0, 0.0, 6000.0]]\n\n[identification]\n\

@@ -1,4 +1,4 @@
-//! Figures of the fit of a family. `dashpot fit --setting --json` writes them, and Python reads them.
+//! Figures of the fit of a damper family, for output as JSON. `dashpot fit --setting --json` writes them, and Python reads them.
 
 use super::actuator::ActuatorFit;
 use super::fit::{FamilyEstimate, FamilyFit, FamilyItem, SettingDependence};

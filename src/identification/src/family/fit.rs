@@ -54,14 +54,15 @@ pub struct SettingDependence {
     pub name: &'static str,
     /// Whether the number depends on the setting in the model.
     pub varies: bool,
-    /// Probability of the dependence, from a first-order estimate of the alternative.
+    /// Probability that the number depends on the setting. It follows from a first-order estimate of the log posterior for the opposite
+    /// decision.
     pub probability: f64,
 }
 
 /// Force of an effect at one setting.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ForceAtSetting {
-    /// The setting.
+    /// Value of the setting.
     pub setting: f64,
     /// Root mean square over the tests at the setting, N.
     pub force_n_rms: f64,
@@ -83,25 +84,26 @@ pub struct FamilyItem {
 /// An identified family.
 #[derive(Debug, Clone)]
 pub struct FamilyFit {
-    /// The setting.
+    /// Name and unit of the setting.
     pub setting: SettingAxis,
-    /// The damper over the setting.
+    /// The damper family: its parameters, and their values over the setting.
     pub damper: Definition,
-    /// Estimates of all fitted numbers at every setting.
+    /// Estimates of all fitted numbers: one for each number that all settings share, and one at every setting for any other number.
     pub estimates: Vec<FamilyEstimate>,
     /// Numbers that may depend on the setting, with the decision for each.
     pub dependences: Vec<SettingDependence>,
     /// The actuator, or `None` if no test has a changing setting or the actuator gives no finite forces.
     pub actuator: Option<ActuatorFit>,
-    /// Effects with their force over all settings.
+    /// Effects with their forces, over all settings and at each setting.
     pub inventory: Vec<FamilyItem>,
-    /// Measurement errors of the records. They never become part of the model.
+    /// Measurement errors of the records. These errors never become part of the model.
     pub measured: Vec<Measured>,
-    /// Time at which the drifts of gain and zero are zero, s since 1970, or `None` if the records have no date and time.
+    /// Time at which the drifts of the force channel's gain and zero are zero, s since 1970. `None` if the records have no common clock
+    /// with date and time.
     pub clock_from: Option<f64>,
     /// Errors at each setting, including those of a family fitted without the setting.
     pub settings: Vec<SettingReport>,
-    /// The plain FV curve fitted to the tests of each setting.
+    /// Plain FV curves with a constant gas force, one for each setting, fitted to the tests of this setting.
     pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
@@ -127,11 +129,11 @@ impl FamilyFit {
     }
 }
 
-/// Fits one damper family to records measured at several values of a setting.
+/// Fits one damper family to records measured at several values of the setting with the name `setting`.
 ///
 /// # Errors
-/// The records lack the setting, it changes within all records, they have a single setting or too many settings, or no damper can be fitted
-/// at a setting. Further errors are forces that are not finite, and numbers that the kernel rejects.
+/// The records lack the setting, have a single setting or too many, or the setting changes within all of them. Further errors are a setting
+/// at which no damper can be fitted, forces that are not finite, and numbers that the kernel rejects.
 pub fn fit_family(
     records: &[&Record],
     setting: &str,
@@ -264,8 +266,9 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     all
 }
 
-/// Mixes the intervals with those of the alternative families, by their weights. A number that an alternative shares has the same interval
-/// there at every setting. A number that only the alternative varies has one interval for each setting, which share the weight.
+/// Mixes the intervals with those of the alternative families, by their weights. If all settings share a number in an alternative, its one
+/// interval counts at every setting. If a number depends on the setting only in the alternative, each of its intervals has an equal part of
+/// the weight.
 fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], settings: &[SettingTests]) {
     let others: Vec<(f64, Vec<FamilyEstimate>)> =
         others.iter().map(|of| (of.weight, estimates(&of.family.hypothesis, &of.family.refit, settings))).collect();
@@ -284,8 +287,8 @@ fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], se
     }
 }
 
-/// Estimates the numbers again with the delay of the force channel and the mass on the load cell free within their priors. Returns no
-/// estimates if neither can be free, or if the refit fails.
+/// Estimates the numbers of a family again, with the delay of the force channel and the mass on the load cell free within their priors.
+/// Returns no estimates if neither can be free, or if the refit fails.
 fn with_open_measurement(
     best: &FamilyStructure,
     settings: &[SettingTests],
@@ -302,7 +305,8 @@ fn with_open_measurement(
     estimates(&freed, &refit, settings)
 }
 
-/// Widens the intervals until they contain the intervals of another fit of the same numbers. The records do not exclude that fit.
+/// Widens the intervals of `all` until they contain the intervals of `others`, another fit of the same numbers. The records do not exclude
+/// that fit.
 fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     for of in all {
         let others = others.iter().filter(|other| other.setting == of.setting).map(|other| &other.estimate);
@@ -310,7 +314,7 @@ fn hold_too(all: &mut [FamilyEstimate], others: &[FamilyEstimate]) {
     }
 }
 
-/// Returns the decisions on dependence, with the name of each number.
+/// Returns the decisions on whether numbers depend on the setting, with the name of each number.
 fn named_dependences(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<SettingDependence> {
     let named = dependences(best, settings).into_iter().map(|of| SettingDependence {
         name: match of.site {
@@ -362,8 +366,8 @@ fn inventory_of(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Family
     all
 }
 
-/// Reports the expectations from the priors, and the contradictions between priors and records. A contradiction of a number that depends on
-/// the setting names the setting.
+/// Returns sentences on the values that the priors predict, and on contradictions between priors and records. A contradiction of a number
+/// that depends on the setting names the setting.
 fn notes_of_priors(priors: &PriorSet, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
     for row in priors.rows() {
@@ -404,7 +408,7 @@ fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
     Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
 }
 
-/// Returns remarks for the engineer: numbers that would store energy when the setting changes, and numbers that are not identified or at a
+/// Returns remarks for the engineer on numbers whose change with the setting changes stored energy, and on numbers not identified or at a
 /// bound.
 fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();

@@ -3,15 +3,16 @@
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 
-/// Factor on the second derivative in the first and last interval, where only one end of the interval has neighbors on both sides. With a
-/// factor of 2, the bound holds at 94 % of random settings in these intervals, with 1.5 at 92 %. The random laws were sigmoids,
-/// exponentials, powers and hyperbolas over 3 to 6 uneven settings.
+/// Factor on the second derivative of a value over the setting, in the first and last interval of the grid. There, only one end of the
+/// interval has neighbors on both sides. With a factor of 2, the bound on the error holds at 94 % of random settings in these intervals,
+/// with 1.5 at 92 %. The values followed random sigmoids, exponentials, powers and hyperbolas over 3 to 6 uneven settings.
 const AT_END: f64 = 2.0;
 
-/// Error midway between two of only three settings, as a fraction of the difference between the values at these two. Three settings show
-/// the second derivative once. An S-shaped law whose middle is the second setting shows none at all. A monotone law is never off by more
-/// than the difference itself. With 0.25, the bound holds at 92 % of random settings between three, without it at 82 %. The random laws
-/// were bleed orifices with blow-off, magneto-rheological valves and S-shaped valves over 3 to 6 uneven settings.
+/// Least error of a value midway between two neighbors in a grid of three settings, as a fraction of the difference between the neighbors'
+/// values. Three settings show the second derivative only once, and an S-shaped law with its inflection at the second setting shows none.
+/// The error of a monotone law never exceeds the difference itself. With 0.25, the bound on the error holds at 92 % of random settings in
+/// grids of three, without this least error at 82 %. The random laws were bleed orifices with blow-off, magneto-rheological valves and
+/// S-shaped valves over 3 to 6 uneven settings.
 const OF_STEP: f64 = 0.25;
 
 /// Half the second derivative of a value with respect to the setting, from three settings of the grid.
@@ -31,8 +32,8 @@ struct Bend {
 /// also extrapolated linearly. The reason is that the nearest derivative alone is almost zero near a point of inflection. Three settings
 /// show only one derivative, so a fraction of the difference between the neighbors' values is the least error there.
 ///
-/// The model interpolates with a monotone cubic. It is more accurate than the line if the damper is smooth over the setting, and equally
-/// accurate at a kink.
+/// The model interpolates with a monotone cubic. If the damper is smooth over the setting, the cubic is more accurate than the line. At a
+/// kink, both are equally accurate.
 pub struct InterpolationError {
     grid: Vec<f64>,
     dampers: Vec<Params>,
@@ -61,7 +62,8 @@ impl InterpolationError {
         Some(error.max(self.of_step(setting, value)))
     }
 
-    /// Returns the least error of a value at a setting between two of three settings; 0 for other grids and outside.
+    /// Returns the least error of a value at a setting between two of three settings, in units of the value. It is 0 on other grids and
+    /// outside the grid.
     fn of_step(&self, setting: f64, value: impl Fn(&Params) -> f64) -> f64 {
         let right = self.grid.partition_point(|of_grid| *of_grid < setting);
         let (3, Some(left), Some(to)) = (self.grid.len(), right.checked_sub(1), self.grid.get(right)) else {
@@ -72,9 +74,10 @@ impl InterpolationError {
         4.0 * part * (1.0 - part) * OF_STEP * step.abs()
     }
 
-    /// Returns the possible error of any quantity at a setting. `difference` returns the deviation at a grid index from the line through
-    /// its neighbors, with its sign if it has one. `at_end` is the factor on the second derivative in the first and last interval. Returns
-    /// `None` in the case of [`InterpolationError::of_value`], or if `difference` does.
+    /// Returns the possible error of any quantity at a setting, in units of the quantity. `difference` returns the deviation at a grid
+    /// index from the line through its neighbors, with its sign if it has one. `at_end` is the factor on the second derivative in the first
+    /// and last interval. The error is 0 on the grid and beyond its ends. Returns `None` if no neighbor of `setting` has neighbors on both
+    /// sides and a `difference`.
     pub fn of_differences(&self, setting: f64, at_end: f64, difference: impl Fn(usize) -> Option<f64>) -> Option<f64> {
         let right = self.grid.partition_point(|value| *value < setting);
         let (Some(left), Some(next)) = (right.checked_sub(1), self.grid.get(right)) else { return Some(0.0) };
@@ -99,7 +102,8 @@ impl InterpolationError {
     }
 }
 
-/// Returns the largest expected magnitude of half the second derivative at `at`, in the first or last interval.
+/// Returns the largest expected magnitude of half the second derivative at the setting `at`, in the first or last interval of the grid. It
+/// is the larger of `factor` times the nearest known value and the linear extrapolation from the two nearest values.
 fn end_bend(nearest: Bend, second: Option<Bend>, at: f64, factor: f64) -> f64 {
     let continued = second.map_or(0.0, |second| {
         let rise = (nearest.half - second.half) / (nearest.at - second.at);
@@ -144,7 +148,8 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. It adds less than half the bound.
+                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. It increases the error by less
+                // than half the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");

@@ -32,7 +32,7 @@ pub struct SettingReport {
     pub tests: usize,
     /// Error of an ordinary damper fitted to the setting alone.
     pub own_fit: SettingError,
-    /// Error of the family.
+    /// Error of the family fitted to all settings.
     pub family: SettingError,
     /// Error of the family fitted to all other settings. `None` at the ends of the grid, where nothing is interpolated, and if that fit
     /// fails.
@@ -55,8 +55,8 @@ pub struct WorstLeftOut {
 }
 
 impl WorstLeftOut {
-    /// Largest ratio at which a prediction between settings counts as good as a fit at the setting. It is the target of the figures in the
-    /// book, and affects messages only.
+    /// Largest ratio of prediction error to fit error at which a prediction between settings counts as good as a fit at the setting. It is
+    /// the target of the figures in the book, and affects messages only.
     const AS_GOOD: f64 = 1.3;
 
     /// Returns whether the model is worse between its settings than at its settings.
@@ -102,14 +102,14 @@ fn error_of(tests: &[Test], forces: &[Vec<f64>]) -> SettingError {
     SettingError { mean_error_n: newtons / count, error_percent: percent / count }
 }
 
-/// Computes the error of a parameter set, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if the parameters
-/// form no valid model.
+/// Computes the mean error of a parameter set over tests, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if
+/// the parameters form no valid model.
 fn error_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &forces_at(params, rig, theta, tests)?))
 }
 
-/// Computes the forces of a parameter set in each test, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None` if
-/// the parameters form no valid model.
+/// Computes the forces, N, of a parameter set in each test, with the measurement errors of the hypothesis `rig` at `theta`. Returns `None`
+/// if the parameters form no valid model.
 pub fn forces_at(params: &Params, rig: &Hypothesis, theta: &[f64], tests: &[Test]) -> Option<Vec<Vec<f64>>> {
     let model = Model::new(params).ok()?;
     let integration = Accuracy::Single.integration(params, &model);
@@ -122,7 +122,7 @@ pub fn count_records(tests: &[Test]) -> usize {
     tests.iter().map(|test| test.record).collect::<BTreeSet<_>>().len()
 }
 
-/// Computes the error of an ordinary fit on the tests to which it was fitted.
+/// Computes the error of the fit of an ordinary damper, on the tests to which it was fitted.
 fn own_error(own: &Structure, tests: &[Test]) -> Option<SettingError> {
     Some(error_of(tests, &own.hypothesis.forces(tests, &own.refit.theta)?))
 }

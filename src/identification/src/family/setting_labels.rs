@@ -22,10 +22,10 @@ pub const LABEL_DOUBT_RATIO: f64 = 5.0;
 /// A wrong label rarely applies to many tests alike, so only settings with few tests are checked. The check costs a simulation of these
 /// tests at every setting. Test: `a_test_with_the_label_of_another_setting_is_named`.
 const FEW: usize = 3;
-/// Ratio of a test's error at another setting to its error at its own setting below which both settings fit the test equally well.
+/// Ratio of a test's error at another setting to its error at its stated setting below which both settings fit the test equally well.
 ///
-/// The damper at the own setting was fitted to the test, so its error is small. This error counts as at least 1 in units of noise and form
-/// error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
+/// The damper at the stated setting was fitted to the test, so its error is small. This error counts as at least 1 in units of noise and
+/// form error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
 /// `a_test_with_the_label_of_another_setting_is_named`.
 const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that counts as noise, as a fraction of the range of the damping force. Test:
@@ -74,21 +74,23 @@ pub fn notes(
     notes
 }
 
-/// Returns whether values rise throughout, with `sign` 1, or fall throughout, with `sign` −1. A change of `flat` counts as none.
+/// Returns whether values rise throughout, with `sign` 1, or fall throughout, with `sign` −1. A change by up to `flat` in the opposite
+/// direction counts as none.
 fn goes(values: &[f64], sign: f64, flat: f64) -> bool {
     values.windows(2).all(|pair| sign * (pair[1] - pair[0]) >= -flat)
 }
 
-/// Smallest ratio of the largest to the smallest force of a velocity over the settings that counts as a trend. Test:
+/// Ratio between the forces at the first and the last setting, larger by smaller, above which the force at a velocity has a trend. Test:
 /// `tests_counted_from_the_other_end_give_opposite_trends`.
 const TREND: f64 = 1.2;
-/// Smallest number of neighboring points of the FV curve with a trend.
+/// Smallest number of points of the FV curve, in one stroke direction, that must have the same trend.
 const POINTS: usize = 2;
 
-/// Returns a velocity whose force rises throughout over the settings, and one of the same stroke whose force falls throughout.
+/// Returns two velocities of the same stroke direction, m/s. Over the settings, the force rises throughout at the first velocity and falls
+/// throughout at the second.
 ///
-/// If several velocities have a trend, the one with the largest ratio of forces is returned. The labels of some tests may then be counted
-/// from the other end. Returns `None` for fewer than three settings, or without both trends.
+/// If several velocities have the same trend, the one with the largest ratio of forces is returned. Opposite trends suggest that the labels
+/// of some tests were counted from the other end of the settings. Returns `None` for fewer than three settings, or without both trends.
 fn opposite_trends(sets: &[Params]) -> Option<[f64; 2]> {
     if sets.len() < 3 {
         return None;
@@ -126,8 +128,9 @@ struct Suspect {
     record: usize,
     /// Index, in the grid, of the setting whose damper fits the record.
     fitting: usize,
-    /// Ratio of a larger error to the error at the fitting setting. The larger error is that at the stated setting, or at the better of its
-    /// neighbors for strays.
+    /// Ratio of the error at the stated setting to the error at the fitting setting. A fitting error below the median error of all records
+    /// counts as that median. In [`strays`], ratio of the smaller error at the neighbors of the stated setting to the error at the fitting
+    /// setting.
     ratio: f64,
 }
 
@@ -240,8 +243,8 @@ fn exchanged(strengths: &[f64]) -> Option<(usize, usize)> {
             is_monotone(&all)
         })
         .collect();
-    // Several exchanges may be equally likely: in a row of three settings, either neighbor may be wrong. The function then returns the
-    // nearest pair.
+    // Several exchanges may be equally likely: in a row of three settings, either neighbor may be wrong. The function then returns the pair
+    // of settings nearest to each other.
     repairs.into_iter().min_by_key(|(one, other)| other - one)
 }
 
@@ -262,7 +265,7 @@ mod tests {
         let right =
             [set([50.0, 100.0, 300.0, 500.0]), set([70.0, 150.0, 400.0, 700.0]), set([99.0, 200.0, 500.0, 900.0])];
         assert_eq!(opposite_trends(&right), None);
-        // The labels of the two fast tests are counted from the other end.
+        // At the two highest velocities, the labels are counted from the other end.
         let mixed =
             [set([50.0, 100.0, 500.0, 900.0]), set([70.0, 150.0, 400.0, 700.0]), set([99.0, 200.0, 300.0, 500.0])];
         assert_eq!(opposite_trends(&mixed), Some([0.1, 0.6]));
@@ -274,9 +277,9 @@ mod tests {
         assert_eq!(exchanged(&[1.0, 3.0, 2.0, 4.0]), Some((1, 2)));
         assert_eq!(exchanged(&[1.0, 2.0, 3.0, 4.0]), None);
         assert_eq!(exchanged(&[4.0, 3.0, 2.99, 1.0]), None);
-        // This force truly rises and falls, so no exchange makes it monotonic.
+        // This force truly rises and falls with the setting, so no exchange makes it monotonic.
         assert_eq!(exchanged(&[1.0, 2.0, 4.0, 3.0, 2.5, 1.5]), None);
-        // The decrease is small compared with the range, so it counts as noise.
+        // The decrease from 1.01 to 1.00 is small compared with the range of 3, so it counts as noise.
         assert_eq!(exchanged(&[1.0, 1.01, 1.0, 4.0]), None);
     }
 }

@@ -61,7 +61,7 @@ pub enum FamilyError {
         /// Error of the fit at the setting.
         why: FitError,
     },
-    /// The numbers do not form a valid family.
+    /// The numbers at all settings do not form a valid family.
     Kernel {
         /// The invalid parameter.
         parameter: &'static str,

@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 /// curve.
 pub const NEAR: f64 = 0.05;
 /// Largest ratio of two commanded peak velocities between which a force is interpolated. In a wider gap, the curve may have a knee that no
-/// test shows. The measured ratio may exceed it by [`NEAR`], so that a ladder of doubled speeds has no gap.
+/// test shows. The measured ratio may exceed this limit by the fraction [`NEAR`], so that tests at successively doubled speeds leave no
+/// gap.
 pub const BETWEEN: f64 = 2.0;
 /// Largest relative difference of two amplitudes at which they count as the same stroke.
 const SAME_STROKE: f64 = 0.1;
@@ -47,7 +48,7 @@ pub struct Figures {
     gaps: Vec<Gap>,
     /// Names of the slow tests, with the friction and gas force of these tests. `None` if no slow test shows them.
     sliding: Option<(Vec<String>, first_guess::Dry)>,
-    /// Part of the friction of these tests that grows with velocity, N.
+    /// Part of the slow tests' friction that grows with velocity, N. `None` if no slow test shows it.
     #[serde(default)]
     damping: Option<f64>,
 }
@@ -112,7 +113,8 @@ impl Figures {
         self.sliding.as_ref().map(|(tests, dry)| Value { value: of(dry), tests: tests.clone(), ..Value::default() })
     }
 
-    /// Returns the force at a velocity, N. The longest stroke that reaches this velocity supplies it, or the stroke of the given amplitude.
+    /// Returns the force at a velocity, m/s. If `amplitude`, m, is given, tests with this amplitude give the force. Otherwise, the tests
+    /// with the largest amplitude that reach the velocity give it.
     fn force(&self, velocity: f64, amplitude: Option<f64>) -> Option<Value> {
         let mut side: Vec<&Point> = self
             .points
@@ -124,8 +126,9 @@ impl Figures {
             .find_map(|stroke| at_speed(stroke, velocity))
     }
 
-    /// Returns the mean hysteresis, N, of a test at a speed. If several tests have this speed, the test with the longest stroke supplies
-    /// it. Without a speed, returns the largest hysteresis of all tests.
+    /// Returns the mean hysteresis, N, of a test at the peak velocity `velocity`, m/s. If several tests have this velocity, the one with
+    /// the largest amplitude counts. Without a velocity, returns the largest hysteresis of all tests. `amplitude`, m, selects the tests if
+    /// it is given.
     fn hysteresis(&self, velocity: Option<f64>, amplitude: Option<f64>) -> Option<Value> {
         let value = |gap: &Gap| Value { value: gap.mean_gap, tests: vec![gap.test.clone()], ..Value::default() };
         let candidates = self.gaps.iter().filter(|g| is_stroke(g.amplitude, amplitude));
@@ -143,8 +146,8 @@ fn is_stroke(amplitude: f64, wanted: Option<f64>) -> bool {
     wanted.is_none_or(|wanted| (amplitude - wanted).abs() <= SAME_STROKE * wanted)
 }
 
-/// Returns the force at a velocity from the peaks of one stroke. The force is interpolated between the neighboring peaks. If the ratio of
-/// their speeds exceeds [`BETWEEN`] or one of them is missing, a peak within [`NEAR`] of the speed supplies the force.
+/// Returns the force at a velocity, m/s, from peaks of tests with one amplitude. The force is interpolated between the neighboring peaks,
+/// if the ratio of their speeds is small enough ([`BETWEEN`]). Otherwise, a peak within [`NEAR`] of the speed gives the force.
 fn at_speed(stroke: &[&Point], velocity: f64) -> Option<Value> {
     let speed = |p: &Point| p.peak.velocity_m_s.abs();
     let wanted = velocity.abs();

@@ -56,7 +56,7 @@ impl Overall {
     }
 }
 
-/// Figure of one quantity, and the tests from which it comes.
+/// Figure of one limited quantity, and the tests from which it comes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Value {
     /// Figure: a force, N, or a time, s.
@@ -84,19 +84,19 @@ pub struct Checked {
     pub model_verdict: Option<Verdict>,
 }
 
-/// Smallest part of a friction that counts as damping worth a remark. Scatter of the median forces in slow tests stays below it. Test:
-/// `friction_of_a_stiff_valve_is_told_as_damping`.
+/// Fraction of a measured friction above which its velocity-dependent part is reported as damping. Scatter of the median forces in slow
+/// tests stays below this fraction. Test: `friction_of_a_stiff_valve_is_told_as_damping`.
 const DAMPING_SHARE: f64 = 0.25;
 
 impl Checked {
-    /// Returns the part of a measured friction that is damping, N, if it is a large one.
+    /// Returns the part of a measured friction that is damping, N, if it exceeds 25 % of the friction.
     pub fn damping_in_friction(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         measured.damping.filter(|damping| *damping > DAMPING_SHARE * measured.value)
     }
 
-    /// Returns the uncertainty of the measured figure if it can change the verdict. It can if the lower or the upper limit lies within the
-    /// uncertainty of the figure.
+    /// Returns the uncertainty of the measured figure, s, if it can change the verdict. This is so if the lower or the upper limit lies
+    /// within the uncertainty of the figure.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         let uncertainty = measured.uncertainty?;
@@ -249,7 +249,7 @@ mod tests {
             1.0,
         );
         let value = |k: usize| found.limits[k].measured.as_ref().unwrap().value;
-        // The mean over the samples within 2 % of the peak velocity lies 0.7 % below the peak.
+        // The mean velocity of the samples within 2 % of the peak velocity is 0.5206 m/s, 0.7 % below the peak.
         assert!((value(0) - (2000.0 * 0.5206 + 30.0 - 150.0)).abs() < 6.0, "{}", value(0));
         assert!((value(1) + 800.0 * 0.5206 + 30.0 + 150.0).abs() < 4.0, "{}", value(1));
         // At 2.3 mm/s, the median speed of the sliding samples, the damper adds 4.6 N in rebound and 1.8 N in compression. So half the

@@ -38,7 +38,7 @@ pub enum SettingLimitError {
         name: String,
         /// Line of the limit.
         line: u64,
-        /// Unit of the limit.
+        /// Unit of the limit's setting.
         unit: String,
         /// Unit of the damper's setting, or "no unit".
         own: String,
@@ -223,7 +223,7 @@ mod tests {
         )
     }
 
-    /// Makes steps up to 1.6 in 12 ms and up to 0.8 in 9 ms, and one step down in 20 ms.
+    /// Makes step responses with different times until 63 %. They take 12 ms from 0 to 1.6, 9 ms from 0 to 0.8, and 20 ms from 1.6 to 0.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };

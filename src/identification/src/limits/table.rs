@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
-    /// Force at a peak velocity. Rebound velocity and tension are positive, compression is negative.
+    /// Force at a peak velocity, N. Rebound velocity and tension are positive, compression is negative.
     Force,
     /// Force that pushes the rod out, from slow tests, N.
     GasForce,
@@ -81,7 +81,7 @@ pub struct Limit {
     pub quantity: Quantity,
     /// Velocity at which the limit holds, m/s, negative in compression. A force needs it, and a response time must not have it.
     pub velocity_m_s: Option<f64>,
-    /// Amplitude at which the limit holds, m. If it is absent, the limit applies to the longest stroke that reaches the velocity.
+    /// Amplitude at which the limit holds, m. If it is absent, the tests with the largest amplitude that reach the velocity decide.
     pub amplitude_m: Option<f64>,
     /// Smallest allowed value: a force, N, or a time, s.
     pub low: Option<f64>,

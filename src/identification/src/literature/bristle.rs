@@ -1,8 +1,9 @@
 //! Hysteresis that the Dahl, Bouc-Wen and Spencer models share: a bristle deflects with travel and slides at ±1.
 //!
 //! Consider travel in one direction. The deflection in that direction is q. The travel u is in units of δ, the distance over which the
-//! hysteretic force builds up. Then `dq/du = 1 − |q|ⁿ w`. If the bristle is deflected along the travel (q ≥ 0), `w = 1`. If it is still
-//! deflected against the travel, `w = 1 − 2b`. With β + γ = 1 in Wen's notation, b is β. Dahl's model has n = 1 and b = 1.
+//! hysteretic force builds up. Then `dq/du = 1 − |q|ⁿ w`, where n is the sharpness of the transition to sliding. If the bristle is
+//! deflected along the travel (q ≥ 0), `w = 1`. If it is still deflected against the travel, `w = 1 − 2b`, with a coefficient b of the
+//! hysteresis. With β + γ = 1 in Wen's notation, b is β. Dahl's model has n = 1 and b = 1.
 
 /// Shape of the hysteresis: the exponent n and the fraction b of the law for dq/du.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,13 +14,13 @@ pub struct Shape {
     pub turning: f64,
 }
 
-/// Longest travel of one integration step, in units of δ.
+/// Longest travel of one integration step, in units of the distance δ over which the hysteretic force builds up.
 const STEP: f64 = 0.1;
-/// Deflection above which the law is nearly linear, and the travel of one step above it, in units of δ. For a nearly linear law, steps of
-/// any length are nearly exact.
+/// Deflection above which the law of the bristle is nearly linear, and the travel of one integration step above it. The unit of the travel
+/// is the distance δ over which the hysteretic force builds up. For a nearly linear law, steps of any length are nearly exact.
 const NEARLY: (f64, f64) = (0.9, 0.4);
-/// Travel, in units of δ, above which the bristle counts as sliding. The initial deflection then contributes less than a millionth, for any
-/// b of at least 0.5.
+/// Travel above which the bristle counts as sliding, in units of the distance δ over which the hysteretic force builds up. The initial
+/// deflection then contributes less than a millionth, for any coefficient b of at least 0.5.
 const FORGOTTEN: f64 = 16.0;
 
 /// Returns `(e^x − 1)/x`.
@@ -28,7 +29,7 @@ pub fn phi(x: f64) -> f64 {
 }
 
 impl Shape {
-    /// Returns dq/du and its derivative with respect to q.
+    /// Returns dq/du, the change of the deflection q per travel u in units of δ, and its derivative with respect to q.
     pub fn rate(self, q: f64) -> (f64, f64) {
         let weight = if q >= 0.0 { 1.0 } else { 1.0 - 2.0 * self.turning };
         let size = q.abs().max(1e-300);
@@ -36,7 +37,8 @@ impl Shape {
         (1.0 - power * weight, -weight * self.sharpness * power / size * q.signum())
     }
 
-    /// Returns the deflection after a signed travel from deflection `z`. The travel is in units of δ.
+    /// Returns the deflection after a signed travel from deflection `z`. The travel is in units of δ, the distance over which the force
+    /// builds up.
     ///
     /// The steps are exponential Rosenbrock steps, which are exact for a linear law.
     pub fn after(self, z: f64, travel: f64) -> f64 {

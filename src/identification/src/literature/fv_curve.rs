@@ -1,8 +1,9 @@
-//! Force-velocity curve with the smallest error on the tests.
+//! Force-velocity curve with the smallest weighted error on the tests.
 //!
 //! The points lie at the peak velocities of the tests, and at creep speeds where slow tests show the friction step. Additional points
 //! divide wide gaps. The kernel's monotone curve interpolates between the points, and a constant gas force is added. Least squares over all
-//! samples determine the forces. Thus no other monotone curve with points at these velocities has a smaller root mean square error.
+//! samples, weighted by the force scale of each test, determine the forces. Among curves with these velocities and at least a small minimum
+//! slope, this one has the smallest weighted root mean square error.
 //!
 //! Vehicle models use such a curve today. Every fit, report and validation compares the identified model with this curve.
 
@@ -27,7 +28,8 @@ pub struct FvCurve {
 
 /// Speeds of points below the smallest peak velocity, m/s. At these speeds, slow tests show the friction force around zero velocity.
 const CREEPING: [f64; 4] = [3e-4, 1e-3, 2.5e-3, 5e-3];
-/// Largest ratio of a point's speed to the next lower speed. Knees of a curve are about as wide, so additional points divide a wider gap.
+/// Largest ratio of a point's speed to the next lower speed. A knee of a curve extends over about this ratio, so additional points divide a
+/// wider gap.
 const WIDEST: f64 = 1.65;
 /// Ratio of two speeds below which they are merged to one point.
 const SAME: f64 = 1.25;
@@ -35,10 +37,11 @@ const SAME: f64 = 1.25;
 const SMALLEST: f64 = 0.010;
 /// Smallest slope of the curve, relative to the range of measured force divided by the range of velocity.
 ///
-/// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force by less than a
-/// newton, and the curve stays invertible.
+/// If friction decreases with speed, the best monotone curve has a horizontal section. This small slope changes the force in such a section
+/// by less than a newton, and the curve stays invertible.
 const LEAST_SLOPE: f64 = 0.1;
-/// Smallest number of samples between a point and the next point toward zero. With fewer samples, the point is left out.
+/// Smallest number of samples between a point and the next point toward zero. With fewer samples, the point is left out. If it is the
+/// outermost point, the next point toward zero is left out instead.
 const ENOUGH: usize = 12;
 /// Width of the averaging bins: a fraction of their speed, and a minimum in m/s.
 ///

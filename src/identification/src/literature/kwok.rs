@@ -2,8 +2,9 @@
 //!
 //! N. M. Kwok, Q. P. Ha, T. H. Nguyen, J. Li, B. Samali, *A novel hysteretic model for magnetorheological fluid dampers and parameter
 //! identification using particle swarm optimization*, Sensors and Actuators A 132, 2006. `F = k x + c v + α tanh(β v + δ sgn x) + f₀` with
-//! displacement x and velocity v. Here x in the sign function is relative to the middle of each motion. The paper needs no such middle,
-//! because all motions on its rig have the same middle.
+//! displacement x and velocity v. The spring has the stiffness k and the dashpot the damping c. The hyperbolic tangent has the amplitude α
+//! and the steepness β, and δ is the width of the hysteresis loop. f₀ is a constant force. Here x in the sign function is relative to the
+//! middle of each motion. The paper needs no such middle, because all motions on its rig have the same middle.
 
 use super::law::{Law, Number};
 use super::observation::{Motion, Scales};

@@ -1,8 +1,8 @@
 //! Polynomial in velocity, followed by a first-order lag.
 //!
 //! Jonnalagadda & Vyas compare this model with their own (*Modelling of Automotive Suspension Damper*, KTH 2020, chapter 2). The equations
-//! of the model are `T(|v|) dy/dt + y = Σ a_k v^k`, F = y, with velocity v and force F. Here the time constant T changes over a ramp from
-//! low to high speed, because a jump makes the model unstable.
+//! of the model are `T(|v|) dy/dt + y = Σ a_k v^k` and F = y. They contain the velocity v, the force F, the state y, the coefficients a_k
+//! and the time constant T. Here the time constant changes over a ramp from low to high speed, because a jump makes the model unstable.
 
 use super::law::{self, Law, Number};
 use super::observation::{Motion, Observation, Scales};
@@ -31,15 +31,15 @@ const RAMP: [f64; 2] = [0.03, 0.3];
 /// Number of substeps for each shortest time constant in a sampling interval.
 const PARTS: f64 = 2.0;
 /// Largest number of substeps in a sampling interval. An interval that needs more is so long compared with the time constants that the
-/// force reaches its target in it.
+/// force reaches the value of the polynomial in it.
 const MOST_PARTS: f64 = 16.0;
 /// Bound on the coefficients of a polynomial of degree 7, in units of the largest force divided by a power of the highest velocity.
 ///
 /// The largest coefficient of the Chebyshev polynomial of degree 7 is 112.
 const LARGEST: f64 = 120.0;
 
-/// Returns the largest number of coefficients whose values stay within the kernel's range. If all tests are slow, the coefficients of high
-/// powers become very large.
+/// Returns the largest number of coefficients of the polynomial whose values stay within the kernel's range. If all tests are slow, the
+/// coefficients of high powers become very large.
 fn most_terms(s: &Scales) -> usize {
     let (_, high) = list!("polynomial").bounds();
     (2..=DEGREE + 1).rev().find(|n| LARGEST * s.force / s.velocity.powi(*n as i32 - 1) <= high).unwrap_or(2)

@@ -18,9 +18,9 @@
 //!
 //! | file | shared part |
 //! |---|---|
-//! | [`observation`] | tests in the format of these models, from the fit's segments or from a record |
+//! | [`observation`] | tests in the format of these models, from the prepared tests of a fit or from a record |
 //! | [`law`] | parameters, starts and least squares of models that consist of a formula |
-//! | [`bristle`] | normalized hysteresis of Dahl, Bouc-Wen and Spencer over a travel |
+//! | [`bristle`] | relative hysteretic force of Dahl, Bouc-Wen and Spencer as a function of travel |
 //! | [`mod@file`] | file of a model that the kernel cannot run |
 
 mod bouc_wen;

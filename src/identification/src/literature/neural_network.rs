@@ -36,7 +36,8 @@ pub struct Network {
 const NEURONS: usize = 8;
 /// Number of fixed starts.
 const STARTS: u64 = 4;
-/// Prior standard deviation of the weights, for scaled inputs. It makes steps improbable that are steeper than those of any damper.
+/// Prior standard deviation of the weights, for scaled inputs. It makes steps improbable that are steeper than those of any damper. The
+/// velocity weights have ten times this deviation.
 const DECAY: f64 = 3.0;
 /// Approximate largest number of samples that train the network. If the tests have more scored samples, every k-th one is used, because
 /// neighboring samples are redundant.
@@ -58,12 +59,13 @@ fn acceleration(motion: &Motion) -> Vec<f64> {
 
 struct Problem<'a> {
     tests: &'a [Observation],
-    /// Scaled inputs and forces of every test's samples.
+    /// Scaled inputs, and measured forces in N, at the training samples of every test.
     samples: Vec<Vec<([f64; 3], f64)>>,
     output: f64,
 }
 
-/// Computes the scaled output of the network. If `by` is given, stores the derivatives of the output with respect to the weights in it.
+/// Computes the scaled output of the network from its weights `w` and the scaled inputs `u`. If `by` is given, stores the derivatives of
+/// the output with respect to the weights in it.
 fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
     let tail = &w[5 * NEURONS..];
     let mut sum = tail[0] + tail[1] * u[0] + tail[2] * u[1] + tail[3] * u[2];

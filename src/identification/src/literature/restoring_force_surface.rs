@@ -1,10 +1,10 @@
 //! Restoring-force surface.
 //!
 //! S. F. Masri, T. K. Caughey, *A nonparametric identification technique for nonlinear dynamic problems*, J. Appl. Mech. 46, 1979. The
-//! force is a double series of Chebyshev polynomials over displacement and velocity. Both are scaled to −1..1 with the ranges of the tests.
+//! force is a double series of Chebyshev polynomials over displacement and velocity, both scaled to −1..1 with the ranges of the tests.
 //!
-//! The force is linear in the coefficients. The two degrees are those with the best prediction of left-out tests. Beyond the tests the
-//! surface is constant, because a polynomial would diverge.
+//! The force is linear in the coefficients. The degrees in displacement and in velocity are those with the best prediction of left-out
+//! tests. Beyond the ranges of the tests the surface is constant, because a polynomial would diverge.
 
 use super::observation::{Motion, Observation, range};
 use nalgebra::{DMatrix, DVector};
@@ -17,7 +17,8 @@ pub struct Surface {
     pub displacement_m: [f64; 2],
     /// Range of velocity, m/s.
     pub velocity_m_s: [f64; 2],
-    /// Coefficients C_ij of T_i(x) T_j(v), N, with one row for each degree in displacement.
+    /// Coefficients of T_i(x) T_j(v), N, with one row for each degree i in the scaled displacement x. T_i is the Chebyshev polynomial of
+    /// degree i, and v the scaled velocity.
     pub coefficients_n: Vec<Vec<f64>>,
 }
 

@@ -2,9 +2,10 @@
 //!
 //! B. F. Spencer, S. J. Dyke, M. K. Sain, J. D. Carlson, *Phenomenological model for magnetorheological dampers*, J. Eng. Mech. ASCE 123,
 //! 1997. A Bouc-Wen element is in parallel with spring k₀ and dashpot c₀. A dashpot c₁ in series with these three rounds the force-velocity
-//! loop at low speed. The accumulator k₁ is in parallel with the whole path: `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁ ẏ + k₁ x +
-//! f₀`, with z the hysteresis of [`super::bouc_wen`] over x − y. Here x is the displacement of the damper, and y that of the point between
-//! dashpot c₁ and the other three. The paper has `k₁ (x − x₀)`. Here f₀ = −k₁ x₀, which avoids a division if k₁ is nearly zero.
+//! loop at low speed. The accumulator, a spring k₁, is in parallel with the whole path: `(c₀ + c₁) ẏ = F_z z + c₀ ẋ + k₀ (x − y)`, `F = c₁
+//! ẏ + k₁ x + f₀`. The displacement of the damper is x, and y is that of the point between dashpot c₁ and the other three. The relative
+//! hysteretic force z follows from x − y ([`super::bouc_wen`]), and F_z is its amplitude. The paper has `k₁ (x − x₀)` with the free
+//! position x₀ of the accumulator. Here a constant force f₀ = −k₁ x₀ replaces it, which avoids a division if k₁ is nearly zero.
 
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
@@ -21,7 +22,7 @@ pub struct Spencer {
     pub stick_distance_m: f64,
     /// Sharpness n of the transition to sliding.
     pub sharpness: f64,
-    /// Coefficient β; γ is 1 − β.
+    /// Coefficient β of the hysteresis; the coefficient γ is 1 − β.
     pub beta: f64,
     /// Damping c₀ in parallel with the hysteresis, N s/m.
     pub inner_damping_n_s_m: f64,
@@ -35,9 +36,9 @@ pub struct Spencer {
     pub offset_n: f64,
 }
 
-/// Largest travel of one step, in units of δ.
+/// Largest travel of one step, in units of the distance δ over which the hysteretic force builds up.
 const STEP: f64 = 0.25;
-/// Largest relative decay of the deflection x − y in one step.
+/// Largest relative decay of the hysteresis deflection x − y in one step.
 const DECAY: f64 = 0.5;
 /// Largest number of steps between two samples. Only a start of the fit far from the solution needs as many.
 const MOST: f64 = 24.0;
@@ -48,8 +49,8 @@ const RIGID: f64 = 3e3;
 
 /// Identifies the model from tests. Returns `None` if no start gives finite forces.
 ///
-/// The Bouc-Wen model is a special case of this model, and the Bouc-Wen fit is one of the starts. Therefore, the cost is practically never
-/// larger than with Bouc-Wen.
+/// The Bouc-Wen model is a special case of this model, and the Bouc-Wen fit is one of the starts. Therefore, the least-squares cost is
+/// practically never larger than that of the Bouc-Wen fit.
 pub fn fit(tests: &[Observation]) -> Option<Spencer> {
     let s = Scales::from_tests(tests);
     let plain = law::fit::<BoucWen>(tests).map(|b| {

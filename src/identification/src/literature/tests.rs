@@ -193,7 +193,8 @@ fn the_kernel_gives_the_same_forces_where_it_has_the_elements() {
 
 #[test]
 fn slow_records_alone_keep_the_polynomial_inside_the_kernels_range() {
-    // The test is ±12 mm at 0.05 Hz. The seventh power of 3.8 mm/s needs coefficients that the kernel rejects.
+    // The test is ±12 mm at 0.05 Hz. The seventh power of 3.8 mm/s would need coefficients that the kernel rejects, so the polynomial must
+    // have fewer.
     let damper = &examples()[3];
     let tests = tests_of(damper, &[(0.012, 0.05)]);
     let found = Literature::fit("lag", &tests).unwrap();

@@ -15,7 +15,8 @@ pub struct Deviation {
     pub mean_error_n: f64,
     /// 100 · mean error / largest |measured force|, %.
     pub error_percent: f64,
-    /// Contribution of the samples slower than [`REGION_BOUNDARY`] to the mean error, N. Both contributions add up to the mean error.
+    /// Contribution of the samples slower than [`REGION_BOUNDARY`] to the mean error, N. The contributions of both regions add up to the
+    /// mean error.
     pub region1_n: f64,
     /// Contribution of the samples at or above [`REGION_BOUNDARY`] to the mean error, N.
     pub region2_n: f64,

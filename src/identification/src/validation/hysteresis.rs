@@ -118,7 +118,8 @@ impl Hysteresis {
     }
 }
 
-/// Computes ∮F dq of one cycle by the trapezoidal rule. The loop is closed from its last sample to its first.
+/// Computes ∮F dq of one cycle by the trapezoidal rule, with the force F and the quantity q in `over`. The loop is closed from its last
+/// sample to its first.
 fn loop_integral(force: &[f64], over: &[f64]) -> f64 {
     let next = |i: usize| (i + 1) % force.len();
     (0..force.len()).map(|i| 0.5 * (force[i] + force[next(i)]) * (over[next(i)] - over[i])).sum()
@@ -169,12 +170,12 @@ impl Bins {
         self.peak * ((2 * bin + 1) as f64 / BINS as f64 - 1.0)
     }
 
-    /// Returns the sum of squared velocity deviations from the branch means.
+    /// Returns the sum of squared velocity deviations from the branch means in a bin, m²/s².
     fn spread(&self, bin: usize, velocity: &[f64]) -> f64 {
         self.samples[bin].iter().map(|branch| co_deviation(branch, velocity, velocity)).sum()
     }
 
-    /// Returns the gap of a usable bin: the distance between two parallel lines through the branches.
+    /// Returns the gap of a usable bin, N: the distance in force between two parallel lines through the branches.
     ///
     /// The shared slope corrects different mean velocities of the branches, which would otherwise appear as hysteresis.
     fn gap(&self, bin: usize, velocity: &[f64], force: &[f64]) -> f64 {
@@ -206,7 +207,8 @@ mod tests {
     const AMPLITUDE: f64 = 0.02;
     const FREQUENCY: f64 = 1.5;
 
-    /// Makes a sine test of whole cycles about 30 mm. The force is a function of displacement from the middle, velocity and acceleration.
+    /// Makes a sine test of whole cycles about 30 mm. The force is a function of the displacement from this mean, the velocity and the
+    /// acceleration.
     fn sine(cycles: usize, per_cycle: usize, force: impl Fn(f64, f64, f64) -> f64) -> Record {
         let omega = 2.0 * PI * FREQUENCY;
         let mut record = Record {

@@ -1,8 +1,8 @@
 //! Validation of a model against the rig: error figures, the error matrix and hysteresis.
 //!
 //! The input is one [`Compared`] for each test. It contains the measured record, and two simulated forces at its samples: those of the full
-//! model and of the force–velocity curve alone. Every figure is given for both simulated forces, because the effort of a full model is
-//! justified only if its error is smaller than the curve's error.
+//! model and of the force–velocity curve alone. Every figure is given for both simulated forces. The effort of a full model is justified
+//! only if its error is smaller than that of the curve.
 //!
 //! | file | measure |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | [`deviation`] | mean absolute error, error percent, speed regions, root mean square |
 //! | [`hysteresis`] | force gap between rising and falling velocity, loop area, energy per cycle |
 //! | [`ResponseTimes`] | times of the force response to a step of the setting |
-//! | [`matrix`] | the same errors by amplitude, by peak velocity and for the slow friction tests |
+//! | [`matrix`] | mean errors by amplitude, by peak velocity and for the slow friction tests |
 //!
 //! The definitions follow Jonnalagadda & Vyas, *Modelling of Automotive Suspension Damper*, KTH 2020, chapter 5. Thus, the figures are
 //! comparable with those published there.

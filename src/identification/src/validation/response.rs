@@ -17,8 +17,8 @@ pub struct ResponseTimes {
 }
 
 impl ResponseTimes {
-    /// Computes the times of a response that goes from 0 to 1. Returns `None` if the response does not reach 0.9, or if it has no samples
-    /// at a crossing.
+    /// Computes the times of a response that goes from 0 to 1; `time` is the time since the step, s. Returns `None` if the response does
+    /// not reach 0.9, or if it has no samples at a crossing.
     pub fn measure(time: &[f64], response: &[f64]) -> Option<ResponseTimes> {
         let begins = time.partition_point(|t| *t < 0.0);
         let reach = |fraction: f64, from: usize| -> Option<usize> {
@@ -56,7 +56,8 @@ pub const SHORTEST_LEVEL: f64 = 0.03;
 /// change cannot be distinguished from its end, so no times are computed.
 const MOST_NOISE: f64 = 1.0 - 0.632;
 
-/// Computes the times of a measured response with their uncertainties. The model's response gives the slope.
+/// Computes the times of a measured response with their uncertainties. The slope of the model's response converts noise to an uncertainty
+/// in time.
 ///
 /// `samples_s` are the sampling intervals of the force and of the command, s. Both results are `None` if the noise hides the change, for
 /// example because the instants of the commands are unknown.
@@ -84,14 +85,14 @@ pub struct TimeUncertainty {
     pub rise_s: f64,
 }
 
-/// Uncertainty of a response time, or its difference to the model's time, as a fraction of this time, above which texts state it.
+/// Fraction of a response time above which texts state its uncertainty, or its difference from the model's time.
 const COARSE: f64 = 0.1;
 /// Largest error of the instant of a command, in sampling intervals. The instant lies anywhere between two samples.
 const HALF_SAMPLE: f64 = 0.5;
 /// Rise time from 10 % to 90 % of a straight line over one sampling interval, in sampling intervals.
 ///
-/// A record with few samples shows a jump as such a line, so its rise is too slow by up to this time. The time until 90 % is too long by
-/// half of it.
+/// A record with few samples shows a jump of the force as such a line. Its measured rise time is then too long by up to this value, and its
+/// time until 90 % by half of it.
 const LINE: f64 = 0.8;
 
 impl TimeUncertainty {
@@ -278,7 +279,7 @@ mod tests {
         let of = |measured: &[f64]| TimeUncertainty::measure(&time, measured, &model, [1e-3; 2]).unwrap();
         let (clean, found) = (of(&model), of(&noisy));
         assert!((clean.t63_s - 5e-4).abs() < 2e-5 && (clean.rise_s - 8e-4).abs() < 5e-5, "{clean:?}");
-        // The slope is 0.1/τ at 90 % and e^-1/τ at 63 %, with the time constant τ = 0.01 s.
+        // The slope of the modeled response is 0.1/τ at 90 % and e^-1/τ at 63 %, with the time constant τ = 0.01 s.
         assert!((found.t63_s - 5e-4 - 0.04 * 0.01 / 0.368).abs() < 1e-4, "{found:?}");
         assert!(found.rise_s > 4.6e-3 && found.rise_s < 5.6e-3, "{found:?}");
         // Noise as large as the remaining change hides the times.
