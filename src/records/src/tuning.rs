@@ -1,9 +1,9 @@
 //! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses such constants has
 //! a module here.
 //!
-//! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled or halved,
-//! or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs` checks the form.
-//! Budgets of readers, names and physical constants are in the files that use them.
+//! Every constant has its unit and its reason, and names a test or `none`. The test fails when the constant is doubled
+//! or halved, or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs`
+//! checks the form. Budgets of readers, names and physical constants are in the files that use them.
 
 /// Constants of `campaign/date_agreement.rs`.
 pub(crate) mod date_agreement {
@@ -61,8 +61,8 @@ pub(crate) mod consistency {
 
     /// Largest phase shift of a recorded velocity relative to the displacement, rad, at which the velocity is used.
     ///
-    /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. The limit is twice that
-    /// shift. At 200 samples per cycle, the limit exceeds half a sample.
+    /// A shift of 0.01 rad opens the force-velocity loop at zero velocity by 1 % of the force, which equals the noise
+    /// of good rigs. The limit is twice that shift. At 200 samples per cycle, the limit exceeds half a sample.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_PHASE: f64 = 0.02;
@@ -116,13 +116,13 @@ pub(crate) mod delay {
     /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
     pub(crate) const SHORTEST_REPORTED: f64 = 0.005;
 
-    /// Largest ratio of the unexplained variances with and without the delay at which the delay is reported.
+    /// Largest ratio of the unexplained force variances with and without the delay at which the delay is reported.
     ///
     /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of the unexplained variances of two causes, a delay and a reversed sign, below which the cause with the
-    /// smaller variance is selected. At a larger ratio, the error names both causes.
+    /// Ratio of the unexplained force variances with two assumed causes, a delay and a reversed sign, below which the
+    /// cause with the smaller variance is selected. At a larger ratio, the error names both causes.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
     pub(crate) const CLEARLY: f64 = 0.7;
@@ -201,16 +201,16 @@ pub(crate) mod force_offset {
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const TWO: usize = 2;
 
-    /// Acceptable deviation of a test from the others, in addition to the offset of a load cell, in multiples of the
-    /// scatter of the others.
+    /// Acceptable deviation of a test's force from that of the others, in addition to the offset of a load cell, in
+    /// multiples of the scatter of the others.
     ///
     /// Creep of the load cell and warming of the gas cause scatter.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
-    /// Multiple of the acceptable deviation above which a test counts as reversed, if the reversal reduces the
-    /// deviation to the acceptable one.
+    /// Multiple of the acceptable force deviation above which a test counts as reversed. The reversal must also reduce
+    /// the deviation to an acceptable value.
     ///
     /// Test: none.
     pub(crate) const STRONG: f64 = 2.0;
@@ -283,14 +283,14 @@ pub(crate) mod deviating_tests {
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
-    /// Largest logarithmic deviation of a test from the others in its likely unit. Two tests that agree deviate by up
-    /// to this value.
+    /// Largest deviation of a test from the others if its likely unit is assumed, as a natural logarithm of the force
+    /// ratio. Two tests that agree deviate by up to this value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
 
-    /// Largest logarithmic deviation in the likely unit if the unit ratio exceeds [`BEYOND_DAMPERS`]. The value is a
-    /// factor of two.
+    /// Largest deviation of a test in its likely unit, as a natural logarithm of the force ratio, if the unit ratio
+    /// exceeds [`BEYOND_DAMPERS`]. The value is a factor of two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
@@ -307,7 +307,8 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const LEAST_CONTRAST: f64 = 0.1;
 
-    /// Largest ratio of the residual at another setting to the deviation from the own one at which a label is doubted.
+    /// Largest ratio of a test's deviation from the tests at another setting to that from the tests at its own setting.
+    /// At a larger ratio, its label is not doubted.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const OF_OWN: f64 = 0.35;
@@ -335,8 +336,8 @@ pub(crate) mod deviating_tests {
     /// Test: none.
     pub(crate) const CELL_OFFSET: f64 = 15.0;
 
-    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter of this mean force between
-    /// tests.
+    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter between tests of the mean force
+    /// of the two directions.
     ///
     /// Test: none.
     pub(crate) const OF_SCATTER: f64 = 3.0;
@@ -620,8 +621,8 @@ pub(crate) mod options {
 
 /// Constants of `cleaning/duplicates.rs`.
 pub(crate) mod duplicates {
-    /// Shortest block with new time stamps, in rows, that counts as repeated. Measured rows rarely agree to the last
-    /// digit over such a length.
+    /// Smallest number of rows of a block that counts as repeated with new time stamps. Measured rows rarely agree to
+    /// the last digit over such a length.
     ///
     /// Test: `a_short_block_is_no_repetition`.
     pub(crate) const BLOCK: usize = 10;
@@ -783,7 +784,7 @@ pub(crate) mod clipped {
     pub(crate) const ROUNDED_FRACTION: f64 = 0.05;
 
     /// Fraction of the estimated overshoot of a flat top that the other motion channel must show to prove the clipping.
-    /// The mean overshoot of a parabola is two thirds of the estimate, its largest overshoot.
+    /// The estimate is the largest overshoot of a parabola; its mean overshoot is two thirds of that.
     ///
     /// Test: `a_clipped_motion_channel_gives_way_to_the_other`.
     pub(crate) const SHOWN: f64 = 1.0 / 3.0;
@@ -927,14 +928,14 @@ pub(crate) mod cleaning {
     /// Test: `too_few_samples_are_refused`.
     pub(crate) const FEWEST: usize = 20;
 
-    /// Length of the differentiating window relative to the period of the cycles. The error is 2e-5 for the fundamental
-    /// and 1 % for its fifth harmonic.
+    /// Length of the differentiating window relative to the period of the cycles. The relative error of the velocity is
+    /// 2e-5 for the fundamental and 1 % for its fifth harmonic.
     ///
     /// Test: none.
     pub(crate) const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 
-    /// Length of the differentiating window if there are no cycles, s. The error is 1 % at 25 Hz, the upper end of road
-    /// motion at a damper.
+    /// Length of the differentiating window if there are no cycles, s. The relative error of the velocity is 1 % at 25
+    /// Hz, the upper end of road motion at a damper.
     ///
     /// Test: none.
     pub(crate) const WINDOW_NO_CYCLE: f64 = 0.017;

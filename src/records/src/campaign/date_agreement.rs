@@ -71,8 +71,8 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order by the
-    /// number format. Returns the days on which the tests began and the notes about dates.
+    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order of day and
+    /// month by the number format of the files. Returns the days on which the tests began and the notes about dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()
@@ -180,7 +180,7 @@ mod tests {
     fn dates_decide_only_where_one_reading_lies_much_closer_together() {
         let said = |dates: &[&str]| read(dates, &Options::default(), None).1;
         // The tests lie 39 days apart in the American order and 243 days in the European order. The second pair lies 66
-        // and 214 days apart.
+        // and 214 days apart. Only the ratio of the first pair exceeds `CLOSER`.
         assert!(said(&["1/2/2026 9:00:00", "2/10/2026 9:00:00"]).contains("close together"));
         assert!(!said(&["1/2/2026 9:00:00", "3/9/2026 9:00:00"]).contains("close together"));
     }

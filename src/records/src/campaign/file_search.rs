@@ -177,7 +177,7 @@ impl Below {
 const DEEPEST: usize = 4;
 
 /// Counts the files in a folder and in up to `deep` levels of subfolders that are records by their extensions. Ignores
-/// unreadable folders.
+/// unreadable folders, hidden files and lock files of workbooks.
 fn records_below(folder: &Path, deep: usize) -> usize {
     let Ok(within) = std::fs::read_dir(folder) else { return 0 };
     let count = |path: &Path| match () {
@@ -194,7 +194,7 @@ fn is_passed_over(name: &str) -> bool {
 }
 
 /// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note with the names of
-/// all other entries.
+/// the other entries, except hidden files, lock files and a profile that was read.
 fn entries(
     folder: &Path,
     has_profile: bool,

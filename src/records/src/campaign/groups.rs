@@ -68,7 +68,7 @@ pub enum GroupError {
     NoMatch {
         /// The pattern of the option `--group`.
         pattern: String,
-        /// Name of the first test.
+        /// Name of the first test in the data, as an example.
         first: String,
     },
     /// The list names none of the tests.
@@ -76,7 +76,7 @@ pub enum GroupError {
     NotListed {
         /// The list and its column, as in the option `--group`.
         list: String,
-        /// Name of the first test.
+        /// Name of the first test in the data, as an example.
         first: String,
     },
     /// The list is invalid.

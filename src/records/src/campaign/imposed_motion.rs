@@ -34,8 +34,8 @@ pub struct MotionRecord {
 }
 
 /// Reads a motion. `options` state units, columns, ignored channels and signs, with precedence over a profile in the
-/// file's folder. Extension is positive unless one of them states another direction. The force column is not read. The
-/// setting is recognized as in records.
+/// file's folder. Extension is positive unless the options or the profile state another direction. The force column is
+/// not read. The setting is recognized as in records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not
@@ -73,7 +73,8 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
 }
 
 /// Reads the force that was recorded with a motion, N, tension positive if the signs of [`read_motion`] are right.
-/// Returns `None` if the file has no force, or one that has missing values or cannot be read.
+/// Returns `None` if the file cannot be read, has no force or one with missing values, or if the options ignore the
+/// force.
 pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
     let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
     let mut force = read_file(file, &options).ok()?.pop()?.force;
@@ -89,7 +90,7 @@ fn with_profile(file: &Path, options: &Options) -> Result<Options, RecordError> 
     Ok(profile.map_or_else(|| options.clone(), |profile| options.over(&profile)))
 }
 
-/// Returns the factor from the sign of displacement and velocity in the file to extension positive.
+/// Returns the factor, 1 or -1, that makes displacement and velocity of the file positive in extension.
 fn turn(options: &Options) -> f64 {
     if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
 }

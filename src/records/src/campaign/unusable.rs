@@ -95,7 +95,7 @@ pub(crate) struct Sieve {
 }
 
 impl Sieve {
-    /// Makes a collection. With `strict` every fault stays an error.
+    /// Makes an empty collection. With `strict`, [`Sieve::pass`] returns every fault as an error.
     pub fn new(strict: bool) -> Sieve {
         Sieve { strict, faults: Vec::new() }
     }
@@ -119,7 +119,8 @@ impl Sieve {
     }
 
     /// Returns a fault as an error if no usable test remains: the first fault of a test, else of a file. Returns the
-    /// first possibly systematic fault if tests with such faults are at least as many as usable tests.
+    /// first possibly systematic fault ([`Reach::TestUnlessMost`]) if such faults are at least as many as the `usable`
+    /// tests.
     ///
     /// A wrong column, unit or sign can cause the same fault in many tests.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
@@ -146,8 +147,8 @@ impl Sieve {
 
 /// Returns one note for each of the first files and tests that are left out, and a single note for the others.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Largest number of notes about single files and tests, so that other notes stay visible. `unusable` contains all
-    /// of them.
+    /// Largest number of notes about single files and tests, so that other notes stay visible. The list `unusable` of
+    /// the campaign contains all files and tests that are left out.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();

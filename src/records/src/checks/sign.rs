@@ -72,7 +72,7 @@ struct Evidence {
     peak_velocity: f64,
 }
 
-/// Estimates the direction unless it is stated, and makes rebound positive in all motions.
+/// Estimates the positive direction of the files unless the user states it, and makes rebound positive in all motions.
 ///
 /// Also detects a delay of the force channel. The delay is removed for the estimate of the direction, but the motions
 /// retain it.
@@ -288,7 +288,8 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// Returns the logarithm of the ratio of force increases at positive and negative velocity, and its uncertainty.
+/// Returns the natural logarithm of the ratio of force increases at positive and negative velocity, and its
+/// uncertainty.
 ///
 /// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Hysteresis is
 /// similar in all tests, so more tests do not reduce the uncertainty.
@@ -309,7 +310,8 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
 }
 
-/// Returns the logarithm of the odds that the force is tension positive, from the force at standstill.
+/// Returns the logarithm of the odds that the force is tension positive, from the force at standstill and its
+/// uncertainty, N.
 ///
 /// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
 /// rigs, the force is no evidence, which limits the odds.
@@ -432,10 +434,10 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // The logarithm of the ratio has a normal distribution about plus or minus the prior, one for each direction. The
-    // log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of at most seven to
-    // one, because some dampers are symmetric or inverse. The error of the force increase adds to the scatter of
-    // dampers.
+    // The logarithm of the ratio of force increases has a normal distribution about plus or minus the prior, one for
+    // each direction. The log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of
+    // at most seven to one, because some dampers are symmetric or inverse. The error of the force increase adds to the
+    // scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
@@ -611,7 +613,8 @@ mod tests {
         assert!(error.contains("too small to tell"), "{error}");
     }
 
-    /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same.
+    /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same,
+    /// and `sign` multiplies the exchanged force.
     fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {

@@ -55,7 +55,7 @@ pub enum StrokeSource {
 impl Peaks {
     /// Returns a speed, m/s, and the ratio of the force in rebound to that in compression at this speed.
     ///
-    /// It is the highest speed that both strokes reach. Forces between the points are interpolated linearly. Returns
+    /// The speed is the highest that both strokes reach. Forces between the points are interpolated linearly. Returns
     /// `None` if a stroke has no points, or no positive damping force at this speed.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {

@@ -5,11 +5,13 @@ use crate::data::record::{Noise, NoiseSource};
 use crate::numbers::median;
 use crate::tuning::noise::FEWEST;
 
-/// Estimates the noise of a single force sample, as a standard deviation and an autocorrelation.
+/// Estimates the noise of a single force sample, as a standard deviation, N, and an autocorrelation at a lag of one
+/// sample.
 ///
 /// With three or more cycles, every sample of the inner cycles is compared with the previous and the next cycle at
 /// equal phase. With two cycles, the second is compared with the first. Without cycles, the estimate uses differences
-/// of neighboring samples. The comparison with both neighbors cancels a slow trend such as heating.
+/// of neighboring samples. For fewer than [`FEWEST`] samples, the noise is unknown. The comparison with both neighbors
+/// cancels a slow trend such as heating.
 ///
 /// The values of neighboring cycles are interpolated between samples, which reduces their noise. For noise with a
 /// geometrically decreasing autocorrelation, the estimate corrects this effect and the noise of the neighbors exactly.
@@ -35,7 +37,7 @@ pub(crate) fn difference_noise(values: &[f64]) -> f64 {
     median(&mut third) / (0.6745 * 20.0_f64.sqrt())
 }
 
-/// A value of a neighboring cycle at equal phase, and its interpolation weight.
+/// Force of a neighboring cycle at equal phase, N, interpolated between two samples, and the weight of the later one.
 struct Partner {
     value: f64,
     weight: f64,
@@ -49,7 +51,7 @@ struct Deviation {
     weights: [f64; 2],
 }
 
-/// Removes the effect of a small time shift of the whole cycle.
+/// Removes the effect of a small time shift of the whole cycle from its deviations.
 ///
 /// Without speed control, the period of a drive varies by a fraction of a sample. On a steep flank, the shift would
 /// count as noise.

@@ -53,7 +53,7 @@ impl<'a> Labels<'a> {
         let own = self.own[stated][place]?;
         let is_clear = own.abs() > (TIMES_SCATTER * self.scatter).max(LEAST_CONTRAST);
         let is_of_motion = match self.same_motion_elsewhere(stated, test) {
-            // Without this motion at other settings, only a large deviation is not that of the motion.
+            // If no test at another setting has this motion, only a large deviation is not attributed to the motion.
             others if others.is_empty() => own.abs() < AGREE,
             others => {
                 let alike = others.iter().filter(|other| *other * own > 0.0 && 3.0 * other.abs() > own.abs()).count();
@@ -75,7 +75,8 @@ impl<'a> Labels<'a> {
         candidates.filter(|candidate| candidate.left < most).min_by(|a, b| a.left.total_cmp(&b.left))
     }
 
-    /// Returns the deviations of tests with the motion of a test at other settings.
+    /// Returns the deviations of the tests at other settings with the motion of `test`, each from the tests of its own
+    /// setting, as natural logarithms.
     fn same_motion_elsewhere(&self, stated: usize, test: &Seen<'_>) -> Vec<f64> {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
         let is_same = |other: &Seen<'_>| {
@@ -91,7 +92,8 @@ impl<'a> Labels<'a> {
     }
 }
 
-/// Returns the deviations of a test from a reference at their common velocities, or `None` if these are too few.
+/// Returns the deviations (natural logarithms of the force ratio) of a test from a reference at their common
+/// velocities, or `None` if these are too few.
 fn compared(test: &Seen<'_>, reference: &Reference<'_>) -> Option<Vec<f64>> {
     let off = reference.off(test, 1.0, 1.0);
     (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then_some(off)
