@@ -288,8 +288,8 @@ mod tests {
         }
     }
 
-    /// Checks that the search finds every step of at least 0.4 A in noise of up to 0.05 A. Such noise is typical of a
-    /// current clamp.
+    /// Checks that the search finds every step of at least 0.4 A in noise with a standard deviation of up to 0.05 A.
+    /// Such noise is typical of a current clamp.
     #[test]
     fn noise_hides_no_step() {
         let mut seed = 1u32;

@@ -199,8 +199,8 @@ impl Settings {
     }
 }
 
-/// Returns the setting of a test by its forces at common velocities. Returns `None` unless the test has velocities in
-/// common with every setting and is clearly nearest to one.
+/// Returns the index of the setting of a test by its forces at common velocities. Returns `None` unless the test has
+/// velocities in common with every setting and is clearly nearest to one.
 fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usize> {
     let mut off: Vec<(f64, usize)> = settings
         .iter()
@@ -216,7 +216,7 @@ fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usiz
     (off.len() == settings.len() && next > NEARER * own && next > libm::log(STEPS[0])).then_some(k)
 }
 
-/// Mean motion of a test: amplitude, velocity, position, side force and temperature.
+/// Mean motion and load of a test: amplitude, m, velocity, m/s, position, m, side force, N, and temperature, °C.
 struct Motion {
     amplitude: f64,
     peak_velocity: f64,
@@ -270,7 +270,8 @@ mod tests {
     use crate::checks::force_levels::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// Makes sine tests of dampers, one damper for each strength.
+    /// Makes four sine tests of each of several dampers. `strengths` are factors on the damping of 1500 N s/m, one for
+    /// each damper.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));

@@ -58,7 +58,7 @@ pub(crate) enum Cause {
     Sign,
 }
 
-/// Returns the delay of tests that feed no energy. Returns `None` if no test can show a delay, or if the delay is
+/// Returns the delay of tests that feed no energy. Returns `None` if no delay fits the tests, or if the delay is
 /// shorter than [`SHORTEST_REPORTED`] or hardly reduces the unexplained force variance.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;

@@ -13,7 +13,7 @@ use crate::source::Budget;
 
 /// Signature of the superblock.
 const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// Work of visiting a block, in steps of the budget.
+/// Work of visiting a block, in steps of about a nanosecond (see [`Budget`]).
 const VISIT: u64 = 200;
 /// Memory of a link in addition to its name, bytes.
 const LINK: u64 = 64;
@@ -188,7 +188,7 @@ impl<'a> File<'a> {
     }
 
     /// Copies the chunks below a node into `values`. `above` is the level of the parent node, which exceeds that of the
-    /// node by one.
+    /// node by one; `None` at the root.
     fn chunks(
         &self,
         at: u64,
