@@ -201,8 +201,8 @@ pub(crate) mod force_offset {
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const TWO: usize = 2;
 
-    /// Acceptable deviation of a test's force from that of the others, in addition to the offset of a load cell, in
-    /// multiples of the scatter of the others.
+    /// Acceptable deviation of a test's force from that of the others, in multiples of the scatter of the others. The
+    /// offset of a load cell is allowed in addition.
     ///
     /// Creep of the load cell and warming of the gas cause scatter.
     ///
@@ -646,8 +646,8 @@ pub(crate) mod order {
 
 /// Constants of `cleaning/trim.rs`.
 pub(crate) mod trim {
-    /// Ratio of the last cycle's deviation to the typical deviation of the others above which the last cycle is
-    /// removed.
+    /// Ratio above which the last cycle is removed: its force deviation from the other cycles, relative to the median
+    /// of the other cycles' deviations.
     ///
     /// Test: `a_disturbed_last_cycle_is_left_out`.
     pub(crate) const NOISY: f64 = 3.0;

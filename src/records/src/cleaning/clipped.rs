@@ -8,7 +8,8 @@ use crate::quantities::channel::Channel;
 use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
 use dashpot_messages::Sentence;
 
-/// Range of the motion channels over all tests of a campaign. A real end of the measuring range limits all tests.
+/// Range of displacement, m, and velocity, m/s, over all tests of a campaign. A real end of the measuring range limits
+/// all tests.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reach {
     displacement: (f64, f64),
@@ -59,7 +60,7 @@ struct FlatTop {
     value: f64,
     /// Whether it is a maximum; otherwise it is a minimum.
     up: bool,
-    /// Estimated height of the clipped part, from the slopes before and after.
+    /// Estimated height of the clipped part, in the unit of the channel, from the slopes before and after the flat top.
     overshoot: f64,
 }
 
@@ -197,8 +198,8 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
 /// Finds flat tops at the largest and the smallest value.
 ///
 /// The top of a coarse sine is flat too. A signal is clipped if its slope at the edge of the flat top shows that it
-/// would have risen further. With the slope s at both edges of a top of length m, a parabola rises by s·m/4 above the
-/// edges.
+/// would have risen further. With the slope s per sample at both edges of a top of m samples, a parabola rises by s·m/4
+/// above the edges.
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);

@@ -81,7 +81,8 @@ mod tests {
         }
         report(&time, &x, &force, &cycles::find(&time, &x), &mut notes);
         assert_eq!(notes.len(), 2, "{notes:?}");
-        // The distance between the first and the last cycle is nine periods of 1 s.
+        // The distance between the first and the last cycle is nine periods of 1 s. Drifts of 0.5 mm/s and −6 N/s thus
+        // give 4.5 mm and −54 N.
         assert!(notes[0].text.to_string().contains("drifts by 4.5"), "{}", notes[0].text);
         assert!(
             notes[1].text.to_string().contains("drifts by -54.")

@@ -14,7 +14,7 @@ use dashpot_messages::{Sentence, Template};
 /// on a channel.
 pub(crate) const LABELS: usize = 5;
 
-/// The lines of one table that are not rows.
+/// Lines of one table that are not rows, and rows with more fields than the heading.
 #[derive(Default)]
 pub(crate) struct NonDataLines {
     labels: Vec<(usize, String)>,

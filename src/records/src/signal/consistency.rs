@@ -18,8 +18,8 @@ pub(crate) struct Agreement {
     pub explained: f64,
 }
 
-/// Fits displacement x, m, and velocity v, m/s, over time t, s, by x = a·∫v dt + b·v + c + d·t, with constants a to d.
-/// The gain is 1/a, the lag is b/a. The terms c + d·t absorb offset and integration drift.
+/// Fits displacement x, m, and velocity v, m/s, over time t, s, by x = a·∫v dt + b·v + c + d·t. The gain is 1/a, the
+/// lag is b/a. The terms c + d·t absorb offset and integration drift.
 ///
 /// The integral of the velocity is less sensitive to noise than the derivative of the displacement. Returns `None` for
 /// fewer than eight samples, a constant channel or a singular fit.

@@ -30,7 +30,8 @@ struct Candidate {
 }
 
 /// Returns the channel whose unit is likely wrong, with its likely units. Returns `None` if a damper may cause the
-/// deviation (below [`OFF`]), if no other unit makes the test agree with the reference, or if the user gave the unit.
+/// deviation (below [`OFF`]), or if the user gave the unit. Also returns `None` if no other unit makes the test agree
+/// with the reference.
 pub(super) fn find_wrong_unit(test: &Seen<'_>, reference: &Reference<'_>) -> Option<WrongUnit> {
     let mut as_read: Vec<f64> = reference.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {

@@ -17,8 +17,7 @@ enum Rule {
     Same,
     /// Offset and factor, for y = offset + factor · x, with the stored number x and the physical value y.
     Linear([f64; 2]),
-    /// Coefficients a to f, for y = (a x² + b x + c) / (d x² + e x + f), with the stored number x and the physical
-    /// value y.
+    /// Coefficients a to f, for y = (a x² + b x + c) / (d x² + e x + f). The stored number is x, the physical value y.
     Rational([f64; 6]),
     /// Pairs of stored and physical value. Between two pairs, the value is interpolated if `straight` is true, else it
     /// is the value of the nearest pair. Outside the pairs, it is the value of the first or last pair.
