@@ -175,9 +175,9 @@ pub(crate) mod load_cell {
     /// Range of the largest force of a car damper, N. In this range the expected offset is constant, so that the
     /// criteria are equal for soft and firm dampers.
     ///
-    /// The range covers the virtual rigs and the measured dampers of the book, 0.4 to 6 kN. A narrower range would
-    /// change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for stronger
-    /// dampers. Outside this range, the expected offset is therefore proportional to the largest force.
+    /// The range covers the virtual rigs and the measured dampers of the project's book, 0.4 to 6 kN. A narrower range
+    /// would change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for
+    /// stronger dampers. Outside this range, the expected offset is therefore proportional to the largest force.
     ///
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
@@ -295,14 +295,14 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
-    /// Smallest ratio of the deviation of a test from its setting to the scatter of the campaign at which its label is
-    /// doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
+    /// Smallest ratio of a test's deviation from the tests at its setting to the median of such deviations at which its
+    /// label is doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const TIMES_SCATTER: f64 = 5.0;
 
-    /// Smallest deviation of a test from its setting at which its label is doubted, as a natural logarithm of the force
-    /// ratio. A damper repeats within a few percent from test to test.
+    /// Smallest deviation of a test from the tests at its setting at which its label is doubted, as a natural logarithm
+    /// of the force ratio. A damper repeats within a few percent from test to test.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const LEAST_CONTRAST: f64 = 0.1;
@@ -525,8 +525,8 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SHORTEST: f64 = 1.5e-4;
 
-    /// Peak velocity of the fastest test, m/s, below which milliseconds may have been read as seconds. [`RARELY`] and
-    /// [`LONG`] must be exceeded too.
+    /// Peak velocity of the fastest test, m/s, below which milliseconds may have been read as seconds. The sampling
+    /// interval must also exceed [`RARELY`], and the length of the longest test [`LONG`].
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SLOWEST: f64 = 6e-3;
@@ -720,7 +720,8 @@ pub(crate) mod rests {
     /// Ratio of a pause to the apparent standstill of a slow motion at its turning points above which the pause is a
     /// real standstill.
     ///
-    /// The search for standstills works piece by piece, and noise makes the apparent standstill longer.
+    /// The search for standstills works piece by piece, and noise makes the apparent standstill longer. The ratio
+    /// therefore exceeds one.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const TURN: f64 = 3.0;
@@ -793,7 +794,8 @@ pub(crate) mod clipped {
 /// Constants of `cleaning/gaps.rs`.
 pub(crate) mod gaps {
     /// Ratio of a time step to the neighboring steps above which the step is a gap. After a change of the logging rate,
-    /// the neighboring steps are as long. Lost telegrams are only a few samples.
+    /// the steps on one side are as long as the step itself, so there is no gap. Lost telegrams are only a few samples,
+    /// so they are no gap either.
     ///
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;
@@ -985,7 +987,7 @@ pub(crate) mod settings {
     pub(crate) const SAME: f64 = 0.05;
 
     /// Smallest number of successive similar cycles that form a setting of the drive. If a drive has four cycles at
-    /// each setting, the first and the last contain the change. On a road, two similar cycles are rare.
+    /// each setting, the first and the last contain the change, so two remain. On a road, two similar cycles are rare.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const STAYS: usize = 2;

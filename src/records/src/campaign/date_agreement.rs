@@ -98,7 +98,8 @@ mod tests {
         assert_eq!(days, ["2026-03-11"]);
         assert!(said.contains("3/11/2026") && said.contains("2026-03-11") && said.contains("--dates"), "{said}");
         let european = (vec!["2026-11-03".to_owned()], String::new());
-        // The order follows from another date of the same file, from the number format, or from the user.
+        // The order of day and month follows from another date of the same file, from the number format, or from the
+        // user.
         assert_eq!(read(&["Calibrated 25/10/2025\nDate: 3/11/2026 10:00:00"], &plain, None), european);
         assert_eq!(read(&[open], &plain, Some(DateOrder::DayFirst)), european);
         let told = Options { dates: Some(DateOrder::DayFirst), ..Options::default() };
@@ -107,7 +108,7 @@ mod tests {
             read(&["Date: 11/13/2025\nMeasured 3/11/2026 10:00:00"], &plain, Some(DateOrder::DayFirst)).0,
             ["2026-03-11"]
         );
-        // The order follows from another file of the campaign, unless files contradict each other.
+        // The order of day and month follows from another file of the campaign, unless files contradict each other.
         let others = [open, "13/11/2026 10:00:00", "4/11/2026 10:00:00"];
         assert_eq!(
             read(&others, &plain, None),

@@ -23,7 +23,7 @@ pub(super) struct File {
     pub within: String,
 }
 
-/// Result of [`find`].
+/// Files to be read and folders that [`find`] has found.
 pub(super) struct Found {
     pub files: Vec<File>,
     /// Folders with a profile, and the options of the profile.
@@ -79,7 +79,7 @@ struct Search<'a> {
     found: &'a mut Found,
     /// The options of the folders visited so far.
     known: HashMap<PathBuf, Arc<Options>>,
-    /// The canonical paths of the files found, so that a file reached by two paths counts once.
+    /// The canonical paths of the files and subfolders found, so that each counts once even if two paths lead to it.
     seen: HashSet<PathBuf>,
     notes: &'a mut Vec<Note>,
 }

@@ -116,7 +116,8 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
-    // Each folder is a separate campaign, so its notes already concern a single group.
+    // If each folder is a separate campaign, its notes already concern a single group. Otherwise, make the notes about
+    // several settings anew for each group.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }

@@ -72,9 +72,9 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting, positive: options.positive })
 }
 
-/// Reads the force that was recorded with a motion, N, tension positive if the signs of [`read_motion`] are right.
-/// Returns `None` if the file cannot be read, has no force or one with missing values, or if the options ignore the
-/// force.
+/// Reads the force that was recorded with a motion, N, tension positive if the direction and the sign that the options
+/// and the profile state are right. Returns `None` if the file cannot be read, has no force or one with missing values,
+/// or if the options ignore the force.
 pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
     let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
     let mut force = read_file(file, &options).ok()?.pop()?.force;
@@ -84,7 +84,7 @@ pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> 
     (!force.is_empty() && force.iter().all(|force| force.is_finite())).then_some(force)
 }
 
-/// Returns the options with those of the profile in the file's folder.
+/// Returns the options, completed by those of the profile in the folder of the file.
 fn with_profile(file: &Path, options: &Options) -> Result<Options, RecordError> {
     let profile = Profile::read(&profile::folder_of(file))?.map(|profile| profile.options().unwrap_or_default());
     Ok(profile.map_or_else(|| options.clone(), |profile| options.over(&profile)))

@@ -118,7 +118,8 @@ pub fn load(
             tests
         })
         .collect();
-    // If no file is readable but subfolders contain records, the user likely means the subfolders.
+    // If no file is readable but subfolders contain records, the user likely means the subfolders, so the error names
+    // them.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());

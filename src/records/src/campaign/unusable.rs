@@ -100,8 +100,8 @@ impl Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Returns the value of a part that was read without a fault. Stores a fault and returns `None` if the campaign can
-    /// leave the file or test out. Returns other faults, and all faults of a strict run, as errors.
+    /// Returns the value that was read from a file or test without a fault. Stores the fault and returns `None` if the
+    /// campaign can leave the file or test out. Returns other faults, and all faults of a strict run, as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -137,7 +137,8 @@ impl Sieve {
         first.map_or(Ok(()), |k| Err(self.faults.remove(k)))
     }
 
-    /// Returns all faults as unusable parts, and adds notes about the first of them.
+    /// Returns the files and tests with faults as entries of the campaign's list, and adds notes about the first of
+    /// them.
     pub fn report(self, noted: &mut Vec<Note>) -> Vec<Unusable> {
         let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
         noted.extend(notes(&unusable));

@@ -205,8 +205,8 @@ mod tests {
             records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
             records
         };
-        // The mean force of both directions differs at the harder setting, as it does if rebound and compression are
-        // unequal.
+        // The mean force of both directions differs at the harder setting, as for a damper with unequal rebound and
+        // compression.
         let mut both = at(0.0, 50.0);
         both.extend(at(0.8, -150.0).into_iter().skip(4).take(3));
         assert_eq!(said(&both), "");

@@ -63,7 +63,7 @@ struct Evidence {
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
-    /// Logarithm of the ratio of the force at positive velocity to that at negative velocity.
+    /// Natural logarithm of the ratio of the force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
     /// Increase of the force from low to high speed, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,
@@ -249,8 +249,8 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Returns the median force in one direction, N, at speeds between two fractions of `peak`. Returns `None` for fewer
-/// than [`FEWEST`] samples.
+/// Returns the median force in one direction, N, at speeds between two fractions of the speed `peak`, m/s. Returns
+/// `None` for fewer than [`FEWEST`] samples.
 fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
     let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
@@ -322,9 +322,9 @@ fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     libm::log(tempered(tension) / tempered(1.0 - tension))
 }
 
-/// Returns the logarithm of the ratio of damping forces at positive and negative velocity. A damping force is the 95 %
-/// quantile of the absolute deviation from the force at standstill. Returns `None` for fewer than ten samples in a
-/// direction.
+/// Returns the natural logarithm of the ratio of damping forces at positive and negative velocity. A damping force is
+/// the 95 % quantile of the absolute deviation from the force at standstill, N. Returns `None` for fewer than ten
+/// samples in a direction.
 fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
@@ -614,7 +614,7 @@ mod tests {
     }
 
     /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same,
-    /// and `sign` multiplies the exchanged force.
+    /// and `sign` multiplies the displacement that is read as force.
     fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {
@@ -691,7 +691,8 @@ mod tests {
         }
     }
 
-    /// Finds the sign of a device in sine or triangular motion at three speeds, with a force that depends on velocity.
+    /// Finds the positive direction of a device in sine or triangular motion at three speeds. `force` computes the
+    /// force, N, from the velocity, m/s.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
         let motions: Vec<Motion> = [0.4, 1.5, 2.0]
             .iter()

@@ -58,7 +58,7 @@ struct FlatTops {
 struct FlatTop {
     samples: std::ops::Range<usize>,
     value: f64,
-    /// Whether it is a maximum; otherwise it is a minimum.
+    /// Whether the flat top is at the maximum of the channel, otherwise at the minimum.
     up: bool,
     /// Estimated height of the clipped part, in the unit of the channel, from the slopes before and after the flat top.
     overshoot: f64,
@@ -85,14 +85,14 @@ impl FlatTops {
     }
 }
 
-/// Returns whether the other motion channel confirms the flat top. A constant velocity between turning points, or a
-/// standstill between two ramps, is not clipping.
+/// Returns whether the other motion channel confirms that the motion really has the flat top. A constant velocity
+/// between turning points, or a standstill between two ramps, is not clipping.
 fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
     let (first, last) = (top.samples.start, top.samples.end - 1);
     let seconds = time[last] - time[first];
     let beyond = match channel {
         Channel::Velocity => (other[last] - other[first]) / seconds - top.value,
-        // Largest distance from the start of the flat top.
+        // Largest distance, m, from the position at the start of the flat top.
         _ => {
             let mut at = 0.0;
             (first + 1..=last).fold(0.0f64, |most, k| {

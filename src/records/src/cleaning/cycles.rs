@@ -284,8 +284,9 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
     crossings
 }
 
-/// Computes the time at which the displacement crosses `level` near sample `near`. The method is a straight-line fit to
-/// the samples of the flank within `band` of the level. Returns `None` if the fit does not rise or has one sample.
+/// Computes the time, s, at which the displacement crosses `level`, m, near sample `near`. The method is a
+/// straight-line fit to the samples of the flank within `band`, m, of the level. Returns `None` if the fit does not
+/// rise or has one sample.
 ///
 /// Interpolation between only two samples would add their noise to the crossing time.
 fn crossing_time(

@@ -1,4 +1,4 @@
-//! Cleaning of one test. Every step makes the repairs that are safe and notes them with figures. It rejects unreliable
+//! Cleaning of one test. Every step makes the repairs that are safe, notes them with figures, and rejects unreliable
 //! data.
 
 mod clipped;

@@ -157,8 +157,8 @@ fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
 }
 
-/// Computes the correlation between the derivative of the column `values` and the column `speed`, which may be its
-/// velocity.
+/// Computes the correlation between the derivative of the column `values` and the column `speed`. Near one, `speed` is
+/// the velocity of `values`.
 fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
     let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
     // Differences over several samples reduce the noise.

@@ -197,8 +197,8 @@ fn without_noise(values: &[f64]) -> Smoothed {
     }
 }
 
-/// Locates the steps between noisy levels. Each step is at the position with the smallest residual about its two
-/// levels.
+/// Locates the steps between noisy levels. Each step is at the position with the smallest sum of squared deviations
+/// from its two levels.
 fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
     for k in 1..levels.len() {
         let [before, after] = [levels[k - 1], levels[k]];

@@ -132,7 +132,7 @@ pub fn seconds(text: &str) -> Option<f64> {
     let seconds = match parts.next() {
         Some(text) if text.starts_with(|c: char| c.is_ascii_digit()) => text.replace(',', ".").parse::<f64>().ok()?,
         Some(_) => return None,
-        // `12:34` alone may also be minutes and seconds. With a date, the text is a time of day.
+        // `12:34` alone may also be minutes and seconds, so it is not read. With a date, the text is a time of day.
         None if date.is_some() => 0.0,
         None => return None,
     };

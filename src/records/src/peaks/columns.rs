@@ -461,7 +461,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
         }
         ([first, ..], _) => {
             let columns = listed(velocities.iter().map(|c| &cells[c.index]));
-            // A force column for both strokes has only one velocity column.
+            // A force column for both strokes has only one velocity column, so the request names a single column.
             let how = match of.what.stroke {
                 Some(_) => asked(first.what, velocities, cells),
                 None => asked(first.what, &velocities[..1], cells),

@@ -16,7 +16,7 @@ pub struct Setting {
     pub name: String,
     /// Unit of the setting, such as `A`; empty for clicks.
     pub unit: String,
-    /// Value in that unit.
+    /// Value of the setting, in the unit `unit`.
     pub value: f64,
 }
 

@@ -26,7 +26,7 @@ const TIMES: f64 = 1.5;
 /// give different numbers in different motions.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
 /// Smallest ratio of the distances to the second nearest and the nearest setting at which a test of another motion
-/// belongs to the nearest. A distance is the logarithm of a force ratio.
+/// belongs to the nearest. A distance is the absolute natural logarithm of the ratio of the damping forces.
 const NEARER: f64 = 2.0;
 /// Largest difference of side force, N, and of temperature, K, between equal motions. A larger difference may explain
 /// different forces of one damper, so such tests are not compared.
@@ -90,7 +90,7 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
 }
 
 /// Returns the shortest glob pattern that matches the names of `tests` and no others. The pattern contains a part of
-/// the first name. Returns `None` if there is no such pattern or only one test.
+/// the name of the first of these tests. Returns `None` if there is no such pattern or only one test.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
@@ -133,7 +133,8 @@ struct Settings {
 
 impl Settings {
     fn of(records: &[Record], motions: &[Motion], seen: &[Levels]) -> Settings {
-        // Tests of one motion, each with the logarithm of the ratio of its force to that of the first test.
+        // Tests of one motion, each with the natural logarithm of the ratio of its damping force to that of the first
+        // test.
         let mut alike: Vec<Vec<(f64, usize)>> = Vec::new();
         for (i, motion) in motions.iter().enumerate() {
             let group = alike.iter_mut().find_map(|group| {
@@ -296,7 +297,7 @@ mod tests {
             assert!(text.contains(&format!("t{k}")), "{k}: {text}");
         }
         assert!(text.contains("1) 't0', 't1', 't2', 't3'; 2) 't4', 't5', 't6', 't7'"), "{text}");
-        // One test among many deviates.
+        // One test among many deviates, and the note names it.
         let mut odd = campaign(&[1.0, 1.05, 0.95]);
         odd.push(campaign(&[1.0, 3.0]).pop().unwrap());
         assert!(said(&odd).contains("t7"), "{}", said(&odd));

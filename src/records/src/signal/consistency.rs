@@ -52,7 +52,7 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
         plain += x * t;
     }
     let solution = normal.lu().solve(&right)?;
-    // Subtract the variance that a straight line explains without the velocity.
+    // Subtract the variance of the displacement that a straight line over time explains without the velocity.
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);

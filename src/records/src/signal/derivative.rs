@@ -152,10 +152,11 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
         .unwrap_or(nyquist)
 }
 
-/// Integrates the velocity to the displacement from the initial position, m.
+/// Integrates a velocity, m/s, to a displacement, m, from the position `initial`, m.
 ///
 /// If the samples are evenly spaced, the method is the cubic through the four samples around every step. Otherwise, it
-/// is the trapezoidal rule. At twenty samples per cycle, the error of trapezoids is 0.8 %, that of the cubic 0.02 %.
+/// is the trapezoidal rule. At twenty samples per cycle of a sine, the error of trapezoids is 0.8 % of the amplitude,
+/// that of the cubic 0.02 %.
 pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64> {
     let n = time.len();
     let mut x = initial;

@@ -99,7 +99,7 @@ pub fn smooth(record: &Record) -> Motion {
 }
 
 /// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s. Also returns the
-/// covariance that white jerk of spectral density `q` adds in this time.
+/// covariance that white jerk of spectral density `q`, m²/s⁵, adds in this time.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);

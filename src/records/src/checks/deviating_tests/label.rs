@@ -1,4 +1,5 @@
-//! The label of another setting as the explanation of a test that deviates from the reference.
+//! The label of another setting as the explanation of a test that deviates from the reference, the largest set of
+//! agreeing tests at its setting.
 
 use super::Seen;
 use super::reference::Reference;
@@ -18,11 +19,12 @@ pub(super) struct WrongLabel {
 pub(super) struct Labels<'a> {
     settings: &'a [Vec<Seen<'a>>],
     references: &'a [Option<Reference<'a>>],
-    /// Median deviation of each test from its own reference, as a natural logarithm of the force ratio.
+    /// Median deviation of each test from the reference of its own setting, as a natural logarithm of the force ratio.
     ///
     /// `None` if test and reference share too few velocities. The outer index is that of the setting.
     own: Vec<Vec<Option<f64>>>,
-    /// Median of the absolute deviations of all tests. Most labels are right, so it is the scatter of the campaign.
+    /// Median of the absolute deviations `own` of all tests. Most labels are right, so this median is the scatter of
+    /// the campaign.
     scatter: f64,
 }
 
@@ -45,8 +47,8 @@ impl<'a> Labels<'a> {
 
     /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
     ///
-    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, does
-    /// not clearly deviate from its own, or if its motion deviates alike at other settings.
+    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting,
+    /// does not clearly deviate from its own setting, or if its motion deviates alike at other settings.
     pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
         let test = &self.settings[stated][place];
         let name = &test.record.setting.as_ref()?.name;

@@ -28,8 +28,8 @@ impl Start {
 }
 
 /// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
-/// begins with the first row of numbers. If no other line is the header, it may be a comment line. The second value is
-/// the first line that is not a comment.
+/// begins with the first row of numbers. If no other line is the header, the header may be a comment line. The second
+/// value is the first line that is not a comment.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
