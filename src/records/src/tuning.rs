@@ -121,8 +121,8 @@ pub(crate) mod delay {
     /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of the unexplained force variances with two assumed causes, a delay and a reversed sign, below which the
-    /// cause with the smaller variance is selected. At a larger ratio, the error names both causes.
+    /// Ratio of unexplained force variances, assuming a delay or a reversed sign, below which the cause with the
+    /// smaller variance is selected. At a larger ratio, the error names both causes.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
     pub(crate) const CLEARLY: f64 = 0.7;

@@ -72,9 +72,9 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting, positive: options.positive })
 }
 
-/// Reads the force that was recorded with a motion, N, tension positive if the direction and the sign that the options
-/// and the profile state are right. Returns `None` if the file cannot be read, has no force or one with missing values,
-/// or if the options ignore the force.
+/// Reads the force, N, that was recorded with a motion. It is tension positive if the direction and sign that options
+/// and profile state are right. Returns `None` if the file cannot be read, has no force or one with missing values, or
+/// if the options ignore the force.
 pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
     let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
     let mut force = read_file(file, &options).ok()?.pop()?.force;

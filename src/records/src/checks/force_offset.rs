@@ -155,7 +155,7 @@ mod tests {
     use crate::fixtures::sine_record;
     use crate::quantities::setting_value::Setting;
 
-    /// Makes sine tests of (amplitude, m, peak velocity, m/s) on a damper with the gas force `gas`, N, and a rebound
+    /// Makes sine tests of (amplitude, m, peak velocity, m/s). The damper has the gas force `gas`, N, and a rebound
     /// stop that begins at 45 mm.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {

@@ -908,8 +908,8 @@ mod tests {
         ] {
             assert_eq!((read(text), is_setpoint(text)), ((Channel::Current, unit), setpoint), "{text}");
         }
-        // None of these headings is a valve current: a current of another device, a single value, a letter with another
-        // unit, and a load cell named A.
+        // None of these headings is a valve current. They are a current of another device, a single value, a letter
+        // with another unit, and a load cell named A.
         for text in
             ["motor current [A]", "max current [A]", "I [mm]", "pump [A]", "Strom Regelabweichung [A]", "Load cell A"]
         {

@@ -16,8 +16,8 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::source::{Budget, Exhausted, Source};
 
-/// Work, in steps of about a nanosecond (see [`Budget`]): of opening a sheet, of a cell in addition to its tags, and of
-/// a position in a row.
+/// Work of opening a sheet, of a cell in addition to its tags, and of a position in a row. A step is about a nanosecond
+/// (see [`Budget`]).
 const SHEET: u64 = 50_000;
 const CELL: u64 = 100;
 const PLACE: u64 = 20;

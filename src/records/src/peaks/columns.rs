@@ -565,8 +565,8 @@ fn unit(cell: &str) -> Option<Unit> {
     speed.filter(of_peaks).or_else(|| parts(cell).filter_map(|part| part.parse().ok()).find(of_peaks))
 }
 
-/// Returns whether the brackets of a heading contain something other than a stroke, a quantity or a unit of speed or
-/// force: `c [Ns/m]`, `Oil [C]`.
+/// Returns whether the brackets of a heading contain no stroke, no quantity and no unit of speed or force: `c [Ns/m]`,
+/// `Oil [C]`.
 fn foreign_unit(cell: &str, letters: Option<(&str, &str)>) -> bool {
     let inside = cell.split(['[', '(', '{']).nth(1).and_then(|rest| rest.split([']', ')', '}']).next());
     let Some(inside) = inside.map(str::trim).filter(|text| !text.is_empty()) else { return false };

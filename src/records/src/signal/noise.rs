@@ -132,8 +132,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     let spread = median(&mut all.iter().map(|d| (d - centre).abs()).collect::<Vec<_>>()) / 0.6745;
     let near = |d: f64| (d - centre).abs() <= 3.5 * spread;
 
-    // Second moments of the deviations at lags of 0 and 1 sample (`d0`, `d1`), their counts (`n0`, `n1`), and the
-    // weight `share` of a neighboring cycle's variance in a deviation.
+    // Second moments of the deviations at lags of 0 and 1 sample (`d0`, `d1`), and their counts (`n0`, `n1`). `share`
+    // is the weight of a neighboring cycle's variance in a deviation.
     let share = if one_sided { 1.0 } else { 0.25 };
     let (mut d0, mut n0, mut d1, mut n1) = (0.0, 0.0, 0.0, 0.0);
     // Sums over the neighboring cycles of (1−w)² + w² and of w(1−w), with the interpolation weight w.
@@ -162,8 +162,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // The expected second moments at lags of 0 and 1 sample, D0 and D1, follow from the variance c0 of the noise and its
-    // autocorrelation r at lag 1 (r² at lag 2):
+    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0 and D1
+    // at lags of 0 and 1 sample are then:
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
     // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;

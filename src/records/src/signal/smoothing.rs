@@ -53,8 +53,8 @@ pub fn smooth(record: &Record) -> Motion {
     // Lower limits of the noise, so that the covariances stay regular. They are far below the noise of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
-    // Spectral density of the jerk of a sine with this peak velocity and the angular frequency `w`, rad/s: the squared
-    // amplitude of the jerk times a correlation time of 1/`w`.
+    // Spectral density, m²/s⁵, of the jerk of a sine with this peak velocity and the angular frequency `w`, rad/s. It
+    // is the squared amplitude of the jerk times a correlation time of 1/`w`.
     let q = peak * peak * w.powi(3);
     let h = Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     let r = Matrix2::new(rx, 0.0, 0.0, rv);

@@ -47,8 +47,9 @@ impl<'a> Labels<'a> {
 
     /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
     ///
-    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting,
-    /// does not clearly deviate from its own setting, or if its motion deviates alike at other settings.
+    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, or
+    /// does not clearly deviate from its own setting. Also returns `None` if its motion deviates alike at other
+    /// settings.
     pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
         let test = &self.settings[stated][place];
         let name = &test.record.setting.as_ref()?.name;
@@ -94,8 +95,8 @@ impl<'a> Labels<'a> {
     }
 }
 
-/// Returns the deviations (natural logarithms of the force ratio) of a test from a reference at their common
-/// velocities, or `None` if these are too few.
+/// Returns the deviations of a test from a reference at their common velocities, as natural logarithms of the force
+/// ratio. Returns `None` if these velocities are too few.
 fn compared(test: &Seen<'_>, reference: &Reference<'_>) -> Option<Vec<f64>> {
     let off = reference.off(test, 1.0, 1.0);
     (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then_some(off)
