@@ -283,8 +283,8 @@ pub(crate) mod deviating_tests {
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
-    /// Largest deviation of a test from the others if its likely unit is assumed, as a natural logarithm of the force
-    /// ratio. Two tests that agree deviate by up to this value.
+    /// Largest deviation of a test from the others if its likely unit or label is assumed, as a natural logarithm of
+    /// the force ratio. Two tests that agree deviate by up to this value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
@@ -318,8 +318,9 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const SAME_MOTION: f64 = 0.1;
 
-    /// Difference of the residuals of two units, as natural logarithms, below which both units are likely. The
-    /// logarithms of kilogram-force and decanewton differ by 0.02.
+    /// Difference of a test's force residuals with two units, as natural logarithms, below which both units are likely.
+    /// A wrong label is reported unless the residual with a wrong unit is smaller by this value. The logarithms of
+    /// kilogram-force and decanewton differ by 0.02.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AS_LIKELY: f64 = 0.05;

@@ -121,8 +121,8 @@ mod tests {
         assert_eq!(read(&["11-25-2026 10:00:00"], &plain, None), (vec!["2026-11-25".to_owned()], String::new()));
     }
 
-    /// Loads as one campaign files that have the given lines above their tables. Returns the days on which the tests
-    /// began, and the campaign's notes about dates.
+    /// Loads as one campaign files that have the given lines above their tables. A file marked `true` has semicolons
+    /// and decimal commas. Returns the days on which the tests began, and the campaign's notes about dates.
     fn loaded(above: &[(&str, bool)], profile: &str) -> (Vec<String>, String) {
         let folder = tempfile::tempdir().unwrap();
         for (k, (lines, semicolons)) in above.iter().enumerate() {

@@ -245,7 +245,7 @@ pub(super) fn file_name(path: &Path) -> String {
 
 /// Compares file names in natural order: digits compare as numbers, so `test2` precedes `test10`.
 ///
-/// The crate `natord` compares digits after a leading zero as decimals, so it puts `t010` before `t9`.
+/// The crate `natord` compares digits after a leading zero as decimals, so it puts `t010` before `t9` and is not used.
 pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
     loop {

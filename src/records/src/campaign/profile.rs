@@ -104,8 +104,8 @@ fn one() -> f64 {
 }
 
 impl Profile {
-    /// Reads the profile of a folder. Returns `None` if the file is missing or empty, or if it describes the
-    /// measurement of a virtual campaign.
+    /// Reads the profile of a folder. Returns `None` if the file is missing or empty, or if it describes a campaign
+    /// that the virtual rig simulated.
     ///
     /// # Errors
     /// The file cannot be read, is too large, lacks the entry `format`, or has an invalid entry.

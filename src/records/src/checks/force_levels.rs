@@ -29,7 +29,7 @@ pub(crate) fn apart(times: f64) -> f64 {
     libm::log(times) / libm::log(STEP)
 }
 
-/// Returns the velocity in the middle of a level, m/s.
+/// Returns the geometric mean of the velocity limits of a level, m/s.
 pub(crate) fn velocity(level: i32) -> f64 {
     FROM * libm::pow(STEP, f64::from(level) + 0.5)
 }

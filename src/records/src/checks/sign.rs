@@ -544,6 +544,7 @@ mod tests {
     }
 
     /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by the given signs.
+    /// `preload` is the force at standstill, N.
     fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
         campaign_read(force, motion, preload, &Options::default())
     }

@@ -7,8 +7,9 @@ use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
 use dashpot_messages::Sentence;
 
-/// Tolerance of a level as a fraction of the signal's range: the largest deviation of a sample from the mean of its
-/// level. The larger one of this tolerance and that by [`NOISE`] applies.
+/// Tolerance of a level (a constant value over several samples), as a fraction of the signal's range. The tolerance is
+/// the largest deviation of a sample from the mean of its level. The larger one of this tolerance and that by [`NOISE`]
+/// applies.
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).
 const NOISE: f64 = 4.0;
@@ -172,7 +173,7 @@ struct Smoothed {
     width: usize,
 }
 
-/// Smooths a signal with the shortest sufficient running median.
+/// Smooths a signal with the shortest running median that reduces the noise below the tolerance by [`LEVEL`].
 fn without_noise(values: &[f64]) -> Smoothed {
     let smooth = |width: usize| -> Vec<f64> {
         let at = |k: usize| {

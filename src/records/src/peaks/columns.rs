@@ -133,7 +133,8 @@ pub struct PeakPair {
 
 /// The columns of a table, and its first row.
 pub(crate) struct Found {
-    /// Index of the heading among the rows, or `None` for a table without a heading.
+    /// Index of the heading among the rows, or of the row above the data if the user names all columns by number.
+    /// `None` without such a row.
     pub header: Option<usize>,
     /// Index of the first row below the heading and its units.
     pub data: usize,
@@ -565,8 +566,8 @@ fn unit(cell: &str) -> Option<Unit> {
     speed.filter(of_peaks).or_else(|| parts(cell).filter_map(|part| part.parse().ok()).find(of_peaks))
 }
 
-/// Returns whether the brackets of a heading contain no stroke, no quantity and no unit of speed or force: `c [Ns/m]`,
-/// `Oil [C]`.
+/// Returns whether the brackets of a heading contain a text that is no stroke, quantity or unit of speed or force: `c
+/// [Ns/m]`, `Oil [C]`.
 fn foreign_unit(cell: &str, letters: Option<(&str, &str)>) -> bool {
     let inside = cell.split(['[', '(', '{']).nth(1).and_then(|rest| rest.split([']', ')', '}']).next());
     let Some(inside) = inside.map(str::trim).filter(|text| !text.is_empty()) else { return false };

@@ -9,7 +9,8 @@
 //! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
 //! - With the label of another setting, the forces are those of the reference of that setting.
 //!
-//! The explanation with the smaller residual is stated. A wrong unit rejects the campaign. A wrong label gives a note.
+//! The explanation with the smaller residual is stated. If both are about equally likely, the note about the label also
+//! states the unit. A wrong unit rejects the campaign. A wrong label gives a note.
 //!
 //! | Module | Contents |
 //! |---|---|
@@ -214,8 +215,8 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, sine_record};
 
-    /// Makes sine tests of (amplitude, m, peak velocity, m/s) on a damper with gas, friction and a mount that reduces
-    /// the force of short strokes.
+    /// Makes sine tests of (amplitude, m, peak velocity, m/s). `strength` multiplies the damping force of a damper with
+    /// gas, friction and a mount that reduces the force of short strokes.
     fn campaign(strength: f64, tests: &[(f64, f64)]) -> Vec<Record> {
         let mut random = Random::new(7);
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
@@ -270,8 +271,8 @@ mod tests {
         checked.map_or_else(|e| e.to_string(), |()| notes.iter().map(|note| note.text.to_string()).collect())
     }
 
-    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times a power of
-    /// `ratio`. The label of a test is a function of its setting and of its index.
+    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times `ratio` to the
+    /// power of the setting. The label of a test is a function of its setting and of its index.
     fn adjustable(ratio: f64, values: &[f64], label: impl Fn(f64, usize) -> f64) -> Vec<Record> {
         let at = |value: f64| {
             let tests = campaign(450.0 * libm::pow(ratio, value), &PLAN[..6]);

@@ -250,7 +250,8 @@ impl<'a> File<'a> {
         Ok(bytes)
     }
 
-    /// Copies a chunk to its position. Ignores elements outside the data set, which are padding.
+    /// Copies a chunk to its position `begins` in the data set. Ignores elements outside the data set, which are
+    /// padding.
     fn place(&self, data: &DataSet, chunk: &[u64], begins: &[u64], bytes: &[u8], values: &mut [f64]) {
         let size = data.number.size;
         for (k, stored) in bytes.chunks_exact(size).take(product(chunk) as usize).enumerate() {
