@@ -33,9 +33,9 @@ pub struct MotionRecord {
     pub positive: Option<Positive>,
 }
 
-/// Reads a motion. `options` state units, columns, ignored channels and signs, with precedence over a profile in the
-/// file's folder. Extension is positive unless the options or the profile state another direction. The force column is
-/// not read. The setting is recognized as in records.
+/// Reads a motion. `options` state units, columns, ignored channels, signs and the displacement zero, with precedence
+/// over a profile in the file's folder. Gains of the channels are not applied. Extension is positive unless the options
+/// or the profile state another direction. The force column is not read. The setting is recognized as in records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not

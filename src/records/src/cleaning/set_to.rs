@@ -20,8 +20,8 @@ struct SettingColumn {
 }
 
 impl SettingColumn {
-    /// Determines name and unit of the setting in a column from the user's rules, else from the unit in the heading,
-    /// else from the words of the heading.
+    /// Determines name and unit of the setting in a column. The sources are the user's rules, else the unit in the
+    /// heading, else the words of the heading.
     fn new(heading: &str, rules: &SettingRules) -> SettingColumn {
         let written = written_unit(heading).unwrap_or_default();
         let own = without_unit(heading);

@@ -8,7 +8,7 @@ use crate::quantities::setting_value::{as_set, with_setting_name};
 use dashpot_messages::Sentence;
 
 /// Tolerance of a level (a constant value over several samples), as a fraction of the signal's range. The tolerance is
-/// the largest deviation of a sample from the mean of its level. The larger one of this tolerance and that by [`NOISE`]
+/// the largest deviation of a sample from the mean of its level. The larger of this tolerance and that by [`NOISE`]
 /// applies.
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).

@@ -9,8 +9,8 @@
 //! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
 //! - With the label of another setting, the forces are those of the reference of that setting.
 //!
-//! The explanation with the smaller residual is stated. If both are about equally likely, the note about the label also
-//! states the unit. A wrong unit rejects the campaign. A wrong label gives a note.
+//! A wrong label is stated unless the residual with a wrong unit is smaller by [`AS_LIKELY`]. A wrong unit rejects the
+//! campaign. A wrong label gives a note, which also names a unit that would explain the forces.
 //!
 //! | Module | Contents |
 //! |---|---|
@@ -122,7 +122,7 @@ pub(crate) fn check(
 #[derive(Default)]
 struct Labeled<'a> {
     tests: Vec<&'a Seen<'a>>,
-    /// Another unit of a test, which explains its forces about as well as the label of another setting.
+    /// Another unit that would also explain the forces of one of the tests, if there is one.
     unit: Option<WrongUnit>,
 }
 
