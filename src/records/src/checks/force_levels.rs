@@ -35,7 +35,7 @@ pub(crate) fn velocity(level: i32) -> f64 {
 }
 
 /// Computes the force levels of a test from the samples for which `counts` is true. Omits samples below the fraction
-/// [`LOWEST`] of the peak velocity, and levels with fewer than [`FEWEST`] samples in a direction.
+/// [`LOWEST`] of the peak velocity or above it, and levels with fewer than [`FEWEST`] samples in a direction.
 pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels {
     let lowest = LOWEST * record.peak_velocity;
     let mut forces: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();

@@ -291,8 +291,9 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
 /// Returns the natural logarithm of the ratio of force increases at positive and negative velocity, and its
 /// uncertainty.
 ///
-/// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Hysteresis is
-/// similar in all tests, so more tests do not reduce the uncertainty.
+/// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Returns `None`
+/// if the increase is unknown in all these tests. Hysteresis is similar in all tests, so more tests do not reduce the
+/// uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()

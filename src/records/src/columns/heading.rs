@@ -608,7 +608,8 @@ pub(crate) fn without_unit(text: &str) -> String {
     }
 }
 
-/// Returns the heading most similar to a missing name, if at most a third of the letters differ.
+/// Returns the heading most similar to a missing name, if at most a third of the letters of the name (at least one)
+/// differ.
 pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = without_unit(wanted);
     let allowed = (wanted.chars().count() / 3).max(1);

@@ -308,8 +308,8 @@ fn clock_of(cell: &Data) -> Option<f64> {
     }
 }
 
-/// Returns the day of a cell with a date, s since 1970, or `None` if the cell has only a time. Workbooks have the epoch
-/// 1900 or 1904.
+/// Returns the day of a cell with a date, s since 1970, or `None` if the cell has only a time or a duration. Workbooks
+/// have the epoch 1900 or 1904.
 fn day_of(date: &ExcelDateTime) -> Option<f64> {
     let (year, month, day, ..) = date.to_ymd_hms_milli();
     let has_day = date.is_datetime() && date.as_f64() >= 1.0;
