@@ -53,8 +53,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format!("{:.1}", 1e3 * move_range))
         .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // Exchanged channels show in this combination: the displacement ranges over more than 1 m ([`LONGEST`]), the force
-    // over less than 500 N, and the force is smoother.
+    // Exchanged channels show in this combination of evidence. The displacement ranges over more than 1 m
+    // ([`LONGEST`]), the force over less than 500 N, and the force is smoother.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
