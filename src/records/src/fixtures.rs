@@ -27,8 +27,8 @@ impl Random {
     }
 }
 
-/// Returns test number `k` of a campaign: three cycles of a sine with the given amplitude and peak velocity. `force`
-/// computes the force from displacement and velocity.
+/// Returns test number `k` of a campaign: three cycles of a sine with the given amplitude, m, and peak velocity
+/// `speed`, m/s. `force` computes the force, N, from displacement, m, and velocity, m/s.
 pub(crate) fn sine_record(k: usize, amplitude: f64, speed: f64, mut force: impl FnMut(f64, f64) -> f64) -> Record {
     let omega = speed / amplitude;
     let time: Vec<f64> = (0..1500).map(|i| f64::from(i) * 0.002 * TAU / omega).collect();
@@ -108,8 +108,8 @@ impl Default for SineTest {
     }
 }
 
-/// Returns the force of a damper, N. The damping is 1500 N s/m in rebound and 800 N s/m in compression, the friction
-/// 40 N, and the gas spring 200 N/m.
+/// Returns the force of a damper, N, at the displacement `x`, m, and the velocity `v`, m/s. The damping is 1500 N s/m
+/// in rebound and 800 N s/m in compression, the friction 40 N, and the gas spring 200 N/m.
 pub(crate) fn damper_force(x: f64, v: f64) -> f64 {
     let damping = if v > 0.0 { 1500.0 } else { 800.0 };
     damping * v + 40.0 * libm::tanh(v / 0.002) + 200.0 * x

@@ -38,7 +38,7 @@ pub(crate) fn range(values: &[f64]) -> f64 {
     (high - low).max(0.0)
 }
 
-/// Returns the typical time between samples (the median step).
+/// Returns the median time between samples, s; `time` contains the sample times, s.
 pub(crate) fn sample_time(time: &[f64]) -> f64 {
     median(&mut time.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>())
 }

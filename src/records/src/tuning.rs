@@ -1,9 +1,9 @@
 //! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses such constants has
 //! a module here.
 //!
-//! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled or halved,
-//! or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs` checks the form.
-//! Budgets of readers, names and physical constants are in the files that use them.
+//! Every constant has its unit and its reason, and names a test or `none`. The test fails when the constant is doubled
+//! or halved, or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs`
+//! checks the form. Budgets of readers, names and physical constants are in the files that use them.
 
 /// Constants of `campaign/date_agreement.rs`.
 pub(crate) mod date_agreement {
@@ -61,8 +61,8 @@ pub(crate) mod consistency {
 
     /// Largest phase shift of a recorded velocity relative to the displacement, rad, at which the velocity is used.
     ///
-    /// A shift of 0.01 rad widens the force loop by 1 %, which equals the noise of good rigs. The limit is twice that
-    /// shift. At 200 samples per cycle, the limit exceeds half a sample.
+    /// A shift of 0.01 rad opens the force-velocity loop at zero velocity by 1 % of the force, which equals the noise
+    /// of good rigs. The limit is twice that shift. At 200 samples per cycle, the limit exceeds half a sample.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
     pub(crate) const LAG_OF_PHASE: f64 = 0.02;
@@ -116,12 +116,12 @@ pub(crate) mod delay {
     /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
     pub(crate) const SHORTEST_REPORTED: f64 = 0.005;
 
-    /// Largest ratio of the unexplained variances with and without the delay at which the delay is reported.
+    /// Largest ratio of the unexplained force variances with and without the delay at which the delay is reported.
     ///
     /// Test: none.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of the unexplained variances of two causes, a delay and a reversed sign, below which the cause with the
+    /// Ratio of unexplained force variances, assuming a delay or a reversed sign, below which the cause with the
     /// smaller variance is selected. At a larger ratio, the error names both causes.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
@@ -175,9 +175,9 @@ pub(crate) mod load_cell {
     /// Range of the largest force of a car damper, N. In this range the expected offset is constant, so that the
     /// criteria are equal for soft and firm dampers.
     ///
-    /// The range covers the virtual rigs and the measured dampers of the book, 0.4 to 6 kN. A narrower range would
-    /// change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for stronger
-    /// dampers. Outside this range, the expected offset is therefore proportional to the largest force.
+    /// The range covers the virtual rigs and the measured dampers of the project's book, 0.4 to 6 kN. A narrower range
+    /// would change the results for cars. Laboratories use a smaller cell for weaker dampers and a larger cell for
+    /// stronger dampers. Outside this range, the expected offset is therefore proportional to the largest force.
     ///
     /// Test: `a_cell_is_chosen_for_its_damper`.
     pub const OF_CARS: (f64, f64) = (300.0, 8000.0);
@@ -201,16 +201,16 @@ pub(crate) mod force_offset {
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const TWO: usize = 2;
 
-    /// Acceptable deviation of a test from the others, in addition to the offset of a load cell, in multiples of the
-    /// scatter of the others.
+    /// Acceptable deviation of a test's force from that of the others, in multiples of the scatter of the others. The
+    /// offset of a load cell is allowed in addition.
     ///
     /// Creep of the load cell and warming of the gas cause scatter.
     ///
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
-    /// Multiple of the acceptable deviation above which a test counts as reversed, if the reversal reduces the
-    /// deviation to the acceptable one.
+    /// Multiple of the acceptable force deviation above which a test counts as reversed. The reversal must also reduce
+    /// the deviation to an acceptable value.
     ///
     /// Test: none.
     pub(crate) const STRONG: f64 = 2.0;
@@ -283,31 +283,32 @@ pub(crate) mod deviating_tests {
     /// Test: none.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
-    /// Largest logarithmic deviation of a test from the others in its likely unit. Two tests that agree deviate by up
-    /// to this value.
+    /// Largest deviation of a test from the others if its likely unit or label is assumed, as a natural logarithm of
+    /// the force ratio. Two tests that agree deviate by up to this value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
 
-    /// Largest logarithmic deviation in the likely unit if the unit ratio exceeds [`BEYOND_DAMPERS`]. The value is a
-    /// factor of two.
+    /// Largest deviation of a test in its likely unit, as a natural logarithm of the force ratio, if the unit ratio
+    /// exceeds [`BEYOND_DAMPERS`]. The value is a factor of two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
-    /// Smallest ratio of the deviation of a test from its setting to the scatter of the campaign at which its label is
-    /// doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
+    /// Smallest ratio of a test's deviation from the tests at its setting to the median of such deviations at which its
+    /// label is doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const TIMES_SCATTER: f64 = 5.0;
 
-    /// Smallest deviation of a test from its setting at which its label is doubted, as a natural logarithm of the force
-    /// ratio. A damper repeats within a few percent from test to test.
+    /// Smallest deviation of a test from the tests at its setting at which its label is doubted, as a natural logarithm
+    /// of the force ratio. A damper repeats within a few percent from test to test.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const LEAST_CONTRAST: f64 = 0.1;
 
-    /// Largest ratio of the residual at another setting to the deviation from the own one at which a label is doubted.
+    /// Largest ratio of a test's deviation from the tests at another setting to that from the tests at its own setting.
+    /// At a larger ratio, its label is not doubted.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const OF_OWN: f64 = 0.35;
@@ -317,8 +318,9 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const SAME_MOTION: f64 = 0.1;
 
-    /// Difference of the residuals of two units, as natural logarithms, below which both units are likely. The
-    /// logarithms of kilogram-force and decanewton differ by 0.02.
+    /// Difference of a test's force residuals with two units, as natural logarithms, below which both units are likely.
+    /// A wrong label is reported unless the residual with a wrong unit is smaller by this value. The logarithms of
+    /// kilogram-force and decanewton differ by 0.02.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AS_LIKELY: f64 = 0.05;
@@ -335,8 +337,8 @@ pub(crate) mod deviating_tests {
     /// Test: none.
     pub(crate) const CELL_OFFSET: f64 = 15.0;
 
-    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter of this mean force between
-    /// tests.
+    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter between tests of the mean force
+    /// of the two directions.
     ///
     /// Test: none.
     pub(crate) const OF_SCATTER: f64 = 3.0;
@@ -524,8 +526,8 @@ pub(crate) mod unit_magnitude {
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SHORTEST: f64 = 1.5e-4;
 
-    /// Peak velocity of the fastest test, m/s, below which milliseconds may have been read as seconds. [`RARELY`] and
-    /// [`LONG`] must be exceeded too.
+    /// Peak velocity of the fastest test, m/s, below which milliseconds may have been read as seconds. The sampling
+    /// interval must also exceed [`RARELY`], and the length of the longest test [`LONG`].
     ///
     /// Test: `units_are_doubted_only_where_all_figures_speak_for_it`.
     pub(crate) const SLOWEST: f64 = 6e-3;
@@ -620,8 +622,8 @@ pub(crate) mod options {
 
 /// Constants of `cleaning/duplicates.rs`.
 pub(crate) mod duplicates {
-    /// Shortest block with new time stamps, in rows, that counts as repeated. Measured rows rarely agree to the last
-    /// digit over such a length.
+    /// Smallest number of rows of a block that counts as repeated with new time stamps. Measured rows rarely agree to
+    /// the last digit over such a length.
     ///
     /// Test: `a_short_block_is_no_repetition`.
     pub(crate) const BLOCK: usize = 10;
@@ -645,8 +647,8 @@ pub(crate) mod order {
 
 /// Constants of `cleaning/trim.rs`.
 pub(crate) mod trim {
-    /// Ratio of the last cycle's deviation to the typical deviation of the others above which the last cycle is
-    /// removed.
+    /// Ratio above which the last cycle is removed: its force deviation from the other cycles, relative to the median
+    /// of the other cycles' deviations.
     ///
     /// Test: `a_disturbed_last_cycle_is_left_out`.
     pub(crate) const NOISY: f64 = 3.0;
@@ -719,7 +721,8 @@ pub(crate) mod rests {
     /// Ratio of a pause to the apparent standstill of a slow motion at its turning points above which the pause is a
     /// real standstill.
     ///
-    /// The search for standstills works piece by piece, and noise makes the apparent standstill longer.
+    /// The search for standstills works piece by piece, and noise makes the apparent standstill longer. The ratio
+    /// therefore exceeds one.
     ///
     /// Test: `tests_one_after_the_other_are_told_apart_and_named`.
     pub(crate) const TURN: f64 = 3.0;
@@ -783,7 +786,7 @@ pub(crate) mod clipped {
     pub(crate) const ROUNDED_FRACTION: f64 = 0.05;
 
     /// Fraction of the estimated overshoot of a flat top that the other motion channel must show to prove the clipping.
-    /// The mean overshoot of a parabola is two thirds of the estimate, its largest overshoot.
+    /// The estimate is the largest overshoot of a parabola; its mean overshoot is two thirds of that.
     ///
     /// Test: `a_clipped_motion_channel_gives_way_to_the_other`.
     pub(crate) const SHOWN: f64 = 1.0 / 3.0;
@@ -792,7 +795,8 @@ pub(crate) mod clipped {
 /// Constants of `cleaning/gaps.rs`.
 pub(crate) mod gaps {
     /// Ratio of a time step to the neighboring steps above which the step is a gap. After a change of the logging rate,
-    /// the neighboring steps are as long. Lost telegrams are only a few samples.
+    /// the steps on one side are as long as the step itself, so there is no gap. Lost telegrams are only a few samples,
+    /// so they are no gap either.
     ///
     /// Test: `lost_samples_and_a_change_of_rate_are_no_gaps`.
     pub(crate) const LONGER: f64 = 12.0;
@@ -927,14 +931,14 @@ pub(crate) mod cleaning {
     /// Test: `too_few_samples_are_refused`.
     pub(crate) const FEWEST: usize = 20;
 
-    /// Length of the differentiating window relative to the period of the cycles. The error is 2e-5 for the fundamental
-    /// and 1 % for its fifth harmonic.
+    /// Length of the differentiating window relative to the period of the cycles. The relative error of the velocity is
+    /// 2e-5 for the fundamental and 1 % for its fifth harmonic.
     ///
     /// Test: none.
     pub(crate) const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 
-    /// Length of the differentiating window if there are no cycles, s. The error is 1 % at 25 Hz, the upper end of road
-    /// motion at a damper.
+    /// Length of the differentiating window if there are no cycles, s. The relative error of the velocity is 1 % at 25
+    /// Hz, the upper end of road motion at a damper.
     ///
     /// Test: none.
     pub(crate) const WINDOW_NO_CYCLE: f64 = 0.017;
@@ -984,7 +988,7 @@ pub(crate) mod settings {
     pub(crate) const SAME: f64 = 0.05;
 
     /// Smallest number of successive similar cycles that form a setting of the drive. If a drive has four cycles at
-    /// each setting, the first and the last contain the change. On a road, two similar cycles are rare.
+    /// each setting, the first and the last contain the change, so two remain. On a road, two similar cycles are rare.
     ///
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const STAYS: usize = 2;

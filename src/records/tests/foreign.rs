@@ -13,7 +13,7 @@ fn only(name: &str) -> Record {
     campaign.records.remove(0)
 }
 
-/// Checks a file against the damper and the motion of `make.py`.
+/// Checks the motion of a file, and its force within `tolerance`, N, against the damper and the motion of `make.py`.
 fn check(name: &str, tolerance: f64) {
     let record = only(name);
     assert!((record.frequency - 2.0).abs() < 0.01, "{name}: {} Hz", record.frequency);

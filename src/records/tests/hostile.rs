@@ -36,7 +36,7 @@ fn answer(folder: &Path, name: &str, bytes: &[u8]) -> Result<usize, String> {
     answer
 }
 
-/// Returns time, displacement in mm and force of a damper on a sine.
+/// Returns time in s, displacement in mm and force in N of a damper on a sine.
 fn rows() -> Vec<[f64; 3]> {
     (0..120)
         .map(|i| {

@@ -49,7 +49,7 @@ fn rows_of_an_earlier_run_are_skipped_and_millis_are_time() {
     // The times of the stale rows are 33 s too late, and these rows contain almost no force.
     let first: Vec<(f64, f64)> = campaign.records.iter().map(|r| (r.time[0], r.force[0])).collect();
     assert!(first.iter().all(|(time, force)| *time < 10.0 && force.abs() > 1.0), "{first:?}");
-    // Repeat the test with a heading of microcontroller boards.
+    // Repeat the test with `Millis`, a heading that microcontroller boards write.
     let folder = tempfile::tempdir().unwrap();
     for entry in std::fs::read_dir(&path).unwrap().flatten() {
         let text = std::fs::read_to_string(entry.path()).unwrap().replace("Time [ms]", "Millis");

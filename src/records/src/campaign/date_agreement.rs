@@ -71,8 +71,8 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order by the
-    /// number format. Returns the days on which the tests began and the notes about dates.
+    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order of day and
+    /// month by the number format of the files. Returns the days on which the tests began and the notes about dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()
@@ -98,7 +98,8 @@ mod tests {
         assert_eq!(days, ["2026-03-11"]);
         assert!(said.contains("3/11/2026") && said.contains("2026-03-11") && said.contains("--dates"), "{said}");
         let european = (vec!["2026-11-03".to_owned()], String::new());
-        // The order follows from another date of the same file, from the number format, or from the user.
+        // The order of day and month follows from another date of the same file, from the number format, or from the
+        // user.
         assert_eq!(read(&["Calibrated 25/10/2025\nDate: 3/11/2026 10:00:00"], &plain, None), european);
         assert_eq!(read(&[open], &plain, Some(DateOrder::DayFirst)), european);
         let told = Options { dates: Some(DateOrder::DayFirst), ..Options::default() };
@@ -107,7 +108,7 @@ mod tests {
             read(&["Date: 11/13/2025\nMeasured 3/11/2026 10:00:00"], &plain, Some(DateOrder::DayFirst)).0,
             ["2026-03-11"]
         );
-        // The order follows from another file of the campaign, unless files contradict each other.
+        // The order of day and month follows from another file of the campaign, unless files contradict each other.
         let others = [open, "13/11/2026 10:00:00", "4/11/2026 10:00:00"];
         assert_eq!(
             read(&others, &plain, None),
@@ -120,8 +121,8 @@ mod tests {
         assert_eq!(read(&["11-25-2026 10:00:00"], &plain, None), (vec!["2026-11-25".to_owned()], String::new()));
     }
 
-    /// Loads as one campaign files that have the given lines above their tables. Returns the days on which the tests
-    /// began, and the campaign's notes about dates.
+    /// Loads as one campaign files that have the given lines above their tables. A file marked `true` has semicolons
+    /// and decimal commas. Returns the days on which the tests began, and the campaign's notes about dates.
     fn loaded(above: &[(&str, bool)], profile: &str) -> (Vec<String>, String) {
         let folder = tempfile::tempdir().unwrap();
         for (k, (lines, semicolons)) in above.iter().enumerate() {
@@ -180,7 +181,7 @@ mod tests {
     fn dates_decide_only_where_one_reading_lies_much_closer_together() {
         let said = |dates: &[&str]| read(dates, &Options::default(), None).1;
         // The tests lie 39 days apart in the American order and 243 days in the European order. The second pair lies 66
-        // and 214 days apart.
+        // and 214 days apart. Only the ratio of the first pair exceeds `CLOSER`.
         assert!(said(&["1/2/2026 9:00:00", "2/10/2026 9:00:00"]).contains("close together"));
         assert!(!said(&["1/2/2026 9:00:00", "3/9/2026 9:00:00"]).contains("close together"));
     }

@@ -23,7 +23,7 @@ pub(super) struct File {
     pub within: String,
 }
 
-/// Result of [`find`].
+/// Files to be read and folders that [`find`] has found.
 pub(super) struct Found {
     pub files: Vec<File>,
     /// Folders with a profile, and the options of the profile.
@@ -79,7 +79,7 @@ struct Search<'a> {
     found: &'a mut Found,
     /// The options of the folders visited so far.
     known: HashMap<PathBuf, Arc<Options>>,
-    /// The canonical paths of the files found, so that a file reached by two paths counts once.
+    /// The canonical paths of the files and subfolders found, so that each counts once even if two paths lead to it.
     seen: HashSet<PathBuf>,
     notes: &'a mut Vec<Note>,
 }
@@ -177,7 +177,7 @@ impl Below {
 const DEEPEST: usize = 4;
 
 /// Counts the files in a folder and in up to `deep` levels of subfolders that are records by their extensions. Ignores
-/// unreadable folders.
+/// unreadable folders, hidden files and lock files of workbooks.
 fn records_below(folder: &Path, deep: usize) -> usize {
     let Ok(within) = std::fs::read_dir(folder) else { return 0 };
     let count = |path: &Path| match () {
@@ -194,7 +194,7 @@ fn is_passed_over(name: &str) -> bool {
 }
 
 /// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note with the names of
-/// all other entries.
+/// the other entries, except hidden files, lock files and a profile that was read.
 fn entries(
     folder: &Path,
     has_profile: bool,
@@ -245,7 +245,7 @@ pub(super) fn file_name(path: &Path) -> String {
 
 /// Compares file names in natural order: digits compare as numbers, so `test2` precedes `test10`.
 ///
-/// The crate `natord` compares digits after a leading zero as decimals, so it puts `t010` before `t9`.
+/// The crate `natord` compares digits after a leading zero as decimals, so it puts `t010` before `t9` and is not used.
 pub(super) fn natural_order(a: &str, b: &str) -> Ordering {
     let (mut left, mut right) = (a.chars().peekable(), b.chars().peekable());
     loop {

@@ -88,7 +88,8 @@ impl GroupList {
     /// folders. `*` matches any text. Commas, semicolons or tabs separate the columns.
     ///
     /// # Errors
-    /// A file that cannot be read, a missing column, a line of another length, or no line with a group.
+    /// A file that cannot be read, a missing column, a line without the heading's number of entries, or no line with a
+    /// group.
     pub fn read(path: &Path, column: &str) -> Result<GroupList, ListError> {
         let unreadable = |source| ListError::Unreadable { file: path.to_owned(), source };
         GroupList::of_text(&read_small_text(path).map_err(unreadable)?, path, column)

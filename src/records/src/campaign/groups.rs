@@ -68,7 +68,7 @@ pub enum GroupError {
     NoMatch {
         /// The pattern of the option `--group`.
         pattern: String,
-        /// Name of the first test.
+        /// Name of the first test in the data, as an example.
         first: String,
     },
     /// The list names none of the tests.
@@ -76,7 +76,7 @@ pub enum GroupError {
     NotListed {
         /// The list and its column, as in the option `--group`.
         list: String,
-        /// Name of the first test.
+        /// Name of the first test in the data, as an example.
         first: String,
     },
     /// The list is invalid.
@@ -116,7 +116,8 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
-    // Each folder is a separate campaign, so its notes already concern a single group.
+    // If each folder is a separate campaign, its notes already concern a single group. Otherwise, make the notes about
+    // several settings anew for each group.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }

@@ -18,9 +18,9 @@ pub enum HoldOutError {
     /// No test matches the pattern.
     #[error("--hold-out {pattern:?} matches no test; the first is called {first:?}")]
     MatchesNone {
-        /// The pattern.
+        /// The pattern that matches no test.
         pattern: String,
-        /// Name of the first test.
+        /// Name of the first test of the campaign, as an example.
         first: String,
     },
 }

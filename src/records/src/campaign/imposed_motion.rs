@@ -33,9 +33,9 @@ pub struct MotionRecord {
     pub positive: Option<Positive>,
 }
 
-/// Reads a motion. `options` state units, columns, ignored channels and signs, with precedence over a profile in the
-/// file's folder. Extension is positive unless one of them states another direction. The force column is not read. The
-/// setting is recognized as in records.
+/// Reads a motion. `options` state units, columns, ignored channels, signs and the displacement zero, with precedence
+/// over a profile in the file's folder. Gains of the channels are not applied. Extension is positive unless the options
+/// or the profile state another direction. The force column is not read. The setting is recognized as in records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not
@@ -72,8 +72,9 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting, positive: options.positive })
 }
 
-/// Reads the force that was recorded with a motion, N, tension positive if the signs of [`read_motion`] are right.
-/// Returns `None` if the file has no force, or one that has missing values or cannot be read.
+/// Reads the force, N, that was recorded with a motion. It is tension positive if the direction and sign that options
+/// and profile state are right. Returns `None` if the file cannot be read, has no force or one with missing values, or
+/// if the options ignore the force.
 pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
     let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
     let mut force = read_file(file, &options).ok()?.pop()?.force;
@@ -83,13 +84,13 @@ pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> 
     (!force.is_empty() && force.iter().all(|force| force.is_finite())).then_some(force)
 }
 
-/// Returns the options with those of the profile in the file's folder.
+/// Returns the options, completed by those of the profile in the folder of the file.
 fn with_profile(file: &Path, options: &Options) -> Result<Options, RecordError> {
     let profile = Profile::read(&profile::folder_of(file))?.map(|profile| profile.options().unwrap_or_default());
     Ok(profile.map_or_else(|| options.clone(), |profile| options.over(&profile)))
 }
 
-/// Returns the factor from the sign of displacement and velocity in the file to extension positive.
+/// Returns the factor, 1 or -1, that makes displacement and velocity of the file positive in extension.
 fn turn(options: &Options) -> f64 {
     if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
 }

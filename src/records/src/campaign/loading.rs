@@ -81,8 +81,8 @@ impl Campaign {
 pub struct Progress {
     /// Number of finished steps. Reading a file is one step, and cleaning a test is one step.
     pub done: usize,
-    /// Total number of steps. Each file that is read adds a step for each of its tests. Once all files are read, the
-    /// number of tests is known, without those left out and with the parts of split ones.
+    /// Total number of steps. Each file that is read adds a step for each of its tests. The number is final once all
+    /// files are read and split: without the tests left out, and with the parts of split tests.
     pub total: usize,
 }
 
@@ -118,7 +118,8 @@ pub fn load(
             tests
         })
         .collect();
-    // If no file is readable but subfolders contain records, the user likely means the subfolders.
+    // If no file is readable but subfolders contain records, the user likely means the subfolders, so the error names
+    // them.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
@@ -209,7 +210,8 @@ pub fn load(
     Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 
-/// Returns the rig's sign convention, zero and range, from the records of a campaign and its options.
+/// Returns the rig's sign convention, displacement zero and ranges of motion, from the records of a campaign and its
+/// options.
 fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_inches: bool) -> RigFrame {
     let direction = if positive == Positive::Compression { -1.0 } else { 1.0 };
     let flipped = if options.flip_motion { -1.0 } else { 1.0 };
@@ -401,7 +403,7 @@ mod tests {
             *last = (*last).max((progress.done, progress.total));
         };
         let campaign = load(&[folder.path().to_path_buf()], &Options::default(), &tell).unwrap();
-        // One file and its two tests.
+        // There are three steps: reading the file, and cleaning each of its two tests.
         assert_eq!(*last.lock().unwrap(), (3, 3));
         assert_eq!(campaign.records.iter().map(|r| r.name.as_str()).collect::<Vec<_>>(), ["A7", "A8"]);
         assert!(campaign.records[1].source.ends_with("all.csv (test 'A8')"));

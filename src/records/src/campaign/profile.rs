@@ -12,14 +12,14 @@ use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::SettingRules;
 use crate::source;
 
-/// Name of the profile file.
+/// Name of the file with the known facts about the records of its folder (the profile).
 pub const FILE: &str = "campaign.toml";
 /// Largest size of a profile, bytes. A profile has one line for each entry, so a larger file is not a profile.
 const LARGEST: u64 = 1 << 20;
 /// Value of the entry `format` in every profile.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
-/// The entries of the profile file. Missing entries are determined from the records.
+/// The entries of a file `campaign.toml`. A missing entry means no correction, or a value determined from the records.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
@@ -28,7 +28,7 @@ pub struct Profile {
     /// Positive direction of the files: rebound or compression.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub positive: Option<String>,
-    /// Channels whose sign is reversed: force, motion.
+    /// Channels whose sign is reversed: `force`, or `motion` for displacement and velocity.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub flip: Vec<String>,
     /// Channels that are not read.
@@ -104,8 +104,8 @@ fn one() -> f64 {
 }
 
 impl Profile {
-    /// Reads the profile of a folder. Returns `None` if the file is missing or empty, or if it describes the
-    /// measurement of a virtual campaign.
+    /// Reads the profile of a folder. Returns `None` if the file is missing or empty, or if it describes a campaign
+    /// that the virtual rig simulated.
     ///
     /// # Errors
     /// The file cannot be read, is too large, lacks the entry `format`, or has an invalid entry.

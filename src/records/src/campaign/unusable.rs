@@ -95,13 +95,13 @@ pub(crate) struct Sieve {
 }
 
 impl Sieve {
-    /// Makes a collection. With `strict` every fault stays an error.
+    /// Makes an empty collection. With `strict`, [`Sieve::pass`] returns every fault as an error.
     pub fn new(strict: bool) -> Sieve {
         Sieve { strict, faults: Vec::new() }
     }
 
-    /// Returns the value of a part that was read without a fault. Stores a fault and returns `None` if the campaign can
-    /// leave the file or test out. Returns other faults, and all faults of a strict run, as errors.
+    /// Returns the value that was read from a file or test without a fault. Stores the fault and returns `None` if the
+    /// campaign can leave the file or test out. Returns other faults, and all faults of a strict run, as errors.
     pub fn pass<T>(&mut self, read: Result<T, RecordError>) -> Result<Option<T>, RecordError> {
         match read {
             Ok(value) => Ok(Some(value)),
@@ -119,7 +119,8 @@ impl Sieve {
     }
 
     /// Returns a fault as an error if no usable test remains: the first fault of a test, else of a file. Returns the
-    /// first possibly systematic fault if tests with such faults are at least as many as usable tests.
+    /// first possibly systematic fault ([`Reach::TestUnlessMost`]) if such faults are at least as many as the `usable`
+    /// tests.
     ///
     /// A wrong column, unit or sign can cause the same fault in many tests.
     pub fn reject_most(&mut self, usable: usize) -> Result<(), RecordError> {
@@ -136,7 +137,8 @@ impl Sieve {
         first.map_or(Ok(()), |k| Err(self.faults.remove(k)))
     }
 
-    /// Returns all faults as unusable parts, and adds notes about the first of them.
+    /// Returns the files and tests with faults as entries of the campaign's list, and adds notes about the first of
+    /// them.
     pub fn report(self, noted: &mut Vec<Note>) -> Vec<Unusable> {
         let unusable: Vec<Unusable> = self.faults.iter().map(in_words).collect();
         noted.extend(notes(&unusable));
@@ -146,8 +148,8 @@ impl Sieve {
 
 /// Returns one note for each of the first files and tests that are left out, and a single note for the others.
 pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
-    /// Largest number of notes about single files and tests, so that other notes stay visible. `unusable` contains all
-    /// of them.
+    /// Largest number of notes about single files and tests, so that other notes stay visible. The list `unusable` of
+    /// the campaign contains all files and tests that are left out.
     const NAMED: usize = 20;
     let note = |text| Note { kind: "left_out", text };
     let mut notes: Vec<Note> = unusable.iter().take(NAMED).map(|one| note(one.why.clone())).collect();

@@ -5,8 +5,9 @@
 //! The energy does not reveal a test with both signs reversed, because the damper still dissipates. But the gas then
 //! seems to pull the rod in, and rebound and compression are exchanged. Both effects change the mean force.
 //!
-//! The forces are compared in the middle of the strokes, where the damper is fast. At the ends of a long stroke the
-//! force of a stop may have the opposite sign. Both halves of a stroke count, so that hysteresis cancels.
+//! A test with both signs reversed is sought in the middle of the strokes, where the damper is fast. At the ends of a
+//! long stroke, the force of a stop may be opposite to the gas force. A changed zero must appear in the middle and at
+//! the ends. The forces of both halves of a stroke count, so that hysteresis cancels.
 
 use super::force_levels::{Levels, is_in_the_middle, levels};
 use crate::data::record::{Note, Record};
@@ -38,8 +39,8 @@ struct Deviation {
     forces: (f64, f64),
 }
 
-/// Adds notes about tests that deviate from the others. `as_read` contains the force levels of each test in the middle
-/// of its strokes.
+/// Adds notes about tests whose mean force of rebound and compression deviates from that of the others. `as_read`
+/// contains the force levels of each test in the middle of its strokes.
 pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>) {
     let towards_ends: Vec<Levels> =
         records.iter().map(|record| levels(record, |i| !is_in_the_middle(record, i))).collect();
@@ -51,14 +52,15 @@ pub(crate) fn tell(records: &[Record], as_read: &[Levels], notes: &mut Vec<Note>
         let is_alike = |other: usize| is_at_one_setting(record, &records[other]);
         let from_others = |levels: &Levels, turn: f64, at: &Others| deviation((i, &is_alike), levels, turn, at, offset);
         let Some(own) = from_others(&as_read[i], 1.0, &at) else { continue };
-        // The deviation must be large at every velocity of the test. A triangular motion has many samples at a single
-        // velocity and few at all others.
+        // The deviation must be large at every velocity common to the test and the others, at least at two. A
+        // triangular motion has many samples at a single velocity and few at all others, so one velocity is no proof.
         let is_off = own.velocities >= TWO && own.nearest > STRONG * own.allowed;
         if is_off && from_others(&as_read[i], -1.0, &at).is_some_and(|other| other.farthest <= other.allowed) {
             turned.push((record, own));
             continue;
         }
-        // A changed zero is the same at every velocity. Effects of stroke and position depend on velocity.
+        // The deviation by a changed zero is equal at every velocity. Deviations by effects of stroke and position
+        // depend on velocity.
         let constant = |seen: &Deviation| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
         let at_the_ends = from_others(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
@@ -153,7 +155,8 @@ mod tests {
     use crate::fixtures::sine_record;
     use crate::quantities::setting_value::Setting;
 
-    /// Makes sines of (amplitude, peak velocity) on a damper with gas and with a rebound stop that begins at 45 mm.
+    /// Makes sine tests of (amplitude, m, peak velocity, m/s). The damper has the gas force `gas`, N, and a rebound
+    /// stop that begins at 45 mm.
     fn campaign(tests: &[(f64, f64)], gas: f64) -> Vec<Record> {
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
             sine_record(k, amplitude, speed, |x, v| {
@@ -202,8 +205,8 @@ mod tests {
             records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
             records
         };
-        // The mean force of both directions differs at the harder setting, as it does if rebound and compression are
-        // unequal.
+        // The mean force of both directions differs at the harder setting, as for a damper with unequal rebound and
+        // compression.
         let mut both = at(0.0, 50.0);
         both.extend(at(0.8, -150.0).into_iter().skip(4).take(3));
         assert_eq!(said(&both), "");

@@ -224,7 +224,8 @@ mod tests {
             record.force[0] = spike;
             shows_noise_alone(&record)
         };
-        // A sine has a root mean square of 0.7 of its amplitude.
+        // A sine has a root mean square of 0.7 of its amplitude. Amplitudes of 1.4 N and 1.8 N are therefore below and
+        // above the limit `NOISE_SPREAD`.
         assert!(alone(1.4, 0.0, 1.0) && !alone(1.8, 0.0, 1.0));
         assert!(alone(0.0, 8.0, 1.0) && !alone(0.0, 14.0, 1.0));
         assert!(alone(1.0, 0.0, 1.4e-4) && !alone(1.0, 0.0, 0.7e-4));

@@ -63,7 +63,7 @@ struct Evidence {
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
-    /// Logarithm of the ratio of the force at positive velocity to that at negative velocity.
+    /// Natural logarithm of the ratio of the force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
     /// Increase of the force from low to high speed, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,
@@ -72,7 +72,7 @@ struct Evidence {
     peak_velocity: f64,
 }
 
-/// Estimates the direction unless it is stated, and makes rebound positive in all motions.
+/// Estimates the positive direction of the files unless the user states it, and makes rebound positive in all motions.
 ///
 /// Also detects a delay of the force channel. The delay is removed for the estimate of the direction, but the motions
 /// retain it.
@@ -249,8 +249,8 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
     (weights > 0.0).then(|| (sum / weights, spread / weights))
 }
 
-/// Returns the median force in one direction, N, at speeds between two fractions of `peak`. Returns `None` for fewer
-/// than [`FEWEST`] samples.
+/// Returns the median force in one direction, N, at speeds between two fractions of the speed `peak`, m/s. Returns
+/// `None` for fewer than [`FEWEST`] samples.
 fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
     let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
@@ -288,10 +288,12 @@ fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     Some([of(true)?, of(false)?])
 }
 
-/// Returns the logarithm of the ratio of force increases at positive and negative velocity, and its uncertainty.
+/// Returns the natural logarithm of the ratio of force increases at positive and negative velocity, and its
+/// uncertainty.
 ///
-/// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Hysteresis is
-/// similar in all tests, so more tests do not reduce the uncertainty.
+/// Both returned values are medians over the tests with a peak velocity of at least half of `fastest`. Returns `None`
+/// if the increase is unknown in all these tests. Hysteresis is similar in all tests, so more tests do not reduce the
+/// uncertainty.
 fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = evidence
         .iter()
@@ -309,7 +311,8 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
     (!ratios.is_empty()).then(|| (median(&mut ratios), median(&mut errors)))
 }
 
-/// Returns the logarithm of the odds that the force is tension positive, from the force at standstill.
+/// Returns the logarithm of the odds that the force is tension positive, from the force at standstill and its
+/// uncertainty, N.
 ///
 /// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
 /// rigs, the force is no evidence, which limits the odds.
@@ -320,9 +323,9 @@ fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     libm::log(tempered(tension) / tempered(1.0 - tension))
 }
 
-/// Returns the logarithm of the ratio of damping forces at positive and negative velocity. A damping force is the 95 %
-/// quantile of the absolute deviation from the force at standstill. Returns `None` for fewer than ten samples in a
-/// direction.
+/// Returns the natural logarithm of the ratio of damping forces at positive and negative velocity. A damping force is
+/// the 95 % quantile of the absolute deviation from the force at standstill, N. Returns `None` for fewer than ten
+/// samples in a direction.
 fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
@@ -432,10 +435,10 @@ fn direction(
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
     let ratio = (!ratios.is_empty()).then(|| median(&mut ratios));
     let grows = grows(evidence, fastest);
-    // The logarithm of the ratio has a normal distribution about plus or minus the prior, one for each direction. The
-    // log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of at most seven to
-    // one, because some dampers are symmetric or inverse. The error of the force increase adds to the scatter of
-    // dampers.
+    // The logarithm of the ratio of force increases has a normal distribution about plus or minus the prior, one for
+    // each direction. The log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of
+    // at most seven to one, because some dampers are symmetric or inverse. The error of the force increase adds to the
+    // scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });
@@ -542,6 +545,7 @@ mod tests {
     }
 
     /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by the given signs.
+    /// `preload` is the force at standstill, N.
     fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
         campaign_read(force, motion, preload, &Options::default())
     }
@@ -611,7 +615,8 @@ mod tests {
         assert!(error.contains("too small to tell"), "{error}");
     }
 
-    /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same.
+    /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same,
+    /// and `sign` multiplies the displacement that is read as force.
     fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {
@@ -688,7 +693,8 @@ mod tests {
         }
     }
 
-    /// Finds the sign of a device in sine or triangular motion at three speeds, with a force that depends on velocity.
+    /// Finds the positive direction of a device in sine or triangular motion at three speeds. `force` computes the
+    /// force, N, from the velocity, m/s.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
         let motions: Vec<Motion> = [0.4, 1.5, 2.0]
             .iter()

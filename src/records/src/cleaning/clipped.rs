@@ -8,7 +8,8 @@ use crate::quantities::channel::Channel;
 use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
 use dashpot_messages::Sentence;
 
-/// Range of the motion channels over all tests of a campaign. A real end of the measuring range limits all tests.
+/// Range of displacement, m, and velocity, m/s, over all tests of a campaign. A real end of the measuring range limits
+/// all tests.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reach {
     displacement: (f64, f64),
@@ -57,9 +58,9 @@ struct FlatTops {
 struct FlatTop {
     samples: std::ops::Range<usize>,
     value: f64,
-    /// Whether it is a maximum; otherwise it is a minimum.
+    /// Whether the flat top is at the maximum of the channel, otherwise at the minimum.
     up: bool,
-    /// Estimated height of the clipped part, from the slopes before and after.
+    /// Estimated height of the clipped part, in the unit of the channel, from the slopes before and after the flat top.
     overshoot: f64,
 }
 
@@ -84,14 +85,14 @@ impl FlatTops {
     }
 }
 
-/// Returns whether the other motion channel confirms the flat top. A constant velocity between turning points, or a
-/// standstill between two ramps, is not clipping.
+/// Returns whether the other motion channel confirms that the motion really has the flat top. A constant velocity
+/// between turning points, or a standstill between two ramps, is not clipping.
 fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> bool {
     let (first, last) = (top.samples.start, top.samples.end - 1);
     let seconds = time[last] - time[first];
     let beyond = match channel {
         Channel::Velocity => (other[last] - other[first]) / seconds - top.value,
-        // Largest distance from the start of the flat top.
+        // Largest distance, m, from the position at the start of the flat top.
         _ => {
             let mut at = 0.0;
             (first + 1..=last).fold(0.0f64, |most, k| {
@@ -197,8 +198,8 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
 /// Finds flat tops at the largest and the smallest value.
 ///
 /// The top of a coarse sine is flat too. A signal is clipped if its slope at the edge of the flat top shows that it
-/// would have risen further. With the slope s at both edges of a top of length m, a parabola rises by s·m/4 above the
-/// edges.
+/// would have risen further. With the slope s per sample at both edges of a top of m samples, a parabola rises by s·m/4
+/// above the edges.
 fn flat_tops(values: &[f64]) -> Option<FlatTops> {
     let n = values.len();
     let quantum = quantum(values);

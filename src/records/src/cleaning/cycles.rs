@@ -46,7 +46,7 @@ fn find_with(time: &[f64], x: &[f64], threshold: f64, noise: f64) -> Vec<Cycle> 
     }
     let stroke = |c: &Cycle| c.stroke();
     let (typical_stroke, stroke_tolerance) = typical(&candidates, stroke, TOLERANCE.0);
-    // Noise scatters the extremes of cycles even if the motion is constant.
+    // Noise scatters the strokes of equal cycles, so the tolerance is at least six standard deviations of the noise.
     let stroke_tolerance = stroke_tolerance.max(6.0 * noise / typical_stroke);
     let (typical_period, period_tolerance) = typical(&candidates, Cycle::period, TOLERANCE.0);
     let accepted: Vec<Cycle> = candidates
@@ -272,7 +272,8 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
         let Some(at) = crossing_time(time, x, near, mean, band, low..=high) else {
             continue;
         };
-        // If a record begins or ends at a crossing, the computed crossing may be one sample outside the record.
+        // If a record begins or ends at a crossing, the computed crossing may be one sample outside the record. It is
+        // accepted up to one and a half time steps outside.
         if at < time[low] - 1.5 * step || at > time[high] + 1.5 * step {
             continue;
         }
@@ -283,8 +284,9 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
     crossings
 }
 
-/// Computes the time at which the displacement crosses `level` near sample `near`. The method is a straight-line fit to
-/// the samples of the flank within `band` of the level. Returns `None` if the fit does not rise or has one sample.
+/// Computes the time, s, at which the displacement crosses `level`, m, near sample `near`. The method is a
+/// straight-line fit to the samples of the flank within `band`, m, of the level. Returns `None` if the fit does not
+/// rise or has one sample.
 ///
 /// Interpolation between only two samples would add their noise to the crossing time.
 fn crossing_time(

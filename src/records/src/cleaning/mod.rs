@@ -1,4 +1,4 @@
-//! Cleaning of one test. Every step makes the repairs that are safe and notes them with figures. It rejects unreliable
+//! Cleaning of one test. Every step makes the repairs that are safe, notes them with figures, and rejects unreliable
 //! data.
 
 mod clipped;
@@ -63,7 +63,7 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
         .collect())
 }
 
-/// Cleans a single test with all steps that precede the determination of the sign.
+/// Cleans a single test with all steps that precede the determination of its campaign's positive direction.
 #[cfg(test)]
 pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
     let mut pieces = sort_out(samples, options)?;
@@ -71,8 +71,9 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, Reco
     mend(pieces.remove(0), options, &Reach::default())
 }
 
-/// Cleans a test before the determination of the sign. Repairs single samples, derives a missing motion channel and
-/// applies the user's corrections. `reach` is the range of the motion over all tests of the campaign.
+/// Cleans a test before the sign convention of its campaign (positive in rebound or in compression) is determined.
+/// Repairs single samples, derives a missing motion channel and applies the user's corrections. `reach` is the range of
+/// the motion over all tests of the campaign.
 pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<Motion, RecordError> {
     enough(&samples)?;
     still::refuse(&samples)?;
@@ -178,7 +179,8 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         }
         (Some(displacement), None) => Ok(differentiated(samples, displacement)),
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
-        // The table layout requires a motion channel, and cleaning drops at most one of two motion channels.
+        // The table layout requires a motion channel, and cleaning drops at most one of two motion channels. This case
+        // therefore does not occur.
         (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
     }
 }

@@ -56,7 +56,8 @@ pub(crate) fn replace(samples: &mut Samples) {
     }
 }
 
-/// Smallest number of steps of the record without a spike at its start. With fewer steps, the largest of them says little.
+/// Smallest number of steps between the samples after a spike at the start of a record. With fewer steps, their largest
+/// is unreliable, so no spike is sought there.
 const FEWEST_STEPS: usize = 20;
 
 /// Returns start and length of every spike.
@@ -99,10 +100,11 @@ fn find(values: &[f64]) -> Vec<(usize, usize)> {
     spikes
 }
 
-/// Returns the length of a spike at the start of a record with these steps between its samples.
+/// Returns the length, in samples, of a spike at the start of a record. `steps` are the absolute differences between
+/// adjacent samples, and `sigma` is the standard deviation of the noise.
 ///
-/// The step from the spike to the record must be by far the largest of the record: friction may reverse at the start, but
-/// then reverses again. Within a spike, the steps are smaller.
+/// The step from the spike to the record must be by far the largest. A reversal of friction at the start is not a
+/// spike, because the next reversal causes an equally large step. Within a spike, the steps are smaller.
 fn at_start(steps: &[f64], sigma: f64) -> Option<usize> {
     /// Smallest ratio of the step from the spike to the largest step of the record.
     const LARGER: f64 = 1.5;
@@ -168,7 +170,7 @@ mod tests {
             let off = |k: usize| (samples.force[k] - sound.force[k]).abs();
             assert!((0..n).all(|k| if at.contains(&k) { off(k) < 60.0 } else { off(k) == 0.0 }), "{at:?}");
         }
-        // Friction that reverses after the first sample.
+        // Friction that reverses after the first sample, and again every 50 samples, is not a spike.
         let force: Vec<f64> = (0..200).map(|k| if k == 0 || (k / 50) % 2 == 1 { -40.0 } else { 40.0 }).collect();
         assert!(find(&force).is_empty());
     }

@@ -36,7 +36,7 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         return vec![samples];
     };
     // A channel that repeats its last value at standstill shows no noise. Its last digit and a fraction of its range
-    // are therefore lower limits of the threshold.
+    // are therefore lower limits of the range that counts as standstill.
     let still = (STILL * difference_noise(x)).max(quantum(x)).max(STILL_OF_RANGE * range(x));
     let moving = between(&rests(&samples.time, x, still), x.len());
     if moving.len() < 2 {
@@ -68,8 +68,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
 
 /// Makes a record of one test from a range of samples.
 ///
-/// The test is number `place` of `of`. Its name contains the amplitude and frequency of its cycles, or half of `stroke`
-/// if the test has no cycles.
+/// `place` is the index of the test, from 0, and `of` the number of tests. The name of the test contains the amplitude,
+/// mm, and frequency, Hz, of its cycles, or half of `stroke` if the test has no cycles.
 pub(super) fn part(
     samples: &Samples,
     span: Range<usize>,
@@ -136,7 +136,8 @@ fn between(rests: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
     starts.zip(ends).filter(|(from, to)| to > from).map(|(from, to)| from..to).collect()
 }
 
-/// Measures the motion in a range of samples. Returns `None` if the motion is hardly larger than that of a standstill.
+/// Measures the motion in a range of samples. Returns `None` if the range of the motion is at most `still`, m, the
+/// largest range of a standstill.
 fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Moves> {
     // The search for standstills works piece by piece. Still samples at the ends of a motion belong to the standstills,
     // except for a small margin.
@@ -172,9 +173,11 @@ impl Moves {
         same_ends && (self.in_strokes && other.in_strokes || self.is_as_fast_as(other))
     }
 
-    /// Returns whether a standstill is as short as the apparent standstill of this motion at its turning points.
+    /// Returns whether a standstill of `rest` seconds is as short as the apparent standstill of this motion at its
+    /// turning points.
     ///
-    /// A sine of amplitude a and frequency f stays within d of its end for sqrt(2 d / a) / (pi f).
+    /// A sine of amplitude a and frequency f stays within the distance d of its turning point for the time sqrt(2 d /
+    /// a) / (π f). Here d is `still`, m.
     fn only_turns(&self, rest: f64, still: f64) -> bool {
         let amplitude = 0.5 * (self.high - self.low);
         let frequency = self.speed / (4.0 * amplitude);

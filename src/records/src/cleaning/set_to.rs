@@ -20,8 +20,8 @@ struct SettingColumn {
 }
 
 impl SettingColumn {
-    /// Determines the name and unit from the user's rules, else from the unit in the heading, else from the words of
-    /// the heading.
+    /// Determines name and unit of the setting in a column. The sources are the user's rules, else the unit in the
+    /// heading, else the words of the heading.
     fn new(heading: &str, rules: &SettingRules) -> SettingColumn {
         let written = written_unit(heading).unwrap_or_default();
         let own = without_unit(heading);
@@ -42,7 +42,7 @@ impl SettingColumn {
 }
 
 /// Moves the channel of the setting out of the samples, with its name and unit. A setting column has precedence over a
-/// current column, which is removed too.
+/// current column, which is removed too. Returns `None` without such a channel.
 pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Option<(Vec<f64>, String, String)> {
     match (samples.setting.take(), samples.current.take()) {
         (Some(mut values), _) => {

@@ -16,7 +16,7 @@ use crate::tuning::settings::{BEFORE, COVERED, JUMPS, SAME, SMALLEST, STAYS};
 use dashpot_messages::Sentence;
 use std::ops::Range;
 
-/// Returns the setting of the drive for a cycle: the logarithms of stroke and period.
+/// Returns the setting of the drive for a cycle: the natural logarithms of stroke, m, and period, s.
 fn setting(cycle: &Cycle) -> [f64; 2] {
     [libm::log(cycle.stroke()), libm::log(cycle.period())]
 }
@@ -54,8 +54,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     tests.map(|(k, (cycles, span))| part(&samples, span, (k, count), &cycles, 0.0)).collect()
 }
 
-/// Returns the range of cycles of each setting. The list is empty if there are fewer than two settings, or if they
-/// cover too few of the cycles.
+/// Returns the range of cycles of each setting of the drive. `noise` is the standard deviation of the displacement
+/// noise, m. The list is empty if there are fewer than two settings, or if they cover too few of the cycles.
 fn settings(all: &[Cycle], noise: f64) -> Vec<Range<usize>> {
     let near = |a: &Cycle, b: [f64; 2]| {
         let [stroke, period] = setting(a);

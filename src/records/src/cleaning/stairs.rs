@@ -117,7 +117,7 @@ mod tests {
     use crate::fixtures::{Random, moving};
 
     /// Makes two cycles of a triangular motion at each speed, mm/s. A stroke has 35 mm or takes half a second,
-    /// whichever lasts longer.
+    /// whichever lasts longer. `rate` is the number of samples per second.
     fn program(rate: f64, speeds: &[f64]) -> Samples {
         let mut random = Random::new(4);
         let mut x = Vec::new();

@@ -27,7 +27,7 @@ pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError
     Err(RecordError::ConstantForce { at: samples.at.clone(), value: samples.force.first().copied().unwrap_or(0.0) })
 }
 
-/// Returns whether a channel contains only noise.
+/// Returns whether a channel contains only noise, or as few distinct values as a sensor at rest.
 fn rests(values: &[f64]) -> bool {
     if flickers(values) {
         return true;

@@ -53,8 +53,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format!("{:.1}", 1e3 * move_range))
         .with("force", format!("{force_range:.3}"));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // Exchanged channels show in this combination: the displacement ranges over meters, the force over less than 500 N,
-    // and the force is smoother.
+    // Exchanged channels show in this combination of evidence. The displacement ranges over more than 1 m
+    // ([`LONGEST`]), the force over less than 500 N, and the force is smoother.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
@@ -151,14 +151,14 @@ fn roughness(values: &[f64]) -> f64 {
     if spread > 0.0 { (mean.sqrt() / spread).max(1e-12) } else { 1e-12 }
 }
 
-/// Computes the area of the force-displacement loop, positive if the damper dissipates.
+/// Computes the area of the force-displacement loop, N m, positive if the damper dissipates.
 fn loop_area(x: &[f64], force: &[f64]) -> f64 {
     let pairs = x.windows(2).zip(force.windows(2));
     pairs.map(|(x, f)| 0.5 * (f[0] + f[1]) * (x[1] - x[0])).filter(|a| a.is_finite()).sum()
 }
 
-/// Computes the correlation between the derivative of the column `values` and the column `speed`, which may be its
-/// velocity.
+/// Computes the correlation between the derivative of the column `values` and the column `speed`. Near one, `speed` is
+/// the velocity of `values`.
 fn follows(time: &[f64], values: &[f64], speed: &[f64]) -> f64 {
     let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
     // Differences over several samples reduce the noise.

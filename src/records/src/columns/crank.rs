@@ -86,7 +86,8 @@ pub(crate) fn find<'a>(
 }
 
 impl Crank {
-    /// Returns the time at which the crank has an angle, s. A decrease by more than half a turn begins the next turn.
+    /// Returns the time, s, at which the crank has the angle `angle`, in the unit of its column. A decrease by more
+    /// than half a turn begins the next turn.
     pub fn time(&mut self, angle: f64) -> f64 {
         if self.last.is_some_and(|last| angle < last - 0.5 * self.turn) {
             self.turns += 1.0;

@@ -404,8 +404,8 @@ const NO_COURSE: [&str; 30] = [
     "设定",
 ];
 
-/// Words beside the current of a valve in a heading: the device, and a setpoint. A current that is only set is a setting
-/// as well as a measured one.
+/// Words that may accompany the word for current in the heading of a valve current: the device, or a word for a
+/// setpoint. A setpoint of the current is a setting too, like a measured current.
 const BESIDE_CURRENT: [&str; 25] = [
     "coil",
     "solenoid",
@@ -446,7 +446,7 @@ pub(crate) fn unit_of_current<'a>(text: &'a str, below: Option<&'a str>) -> Opti
 }
 
 /// Returns the channel that the unit of an unknown heading indicates: a force or a displacement. `below` is the unit
-/// below the heading. Returns `None` for setpoints and other units.
+/// below the heading. Returns `None` for recognized headings, for setpoints and for other units.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {
     if text.len() > LONGEST {
         return None;
@@ -567,7 +567,7 @@ fn without_rate(text: &str) -> String {
     let Some((name, remark)) = text.split_once(" - ") else { return text.to_owned() };
     let lower = remark.to_lowercase();
     match RATES.iter().find(|rate| lower.trim_start().starts_with(**rate)) {
-        // In the heading, the unit follows the rate, so it stays.
+        // In the heading, the unit follows the rate, so the unit stays.
         Some(rate) => format!("{} {}", name, &remark.trim_start()[rate.len()..]),
         None => text.to_owned(),
     }
@@ -587,7 +587,8 @@ fn trailing_units(words: &[String]) -> Vec<(usize, Unit)> {
         .collect()
 }
 
-/// Returns the longest trailing unit.
+/// Returns the longest unit in the trailing words and its position. Without a unit, the position is the number of
+/// words.
 fn trailing_unit(words: &[String]) -> (usize, Option<Unit>) {
     trailing_units(words).first().map_or((words.len(), None), |(split, unit)| (*split, Some(*unit)))
 }
@@ -607,7 +608,8 @@ pub(crate) fn without_unit(text: &str) -> String {
     }
 }
 
-/// Returns the heading most similar to a missing name, if at most a third of the letters differ.
+/// Returns the heading most similar to a missing name, if at most a third of the letters of the name (at least one)
+/// differ.
 pub(crate) fn nearest<'a>(wanted: &str, headings: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = without_unit(wanted);
     let allowed = (wanted.chars().count() / 3).max(1);
@@ -907,7 +909,8 @@ mod tests {
         ] {
             assert_eq!((read(text), is_setpoint(text)), ((Channel::Current, unit), setpoint), "{text}");
         }
-        // A current of another device, a single value, a letter with another unit, and a load cell named A.
+        // None of these headings is a valve current. They are a current of another device, a single value, a letter
+        // with another unit, and a load cell named A.
         for text in
             ["motor current [A]", "max current [A]", "I [mm]", "pump [A]", "Strom Regelabweichung [A]", "Load cell A"]
         {

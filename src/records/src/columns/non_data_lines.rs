@@ -14,7 +14,7 @@ use dashpot_messages::{Sentence, Template};
 /// on a channel.
 pub(crate) const LABELS: usize = 5;
 
-/// The lines of one table that are not rows.
+/// Lines of one table that are not rows, and rows with more fields than the heading.
 #[derive(Default)]
 pub(crate) struct NonDataLines {
     labels: Vec<(usize, String)>,
@@ -55,8 +55,8 @@ impl Lot {
     /// Returns a note about the lines. Returns their fault instead if `few` is set and they are too many for stray
     /// lines.
     fn tell(self, rows: usize, few: bool, template: Template) -> Result<Option<Sentence>, RecordError> {
-        /// Number of stray lines that any test may have, and number of rows per further stray line. More lines indicate
-        /// that the table does not match its heading.
+        /// Number of stray lines that any test may have, and number of rows per stray line in long tests. The larger
+        /// allowance applies. More lines indicate that the table does not match its heading.
         const FEW: (usize, usize) = (3, 50);
         let stray = self.count <= FEW.0.max(rows / FEW.1) && 2 * self.count < rows;
         match self.fault {

@@ -53,8 +53,9 @@ pub(crate) struct Column {
 
 /// Returns whether a line of cells can be a header.
 ///
-/// Two cells must be known headings or named in the options. If there is a time and no cell is a number, a unit that
-/// indicates a channel also counts. A table without a time contains results instead of a record.
+/// Two cells must be known headings, other than that of a current, or named in the options. If there is a time and no
+/// cell is a number, a unit that indicates a channel also counts. A table without a time contains results instead of a
+/// record.
 pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     let cells = &cells[..cells.len().min(MOST_COLUMNS)];
     let known = cells.iter().filter(|c| {
@@ -120,7 +121,7 @@ pub(crate) fn column_number(wanted: &str) -> Option<usize> {
 }
 
 /// Returns the columns that match the user's name: the whole heading, else the heading without its unit, else the
-/// number. Several columns mean that the name is ambiguous.
+/// number. Of several equal headings, the first counts. Several returned columns mean that the name is ambiguous.
 fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
     let at = |found: &dyn Fn(&str) -> bool| -> Vec<usize> { (0..header.len()).filter(|i| found(header[*i])).collect() };
     let exact = at(&|h| same(wanted, h));

@@ -1,15 +1,16 @@
 //! A whole cycle of a periodic test, as found by [`crate::cleaning`].
 
-/// A whole cycle: its range of samples, the times of its crossings, and its extremes.
+/// A whole cycle, from one upward crossing of the mean displacement to the next: its samples, the crossing times, and
+/// its extremes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cycle {
     /// First sample.
     pub start: usize,
     /// One past the last sample.
     pub end: usize,
-    /// Time of the crossing at the start, s, interpolated between samples.
+    /// Time of the upward crossing of the mean displacement at the start, s, interpolated between samples.
     pub start_time: f64,
-    /// Time of the crossing at the end, s.
+    /// Time of the upward crossing of the mean displacement at the end, s.
     pub end_time: f64,
     /// Lowest displacement, m.
     pub low: f64,

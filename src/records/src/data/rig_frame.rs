@@ -50,7 +50,7 @@ pub struct RigSine {
 }
 
 impl RigFrame {
-    /// Converts a position to the coordinates of the files, m.
+    /// Converts an internal displacement `inside`, m, to the displacement in the coordinates of the files, m.
     pub fn position(&self, inside: f64) -> f64 {
         (self.zero_m + self.turn * inside) / self.gain
     }

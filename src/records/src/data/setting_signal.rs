@@ -7,8 +7,9 @@ use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
 use dashpot_messages::Sentence;
 
-/// Tolerance of a level as a fraction of the signal's range: the largest deviation of a sample from the mean of its
-/// level. The larger one of this tolerance and that by [`NOISE`] applies.
+/// Tolerance of a level (a constant value over several samples), as a fraction of the signal's range. The tolerance is
+/// the largest deviation of a sample from the mean of its level. The larger of this tolerance and that by [`NOISE`]
+/// applies.
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).
 const NOISE: f64 = 4.0;
@@ -172,7 +173,7 @@ struct Smoothed {
     width: usize,
 }
 
-/// Smooths a signal with the shortest sufficient running median.
+/// Smooths a signal with the shortest running median that reduces the noise below the tolerance by [`LEVEL`].
 fn without_noise(values: &[f64]) -> Smoothed {
     let smooth = |width: usize| -> Vec<f64> {
         let at = |k: usize| {
@@ -197,8 +198,8 @@ fn without_noise(values: &[f64]) -> Smoothed {
     }
 }
 
-/// Locates the steps between noisy levels. Each step is at the position with the smallest residual about its two
-/// levels.
+/// Locates the steps between noisy levels. Each step is at the position with the smallest sum of squared deviations
+/// from its two levels.
 fn place_steps(values: &[f64], levels: &mut [Level], width: usize) {
     for k in 1..levels.len() {
         let [before, after] = [levels[k - 1], levels[k]];
@@ -288,8 +289,8 @@ mod tests {
         }
     }
 
-    /// Checks that the search finds every step of at least 0.4 A in noise of up to 0.05 A. Such noise is typical of a
-    /// current clamp.
+    /// Checks that the search finds every step of at least 0.4 A in noise with a standard deviation of up to 0.05 A.
+    /// Such noise is typical of a current clamp.
     #[test]
     fn noise_hides_no_step() {
         let mut seed = 1u32;

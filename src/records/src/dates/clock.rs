@@ -55,8 +55,8 @@ fn date_and_time(line: &str) -> (Option<(f64, &str)>, Option<f64>) {
     (date, time)
 }
 
-/// Formats a time since 1970 for reports, to the second: `2026-11-25 10:03:22`. A value below one day has an unknown
-/// date, so only the time is written.
+/// Formats a time, s since 1970, for reports, to the second: `2026-11-25 10:03:22`. A value below one day has an
+/// unknown date, so only the time is written.
 pub fn written(seconds: f64) -> String {
     let whole = seconds.floor();
     let (days, of_day) = ((whole / DAY).floor(), whole.rem_euclid(DAY));
@@ -84,7 +84,7 @@ fn civil(days: f64) -> (f64, f64, f64) {
     (year_of_era + era * 400.0 + f64::from(u8::from(month <= 2.0)), month, day)
 }
 
-/// Exchanges day and month of a time since 1970. Returns `None` if there is no date or the exchange gives an invalid
+/// Exchanges day and month of a time, s since 1970. Returns `None` if there is no date or the exchange gives an invalid
 /// date.
 pub(crate) fn swapped(seconds: f64) -> Option<f64> {
     if !(seconds >= DAY && seconds.is_finite()) {
@@ -132,7 +132,7 @@ pub fn seconds(text: &str) -> Option<f64> {
     let seconds = match parts.next() {
         Some(text) if text.starts_with(|c: char| c.is_ascii_digit()) => text.replace(',', ".").parse::<f64>().ok()?,
         Some(_) => return None,
-        // `12:34` alone may also be minutes and seconds. With a date, the text is a time of day.
+        // `12:34` alone may also be minutes and seconds, so it is not read. With a date, the text is a time of day.
         None if date.is_some() => 0.0,
         None => return None,
     };

@@ -16,7 +16,8 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::source::{Budget, Exhausted, Source};
 
-/// Work of opening a sheet, of a cell in addition to its tags, and of a position in a row, in steps of the budget.
+/// Work of opening a sheet, of a cell in addition to its tags, and of a position in a row. A step is about a nanosecond
+/// (see [`Budget`]).
 const SHEET: u64 = 50_000;
 const CELL: u64 = 100;
 const PLACE: u64 = 20;
@@ -307,8 +308,8 @@ fn clock_of(cell: &Data) -> Option<f64> {
     }
 }
 
-/// Returns the day of a cell with a date, s since 1970, or `None` if the cell has only a time. Workbooks have the epoch
-/// 1900 or 1904.
+/// Returns the day of a cell with a date, s since 1970, or `None` if the cell has only a time or a duration. Workbooks
+/// have the epoch 1900 or 1904.
 fn day_of(date: &ExcelDateTime) -> Option<f64> {
     let (year, month, day, ..) = date.to_ymd_hms_milli();
     let has_day = date.is_datetime() && date.as_f64() >= 1.0;

@@ -8,7 +8,7 @@ fn is_nothing(force: f64) -> bool {
     force.abs() < 0.5 * 10f64.powi(-(MOST as i32))
 }
 
-/// Returns the number of decimals, at least `decimals`, with which a force has two significant digits.
+/// Returns the number of decimals, from `decimals` to four, with which a force, N, has two significant digits.
 ///
 /// Half a newton is negligible for a car damper, but may be the whole force of a small damper.
 pub fn places(force: f64, decimals: usize) -> usize {

@@ -1,5 +1,5 @@
-//! Tables of peaks of an adjustable damper, with a column for every click (`C 10 clk`) or a column that states the
-//! clicks. Each click has one curve.
+//! Tables of peak force over peak velocity of an adjustable damper. They have a column for every click (`C 10 clk`) or
+//! a column that states the clicks. Each click has one curve.
 
 use crate::columns::table::{HEADER_WITHIN, number};
 use crate::quantities::setting_value::CLICKS;

@@ -19,7 +19,8 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// Returns the sign of the velocities and forces of the stroke in the internal convention.
+    /// Returns the sign of the velocities and forces of the stroke in the internal convention, which is positive in
+    /// rebound.
     pub fn sign(self) -> f64 {
         match self {
             Stroke::Rebound => 1.0,
@@ -132,7 +133,8 @@ pub struct PeakPair {
 
 /// The columns of a table, and its first row.
 pub(crate) struct Found {
-    /// Index of the heading among the rows, or `None` for a table without a heading.
+    /// Index of the heading among the rows, or of the row above the data if the user names all columns by number.
+    /// `None` without such a row.
     pub header: Option<usize>,
     /// Index of the first row below the heading and its units.
     pub data: usize,
@@ -172,8 +174,9 @@ const COMPRESSION: [&str; 11] = [
     "compressione",
     "compresion",
 ];
-/// Prefixes for rebound that Chinese and German join to the quantity: `Zugkraft`, `Druckgeschwindigkeit`, 压缩力. `Druck`
-/// (compression) also means pressure, but a pressure has no unit of force and is thus not read.
+/// Prefixes for rebound that Chinese and German join to the quantity, such as `Zugkraft`. [`COMPRESSION_BEFORE`]
+/// contains those for compression, such as `Druckgeschwindigkeit`, 压缩力. `Druck` (compression) also means pressure, but
+/// a pressure has no unit of force and is thus not read.
 const REBOUND_BEFORE: [&str; 4] = ["zug", "复原", "拉伸", "回弹"];
 const COMPRESSION_BEFORE: [&str; 2] = ["druck", "压缩"];
 /// Letters for rebound and compression. A letter indicates a stroke only if the other letter of the pair is in the same
@@ -233,7 +236,8 @@ pub(crate) fn find(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Resu
     }))
 }
 
-/// Returns the columns if the user states the numbers of all of them. The table then requires no heading.
+/// Returns the columns if the user names columns only by number, among them a velocity and a force. Otherwise returns
+/// `None`. With numbers, the table requires no heading.
 fn numbered(rows: &[(usize, Vec<String>)], options: &PeakOptions) -> Result<Option<Found>, Cause> {
     let given: Option<Vec<(PeakColumn, usize)>> = options
         .columns
@@ -280,7 +284,8 @@ fn candidates(cells: &[String], below: Option<&[String]>, options: &PeakOptions)
             Heading::Test | Heading::SampleTime(_) | Heading::SampleRate => true,
             Heading::Unknown => false,
         };
-        // In records, `Extension` is a displacement. Tables of peaks have no displacement, so it means the stroke.
+        // In records, `Extension` is a displacement. Tables of peaks have no displacement, so the word means the
+        // stroke.
         let other = other && !matches!(read, Heading::Channel(Channel::Displacement, _));
         let stroke = stroke(words, cell, letters);
         let unit = unit(cell).or_else(|| below.and_then(|row| row.get(index)).and_then(|c| c.parse().ok()));
@@ -457,7 +462,7 @@ fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Re
         }
         ([first, ..], _) => {
             let columns = listed(velocities.iter().map(|c| &cells[c.index]));
-            // A force column for both strokes has only one velocity column.
+            // A force column for both strokes has only one velocity column, so the request names a single column.
             let how = match of.what.stroke {
                 Some(_) => asked(first.what, velocities, cells),
                 None => asked(first.what, &velocities[..1], cells),
@@ -522,7 +527,8 @@ fn quantity(words: &[String]) -> Option<bool> {
     }
 }
 
-/// Returns whether a letter is a separate word of a heading and not a unit, such as `C` in `T [C]`.
+/// Returns whether the letter of a stroke is a separate word of a heading. In `T [C]`, the letter C is a unit, so the
+/// result is false.
 fn tells(words: &[String], cell: &str, letter: &str) -> bool {
     words.iter().any(|word| word == letter) && !(foreign_unit(cell, None) && quantity(words).is_none())
 }
@@ -560,7 +566,7 @@ fn unit(cell: &str) -> Option<Unit> {
     speed.filter(of_peaks).or_else(|| parts(cell).filter_map(|part| part.parse().ok()).find(of_peaks))
 }
 
-/// Returns whether the brackets of a heading contain something other than a stroke or a unit of speed or force: `c
+/// Returns whether the brackets of a heading contain a text that is no stroke, quantity or unit of speed or force: `c
 /// [Ns/m]`, `Oil [C]`.
 fn foreign_unit(cell: &str, letters: Option<(&str, &str)>) -> bool {
     let inside = cell.split(['[', '(', '{']).nth(1).and_then(|rest| rest.split([']', ')', '}']).next());

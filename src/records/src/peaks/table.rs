@@ -1,4 +1,4 @@
-//! Tables of peak force over peak velocity (PVP, CVP) from rigs and suppliers.
+//! Tables of peak force over peak velocity from rigs and suppliers, called PVP or CVP in their software.
 //!
 //! A table has columns for velocity and force, or for velocity, rebound and compression. The file is a text or a
 //! workbook.
@@ -55,7 +55,7 @@ pub enum StrokeSource {
 impl Peaks {
     /// Returns a speed, m/s, and the ratio of the force in rebound to that in compression at this speed.
     ///
-    /// It is the highest speed that both strokes reach. Forces between the points are interpolated linearly. Returns
+    /// The speed is the highest that both strokes reach. Forces between the points are interpolated linearly. Returns
     /// `None` if a stroke has no points, or no positive damping force at this speed.
     pub fn asymmetry(&self) -> Option<(f64, f64)> {
         let side = |sign: f64| -> Vec<(f64, f64)> {
@@ -99,7 +99,7 @@ pub(crate) fn is_one(file: &Path) -> bool {
     if rows.len() > MOST || rows.iter().take(HEADER_WITHIN).any(|(_, cells)| cells.iter().any(has_motion)) {
         return false;
     }
-    // Missing units are reported when the table is read, so this check assumes any units.
+    // Missing units are reported when the table is read, so this check assumes m/s and N.
     let units = [(Channel::Velocity, Unit::MetrePerSecond), (Channel::Force, Unit::Newton)].into();
     let options = PeakOptions { units, ..PeakOptions::default() };
     let first = clicks(&rows).first().copied();

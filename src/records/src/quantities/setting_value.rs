@@ -16,7 +16,7 @@ pub struct Setting {
     pub name: String,
     /// Unit of the setting, such as `A`; empty for clicks.
     pub unit: String,
-    /// Value in that unit.
+    /// Value of the setting, in the unit `unit`.
     pub value: f64,
 }
 
@@ -25,8 +25,8 @@ pub struct Setting {
 /// The first limit is a fraction of the value. The second limit is in the unit of the channel. The larger limit
 /// applies. For a current in A, the second limit covers sensor noise and supply ripple.
 const STEADY: (f64, f64) = (0.1, 0.05);
-/// Range of white noise without [`SPIKES`], in standard deviations. The value is a quarter larger than that of many
-/// samples, because few samples give an uncertain estimate.
+/// Range of white noise without [`SPIKES`], in standard deviations. For many samples the range is 3.3 standard
+/// deviations. The value is a quarter larger, because few samples give an uncertain estimate.
 const NOISE: f64 = 4.1;
 /// Fraction of samples at each extreme that may be spikes or the switch-on transition. The range of a channel leaves
 /// them out.
@@ -190,7 +190,7 @@ pub fn restate_in_unit<'v>(unit: &mut String, to: &str, values: impl IntoIterato
 }
 
 /// Returns whether two values are the same setting. The resolution of supplies is a hundredth of an ampere. Steps of
-/// other settings are larger than a two-hundredth of the value.
+/// other settings are larger than a two-hundredth of the value. Values that differ by less are one setting.
 pub fn is_same_setting(a: f64, b: f64) -> bool {
     (a - b).abs() < SAME.max(ALIKE * a.abs().max(b.abs()))
 }

@@ -260,7 +260,7 @@ mod tests {
             assert_eq!(records[0].setting.as_ref().map(|s| s.value), expected);
             assert!(records[2].setting.is_none());
         }
-        // Rounding gives two values for one set value.
+        // Rounding gives two measured values, 0.40 A and 0.42 A, for one set value.
         let values = [0.4, 0.42, 0.42, 0.0, 0.02, 0.0, 0.8, 1.2];
         let of = |value: f64| Some(Setting { name: "current".into(), unit: "A".into(), value });
         let mut records: Vec<Record> = values.map(|value| Record { setting: of(value), ..record("a") }).into();

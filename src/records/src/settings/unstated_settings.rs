@@ -26,7 +26,7 @@ const TIMES: f64 = 1.5;
 /// give different numbers in different motions.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
 /// Smallest ratio of the distances to the second nearest and the nearest setting at which a test of another motion
-/// belongs to the nearest. A distance is the logarithm of a force ratio.
+/// belongs to the nearest. A distance is the absolute natural logarithm of the ratio of the damping forces.
 const NEARER: f64 = 2.0;
 /// Largest difference of side force, N, and of temperature, K, between equal motions. A larger difference may explain
 /// different forces of one damper, so such tests are not compared.
@@ -90,7 +90,7 @@ pub(crate) fn together(names: &[&str], tests: &[usize]) -> Sentence {
 }
 
 /// Returns the shortest glob pattern that matches the names of `tests` and no others. The pattern contains a part of
-/// the first name. Returns `None` if there is no such pattern or only one test.
+/// the name of the first of these tests. Returns `None` if there is no such pattern or only one test.
 fn pattern(names: &[&str], tests: &[usize]) -> Option<String> {
     let first: Vec<char> = names[*tests.get(1).and(tests.first())?].chars().collect();
     let is_it =
@@ -133,7 +133,8 @@ struct Settings {
 
 impl Settings {
     fn of(records: &[Record], motions: &[Motion], seen: &[Levels]) -> Settings {
-        // Tests of one motion, each with the logarithm of the ratio of its force to that of the first test.
+        // Tests of one motion, each with the natural logarithm of the ratio of its damping force to that of the first
+        // test.
         let mut alike: Vec<Vec<(f64, usize)>> = Vec::new();
         for (i, motion) in motions.iter().enumerate() {
             let group = alike.iter_mut().find_map(|group| {
@@ -199,8 +200,8 @@ impl Settings {
     }
 }
 
-/// Returns the setting of a test by its forces at common velocities. Returns `None` unless the test has velocities in
-/// common with every setting and is clearly nearest to one.
+/// Returns the index of the setting of a test by its forces at common velocities. Returns `None` unless the test has
+/// velocities in common with every setting and is clearly nearest to one.
 fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usize> {
     let mut off: Vec<(f64, usize)> = settings
         .iter()
@@ -216,7 +217,7 @@ fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usiz
     (off.len() == settings.len() && next > NEARER * own && next > libm::log(STEPS[0])).then_some(k)
 }
 
-/// Mean motion of a test: amplitude, velocity, position, side force and temperature.
+/// Mean motion and load of a test: amplitude, m, velocity, m/s, position, m, side force, N, and temperature, °C.
 struct Motion {
     amplitude: f64,
     peak_velocity: f64,
@@ -270,7 +271,8 @@ mod tests {
     use crate::checks::force_levels::in_the_middle;
     use crate::fixtures::sine_record;
 
-    /// Makes sine tests of dampers, one damper for each strength.
+    /// Makes four sine tests of each of several dampers. `strengths` are factors on the damping of 1500 N s/m, one for
+    /// each damper.
     fn campaign(strengths: &[f64]) -> Vec<Record> {
         let plan = [(0.02, 0.05), (0.02, 0.2), (0.005, 0.2), (0.02, 0.5)];
         let all = strengths.iter().flat_map(|strength| plan.map(|(amplitude, speed)| (*strength, amplitude, speed)));
@@ -295,7 +297,7 @@ mod tests {
             assert!(text.contains(&format!("t{k}")), "{k}: {text}");
         }
         assert!(text.contains("1) 't0', 't1', 't2', 't3'; 2) 't4', 't5', 't6', 't7'"), "{text}");
-        // One test among many deviates.
+        // One test among many deviates, and the note names it.
         let mut odd = campaign(&[1.0, 1.05, 0.95]);
         odd.push(campaign(&[1.0, 3.0]).pop().unwrap());
         assert!(said(&odd).contains("t7"), "{}", said(&odd));

@@ -18,11 +18,11 @@ pub(crate) struct Agreement {
     pub explained: f64,
 }
 
-/// Fits displacement x and velocity v by x = a·∫v + b·v + c + d·t. The gain is 1/a, the lag is b/a. The terms c + d·t
-/// absorb offset and integration drift.
+/// Fits displacement x, m, and velocity v, m/s, over time t, s, by x = a·∫v dt + b·v + c + d·t. The gain is 1/a, the
+/// lag is b/a. The terms c + d·t absorb offset and integration drift.
 ///
 /// The integral of the velocity is less sensitive to noise than the derivative of the displacement. Returns `None` for
-/// fewer than eight samples or a constant channel.
+/// fewer than eight samples, a constant channel or a singular fit.
 pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> Option<Agreement> {
     let n = time.len();
     if n < 8 {
@@ -52,7 +52,7 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
         plain += x * t;
     }
     let solution = normal.lu().solve(&right)?;
-    // Subtract the variance that a straight line explains without the velocity.
+    // Subtract the variance of the displacement that a straight line over time explains without the velocity.
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);

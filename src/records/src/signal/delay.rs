@@ -27,7 +27,7 @@ struct Thinned<'a> {
     /// Index of the test in the campaign.
     index: usize,
     motion: &'a Motion,
-    /// Time and force of the selected samples.
+    /// Time, s, and force, N, of the selected samples.
     samples: Vec<(f64, f64)>,
     /// Standard deviation of the force of this test, N.
     scale: f64,
@@ -58,17 +58,17 @@ pub(crate) enum Cause {
     Sign,
 }
 
-/// Returns the delay of tests that feed no energy. Returns `None` if the delay is shorter than [`SHORTEST_REPORTED`] or
-/// hardly reduces the unexplained variance.
+/// Returns the delay of tests that feed no energy. Returns `None` if no delay fits the tests, or if the delay is
+/// shorter than [`SHORTEST_REPORTED`] or hardly reduces the unexplained force variance.
 pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;
     (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
 }
 
-/// Determines why the tests `feeding` (indices) feed energy.
+/// Determines why the tests with the indices `feeding` feed energy to the rig: a delay of the force or a reversed sign.
 pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     let tests = thin(motions);
-    // A delay that explains no variance is not the cause. A reversed sign is then assumed.
+    // A delay with which an FV curve explains no force variance is not the cause. A reversed sign is then assumed.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
     match best(&tests, feeding) {
         Some(turned) if delay.unexplained >= CLEARLY * turned.unexplained => {
@@ -79,7 +79,7 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
 }
 
 /// Returns the delay with the smallest unexplained variance, among the delays with which no test clearly feeds energy.
-/// Reverses the sign of the force in the tests `turned`. Returns `None` if there is no such delay.
+/// Reverses the sign of the force in the tests with the indices `turned`. Returns `None` if there is no such delay.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;
@@ -189,8 +189,9 @@ fn look(tests: &[Thinned<'_>], turned: &[usize], delay: f64) -> Look {
     Look { unexplained: ((total - explained) / count).max(0.0), power }
 }
 
-/// Returns the index of the node below a relative velocity, and the fractional position between that node and the next,
-/// 0..1. The velocity is relative to the highest node.
+/// Returns the index of the node below a velocity, and the fractional position between that node and the next, 0..1.
+/// `share` is the velocity relative to the highest node. The nodes of [`NODES`] with both signs and zero count, in
+/// ascending order.
 fn place(share: f64) -> (usize, f64) {
     let side = NODES.len();
     let size = share.abs().min(1.0);

@@ -45,7 +45,7 @@ impl<'a> DelayedMotion<'a> {
         self.time[self.range.clone()].iter().map(value).collect()
     }
 
-    /// Returns the values of an unshifted channel, without the samples that have no motion.
+    /// Returns the values of an unshifted channel, without the samples whose earlier motion was not recorded.
     pub fn kept(&self, of: &[f64]) -> Vec<f64> {
         of[self.range.clone()].to_vec()
     }

@@ -63,7 +63,7 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     }
 }
 
-/// Returns the white noise of the channel, m, at least its quantization noise.
+/// Returns the standard deviation of the white noise of a displacement channel, m, at least that of its quantization.
 fn displacement_noise(displacement: &[f64]) -> f64 {
     // The quantization error has a variance of a twelfth of the squared step.
     channel_noise(displacement).max(quantum(displacement) / 12f64.sqrt())
@@ -105,8 +105,8 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
     Slopes { slopes: velocity, gains, weights }
 }
 
-/// Computes the weights of the derivative, at the sample `at`, of the least-squares cubic through values at these
-/// times.
+/// Computes the weights, 1/s, of the values at the times `time`, s, for the derivative of their least-squares cubic at
+/// the sample `at`.
 ///
 /// If there are too few values, the polynomial is a parabola or a line.
 fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
@@ -135,7 +135,8 @@ fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     }
 }
 
-/// Returns the frequency, Hz, at which a symmetric differentiator is 3 dB below the true derivative.
+/// Returns the frequency, Hz, at which a symmetric differentiator is 3 dB below the true derivative, at most half the
+/// sampling rate. `step` is the sampling interval, s.
 fn bandwidth(weights: &[f64], step: f64) -> f64 {
     let reach = weights.len() / 2;
     let nyquist = 0.5 / step;
@@ -151,10 +152,11 @@ fn bandwidth(weights: &[f64], step: f64) -> f64 {
         .unwrap_or(nyquist)
 }
 
-/// Integrates the velocity to the displacement from the initial position, m.
+/// Integrates a velocity, m/s, to a displacement, m, from the position `initial`, m.
 ///
 /// If the samples are evenly spaced, the method is the cubic through the four samples around every step. Otherwise, it
-/// is the trapezoidal rule. At twenty samples per cycle, the error of trapezoids is 0.8 %, that of the cubic 0.02 %.
+/// is the trapezoidal rule. At twenty samples per cycle of a sine, the error of trapezoids is 0.8 % of the amplitude,
+/// that of the cubic 0.02 %.
 pub(crate) fn integrate(time: &[f64], velocity: &[f64], initial: f64) -> Vec<f64> {
     let n = time.len();
     let mut x = initial;
@@ -240,7 +242,7 @@ mod tests {
         let x: Vec<f64> = time.iter().map(|t| triangle(*t) + 2e-6 * white()).collect();
         let (v, filter) = differentiate(&time, &x, 1.0 / (12.0 * frequency));
         let truth = |t: f64| if phase(t) < 0.5 { speed } else { -speed };
-        // Largest error of the samples that are more than `from` seconds away from a corner.
+        // Largest velocity error, m/s, of the samples that are more than `from` seconds away from a corner.
         let off = |from: f64| {
             let near = |t: f64| (phase(t) - 0.5).abs().min(phase(t)).min(1.0 - phase(t)) / frequency < from;
             time.iter().zip(&v).filter(|(t, _)| !near(**t)).map(|(t, v)| (v - truth(*t)).abs()).fold(0.0, f64::max)

@@ -8,8 +8,8 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 
 impl MeasurementError {
-    /// Returns the measurement error that the user stated, or no error for an empty list. All records of one campaign
-    /// have the same stated error.
+    /// Returns the measurement error that the user stated for the first record, or no error for an empty list. All
+    /// records of one campaign have the same stated error.
     pub fn stated(records: &[&Record]) -> MeasurementError {
         records.first().map_or(MeasurementError::NONE, |record| record.stated_error)
     }
@@ -33,7 +33,7 @@ pub fn correct_record(record: &Record, off: &MeasurementError) -> Record {
     right
 }
 
-/// Subtracts the inertia force of a rig mass that moves with the damper's end.
+/// Subtracts the inertia force of a rig mass `mass`, kg, that moves with the damper's end.
 pub(crate) fn correct_inertia(record: &mut Record, mass: f64) {
     if mass != 0.0 && !record.time.is_empty() {
         let acceleration = smooth(record).acceleration;

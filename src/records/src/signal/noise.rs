@@ -5,11 +5,13 @@ use crate::data::record::{Noise, NoiseSource};
 use crate::numbers::median;
 use crate::tuning::noise::FEWEST;
 
-/// Estimates the noise of a single force sample, as a standard deviation and an autocorrelation.
+/// Estimates the noise of a single force sample, as a standard deviation, N, and an autocorrelation at a lag of one
+/// sample.
 ///
 /// With three or more cycles, every sample of the inner cycles is compared with the previous and the next cycle at
 /// equal phase. With two cycles, the second is compared with the first. Without cycles, the estimate uses differences
-/// of neighboring samples. The comparison with both neighbors cancels a slow trend such as heating.
+/// of neighboring samples. For fewer than [`FEWEST`] samples, the noise is unknown. The comparison with both neighbors
+/// cancels a slow trend such as heating.
 ///
 /// The values of neighboring cycles are interpolated between samples, which reduces their noise. For noise with a
 /// geometrically decreasing autocorrelation, the estimate corrects this effect and the noise of the neighbors exactly.
@@ -35,7 +37,7 @@ pub(crate) fn difference_noise(values: &[f64]) -> f64 {
     median(&mut third) / (0.6745 * 20.0_f64.sqrt())
 }
 
-/// A value of a neighboring cycle at equal phase, and its interpolation weight.
+/// Force of a neighboring cycle at equal phase, N, interpolated between two samples, and the weight of the later one.
 struct Partner {
     value: f64,
     weight: f64,
@@ -49,7 +51,7 @@ struct Deviation {
     weights: [f64; 2],
 }
 
-/// Removes the effect of a small time shift of the whole cycle.
+/// Removes the effect of a small time shift of the whole cycle from its deviations.
 ///
 /// Without speed control, the period of a drive varies by a fraction of a sample. On a steep flank, the shift would
 /// count as noise.
@@ -130,8 +132,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     let spread = median(&mut all.iter().map(|d| (d - centre).abs()).collect::<Vec<_>>()) / 0.6745;
     let near = |d: f64| (d - centre).abs() <= 3.5 * spread;
 
-    // Second moments of the deviations at lags of 0 and 1 sample (`d0`, `d1`), their counts, and the interpolation
-    // factors.
+    // Second moments of the deviations at lags of 0 and 1 sample (`d0`, `d1`), and their counts (`n0`, `n1`). `share`
+    // is the weight of a neighboring cycle's variance in a deviation.
     let share = if one_sided { 1.0 } else { 0.25 };
     let (mut d0, mut n0, mut d1, mut n1) = (0.0, 0.0, 0.0, 0.0);
     // Sums over the neighboring cycles of (1−w)² + w² and of w(1−w), with the interpolation weight w.
@@ -160,7 +162,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // With the variance c0 of the noise and its autocorrelation r at lag 1 (r² at lag 2):
+    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0 and
+    // D1 at lags of 0 and 1 sample are then:
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
     // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;

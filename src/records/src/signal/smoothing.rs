@@ -3,7 +3,7 @@
 //! A stiff series spring converts micrometers of displacement noise into newtons, so raw channels must not drive a
 //! model. Displacement and velocity are two noisy measurements of one smooth motion. The estimator is the
 //! Rauch–Tung–Striebel smoother for a constant-acceleration model with white jerk (AIAA J. 3, 1965). The noise of the
-//! channels determines the amount of smoothing. Noise-free channels stay unchanged.
+//! channels determines the amount of smoothing. Noise-free channels stay nearly unchanged.
 
 use crate::Record;
 use nalgebra::{Matrix2, Matrix2x3, Matrix3, Vector2, Vector3};
@@ -24,8 +24,9 @@ pub struct Motion {
     pub velocity_noise: f64,
 }
 
-/// Estimates the white noise of a smoothly varying channel from the typical size of its fourth differences. With forty
-/// samples per cycle, the fourth differences of the motion itself nearly vanish.
+/// Estimates the standard deviation of the white noise of a smooth channel, in its unit, from the median absolute
+/// fourth difference. With forty samples per cycle, the fourth differences of the motion itself nearly vanish. Returns
+/// 0 for fewer than five samples.
 pub(crate) fn channel_noise(y: &[f64]) -> f64 {
     let mut d: Vec<f64> = y.windows(5).map(|w| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).abs()).collect();
     if d.is_empty() {
@@ -49,10 +50,11 @@ pub fn smooth(record: &Record) -> Motion {
         (record.peak_velocity / record.amplitude.max(1e-9)).max(1.0)
     };
     let peak = record.peak_velocity.max(1e-9);
-    // Smallest noise, so that the covariances stay regular. It is far below that of any sensor.
+    // Lower limits of the noise, so that the covariances stay regular. They are far below the noise of any sensor.
     let rx = (sx.max(1e-9 * peak / w)).powi(2);
     let rv = (sv.max(1e-9 * peak)).powi(2);
-    // Spectral density of the jerk of a sine with this peak velocity, with a correlation time of about 1/ω.
+    // Spectral density, m²/s⁵, of the jerk of a sine with this peak velocity and the angular frequency `w`, rad/s. It
+    // is the squared amplitude of the jerk times a correlation time of 1/`w`.
     let q = peak * peak * w.powi(3);
     let h = Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
     let r = Matrix2::new(rx, 0.0, 0.0, rv);
@@ -97,7 +99,7 @@ pub fn smooth(record: &Record) -> Motion {
 }
 
 /// Returns the transition matrix of displacement, velocity and acceleration over the time `dt`, s. Also returns the
-/// covariance that white jerk of spectral density `q` adds in this time.
+/// covariance that white jerk of spectral density `q`, m²/s⁵, adds in this time.
 fn transition(dt: f64, q: f64) -> (Matrix3<f64>, Matrix3<f64>) {
     let (d2, d3) = (dt * dt, dt * dt * dt);
     let a = Matrix3::new(1.0, dt, 0.5 * d2, 0.0, 1.0, dt, 0.0, 0.0, 1.0);

@@ -2,8 +2,9 @@
 
     python3 -m venv v && v/bin/pip install asammdf npTDMS h5py numpy && v/bin/python make.py
 
-Every file holds the same test: a damper of 1500 N s/m in rebound and 800 in compression with 40 N of friction on a sine of
-20 mm and 2 Hz, three cycles at 400 Hz. The files in this folder were written with asammdf 8, npTDMS 1 and h5py 3.
+Every file holds the same test: a damper of 1500 N s/m in rebound and 800 N s/m in compression with 40 N of friction, on
+a sine with an amplitude of 20 mm and a frequency of 2 Hz, three cycles at 400 samples per second. The files in this
+folder were written with asammdf 8, npTDMS 1 and h5py 3.
 """
 
 from pathlib import Path

@@ -1,4 +1,5 @@
-//! The label of another setting as the explanation of a test that deviates from the reference.
+//! The label of another setting as the explanation of a test that deviates from the reference, the largest set of
+//! agreeing tests at its setting.
 
 use super::Seen;
 use super::reference::Reference;
@@ -18,11 +19,12 @@ pub(super) struct WrongLabel {
 pub(super) struct Labels<'a> {
     settings: &'a [Vec<Seen<'a>>],
     references: &'a [Option<Reference<'a>>],
-    /// Median deviation of each test from its own reference, as a natural logarithm of the force ratio.
+    /// Median deviation of each test from the reference of its own setting, as a natural logarithm of the force ratio.
     ///
     /// `None` if test and reference share too few velocities. The outer index is that of the setting.
     own: Vec<Vec<Option<f64>>>,
-    /// Median of the absolute deviations of all tests. Most labels are right, so it is the scatter of the campaign.
+    /// Median of the absolute deviations `own` of all tests. Most labels are right, so this median is the scatter of
+    /// the campaign.
     scatter: f64,
 }
 
@@ -45,15 +47,16 @@ impl<'a> Labels<'a> {
 
     /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
     ///
-    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, does
-    /// not clearly deviate from its own, or if its motion deviates alike at other settings.
+    /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, or
+    /// does not clearly deviate from its own setting. Also returns `None` if its motion deviates alike at other
+    /// settings.
     pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
         let test = &self.settings[stated][place];
         let name = &test.record.setting.as_ref()?.name;
         let own = self.own[stated][place]?;
         let is_clear = own.abs() > (TIMES_SCATTER * self.scatter).max(LEAST_CONTRAST);
         let is_of_motion = match self.same_motion_elsewhere(stated, test) {
-            // Without this motion at other settings, only a large deviation is not that of the motion.
+            // If no test at another setting has this motion, only a large deviation is not attributed to the motion.
             others if others.is_empty() => own.abs() < AGREE,
             others => {
                 let alike = others.iter().filter(|other| *other * own > 0.0 && 3.0 * other.abs() > own.abs()).count();
@@ -75,7 +78,8 @@ impl<'a> Labels<'a> {
         candidates.filter(|candidate| candidate.left < most).min_by(|a, b| a.left.total_cmp(&b.left))
     }
 
-    /// Returns the deviations of tests with the motion of a test at other settings.
+    /// Returns the deviations of the tests at other settings with the motion of `test`, each from the tests of its own
+    /// setting, as natural logarithms.
     fn same_motion_elsewhere(&self, stated: usize, test: &Seen<'_>) -> Vec<f64> {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
         let is_same = |other: &Seen<'_>| {
@@ -91,7 +95,8 @@ impl<'a> Labels<'a> {
     }
 }
 
-/// Returns the deviations of a test from a reference at their common velocities, or `None` if these are too few.
+/// Returns the deviations of a test from a reference at their common velocities, as natural logarithms of the force
+/// ratio. Returns `None` if these velocities are too few.
 fn compared(test: &Seen<'_>, reference: &Reference<'_>) -> Option<Vec<f64>> {
     let off = reference.off(test, 1.0, 1.0);
     (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then_some(off)

@@ -9,7 +9,8 @@
 //! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
 //! - With the label of another setting, the forces are those of the reference of that setting.
 //!
-//! The explanation with the smaller residual is stated. A wrong unit rejects the campaign. A wrong label gives a note.
+//! A wrong label is stated unless the residual with a wrong unit is smaller by [`AS_LIKELY`]. A wrong unit rejects the
+//! campaign. A wrong label gives a note, which also names a unit that would explain the forces.
 //!
 //! | Module | Contents |
 //! |---|---|
@@ -73,7 +74,8 @@ pub(crate) fn check(
 ) -> Result<(), RecordError> {
     let seen: Vec<Seen<'_>> = records
         .iter()
-        // Neither explains a force that consists of noise. The plausibility check reports that case.
+        // Neither a wrong unit nor a wrong label explains a force that consists of noise. The plausibility check
+        // reports that case.
         .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
@@ -120,7 +122,7 @@ pub(crate) fn check(
 #[derive(Default)]
 struct Labeled<'a> {
     tests: Vec<&'a Seen<'a>>,
-    /// Another unit of a test, which explains its forces about as well.
+    /// Another unit that would also explain the forces of one of the tests, if there is one.
     unit: Option<WrongUnit>,
 }
 
@@ -194,7 +196,7 @@ fn label_note(found: Vec<((usize, usize), Labeled<'_>)>, settings: &[Vec<Seen<'_
         }
     });
     let count: usize = found.iter().map(|(_, labeled)| labeled.tests.len()).sum();
-    // Settings without a label are first in the order.
+    // The group of tests without a stated setting is first in the order.
     let first = settings.iter().position(|tests| tests[0].record.setting.is_some())?;
     let is_mirrored =
         found.len() > 1 && found.iter().all(|((stated, fitting), _)| stated - first + fitting + 1 == settings.len());
@@ -213,8 +215,8 @@ mod tests {
     use super::*;
     use crate::fixtures::{Random, sine_record};
 
-    /// Makes sines of (amplitude, peak velocity) on a damper with gas, friction and a mount that reduces the force of
-    /// short strokes.
+    /// Makes sine tests of (amplitude, m, peak velocity, m/s). `strength` multiplies the damping force of a damper with
+    /// gas, friction and a mount that reduces the force of short strokes.
     fn campaign(strength: f64, tests: &[(f64, f64)]) -> Vec<Record> {
         let mut random = Random::new(7);
         let test = |(k, &(amplitude, speed)): (usize, &(f64, f64))| {
@@ -269,8 +271,8 @@ mod tests {
         checked.map_or_else(|e| e.to_string(), |()| notes.iter().map(|note| note.text.to_string()).collect())
     }
 
-    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times a power of
-    /// `ratio`. The label of a test is a function of its setting and of its index.
+    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times `ratio` to the
+    /// power of the setting. The label of a test is a function of its setting and of its index.
     fn adjustable(ratio: f64, values: &[f64], label: impl Fn(f64, usize) -> f64) -> Vec<Record> {
         let at = |value: f64| {
             let tests = campaign(450.0 * libm::pow(ratio, value), &PLAN[..6]);
@@ -296,14 +298,15 @@ mod tests {
             said(&adjustable(1.8, &values, |value, i| if (value, i) == (4.0, 3) { 0.0 } else { value }), &options);
         assert!(one.contains("1 of 30 tests") && one.contains("(label 0, forces of 4)"), "{one}");
         assert!(!one.contains("counted from the other end"), "{one}");
-        // Tests that state no setting have no label. A file in another unit among them is found as ever.
+        // Tests that state no setting have no label. A file in another unit among them is still found.
         let mut partly = adjustable(1.8, &values, |value, i| if (value, i) == (4.0, 3) { 0.0 } else { value });
         partly[6..12].iter_mut().for_each(|record| record.setting = None);
         assert!(said(&partly, &options).contains("(label 0, forces of 4)"), "{}", said(&partly, &options));
         times(&mut partly[8], Channel::Force, 0.1);
         let message = said(&partly, &options);
         assert!(message.contains("daN or kgf written as N") && !message.contains("label "), "{message}");
-        // At this ratio, the two ends differ like newton and decanewton.
+        // At the second ratio, the forces at the two ends of the settings differ by a factor of ten, like newton and
+        // decanewton.
         for ratio in [1.8, libm::pow(10.0, 0.25)] {
             let labels = |value: f64, i: usize| if i % 3 == 2 { 4.0 - value } else { value };
             let mirrored = said(&adjustable(ratio, &values, labels), &options);
@@ -318,7 +321,7 @@ mod tests {
         for strength in [100.0, 1000.0, 10_000.0] {
             assert_eq!(said(&campaign(strength, &PLAN), &Options::default()), "");
         }
-        // The settings differ by a factor of four and a half in force. The gas force is the same.
+        // The forces at two unstated settings differ by a factor of four and a half. The gas force is equal.
         let mut records = campaign(2000.0, &PLAN);
         for record in campaign(450.0, &PLAN) {
             records.push(Record {
@@ -349,7 +352,8 @@ mod tests {
         assert!(found.contains("0.5 t2") && found.contains("speaks for kN written as N"), "{found}");
     }
 
-    /// Settings whose ends differ by 57 %, tests that repeat within 2 %. Two of six motions count from the other end.
+    /// Checks settings whose forces differ by 57 % from end to end, with tests that repeat within 2 %. The labels of
+    /// two of six motions count from the other end.
     #[test]
     fn labels_of_little_difference_are_seen_by_the_scatter() {
         let options = Options::default();

@@ -67,8 +67,8 @@ impl<'a> Reference<'a> {
         Reference { tests, curve, between }
     }
 
-    /// Returns the logarithm of the typical force, interpolated between velocity levels. Returns `None` outside the
-    /// levels of the reference.
+    /// Returns the natural logarithm of the typical force against the motion, N, interpolated between velocity levels.
+    /// Returns `None` outside the levels of the reference.
     fn usual(&self, level: f64) -> Option<f64> {
         let (below, part) = (level.floor(), level - level.floor());
         // The level of every positive double is within the range of an i32.
@@ -80,14 +80,14 @@ impl<'a> Reference<'a> {
     }
 
     /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
-    /// common level, returns the two closest levels.
+    /// common level, returns the two closest levels, first that of the test.
     pub(super) fn closest_levels(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at their common velocities, as logarithms of the force ratio.
-    /// The test's forces and velocities are first scaled by the given factors.
+    /// Returns the deviations of a test from the others at their common velocities, as natural logarithms of the force
+    /// ratio. The test's forces and velocities are first scaled by the given factors.
     pub(super) fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
@@ -101,8 +101,8 @@ impl<'a> Reference<'a> {
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Returns whether the mean force of the two directions contradicts a factor on the force. It does if the factor
-    /// increases its deviation from the other tests beyond the acceptable one.
+    /// Returns whether a test's mean force of the two directions contradicts a factor on its force. It does if the
+    /// factor increases the deviation of this mean from that of the other tests beyond the acceptable deviation.
     pub(super) fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {

@@ -1,4 +1,5 @@
-//! Another unit as the explanation of a test that deviates from the reference.
+//! Another unit as the explanation of a test that deviates from the reference, the largest set of agreeing tests at one
+//! setting.
 
 use super::Seen;
 use super::reference::Reference;
@@ -14,7 +15,7 @@ pub(super) struct WrongUnit {
     pub(super) left: f64,
     pub(super) channel: Channel,
     pub(super) written: Unit,
-    /// Units that are about equally likely, in the order of the type.
+    /// Units that are about equally likely, in the order of [`Unit`].
     pub(super) likely: Vec<Unit>,
 }
 
@@ -28,8 +29,9 @@ struct Candidate {
     likely: Unit,
 }
 
-/// Returns the channel whose unit is likely wrong, with its likely units. Returns `None` if no other unit makes the
-/// test agree with the reference, or if the user gave the unit.
+/// Returns the channel whose unit is likely wrong, with its likely units. Returns `None` if a damper may cause the
+/// deviation (below [`OFF`]), or if the user gave the unit. Also returns `None` if no other unit makes the test agree
+/// with the reference.
 pub(super) fn find_wrong_unit(test: &Seen<'_>, reference: &Reference<'_>) -> Option<WrongUnit> {
     let mut as_read: Vec<f64> = reference.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {

@@ -8,7 +8,7 @@ pub fn text(bytes: &[u8]) -> String {
 }
 
 /// Decodes a file in UTF-8, or in UTF-16 with a byte order mark. For all other files, assumes the code page of western
-/// Windows and returns `true` as the second value.
+/// Windows (1252) and returns `true` as the second value.
 ///
 /// Old exports, and spreadsheets that do not save UTF-8, use this code page for µ and °. Bytes that are undefined in
 /// the code page are read as Latin-1.

@@ -28,8 +28,8 @@ impl Start {
 }
 
 /// Finds the header and its delimiter. If the user names columns by number, the header may be missing. The table then
-/// begins with the first row of numbers. If no other line is the header, it may be a comment line. The second value is
-/// the first line that is not a comment.
+/// begins with the first row of numbers. If no other line is the header, the header may be a comment line. The second
+/// value is the first line that is not a comment.
 pub(super) fn start(text: &str, options: &Options) -> (Option<Start>, Option<String>) {
     let mut offset = 0;
     let mut first_line = None;
@@ -111,6 +111,7 @@ pub(super) fn part_names(found: &mut Start, text: &str) {
         return;
     }
     // Best split of the first words into a number of names: the number of known names, and the start of the last name.
+    // The indices are the number of names and the number of words.
     let mut best: Vec<Vec<Option<(usize, usize)>>> = vec![vec![None; words.len() + 1]; columns + 1];
     best[0][0] = Some((0, 0));
     for column in 1..=columns {

@@ -92,7 +92,8 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget)
     let delimiter = delimiter::detect(trimmed);
     let header = split(trimmed, delimiter);
     if options.columns.values().any(|wanted| nearest(wanted, header.iter().map(String::as_str)).is_some()) {
-        // A heading of the file resembles a heading that the user stated. The error of the layout names that heading.
+        // A heading of the file resembles a heading that the user stated. The error of the layout names that heading of
+        // the file.
         return table(at, name, text, Start::headed(0, 0, delimiter, header), options, budget);
     }
     // Split the lines with the delimiter that gives the most cells, or else at blanks.

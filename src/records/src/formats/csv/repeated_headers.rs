@@ -38,7 +38,7 @@ impl Blocks {
             let mut seen = false;
             let mut between: Option<usize> = None;
             let mut repeated = false;
-            // The reader counts empty lines as part of the next record.
+            // The CSV reader counts empty lines as part of the next row.
             let mut empty: Option<usize> = None;
             for (index, line) in text.lines().enumerate() {
                 let is_header = line.trim_end() == header;

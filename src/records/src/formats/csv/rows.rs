@@ -98,7 +98,7 @@ pub(super) fn table(
     let mut tests = Vec::new();
     let mut beside = NonDataLines::default();
     while reader.read_byte_record(&mut record).unwrap_or(false) {
-        // The reader counts empty lines as part of the next record.
+        // The CSV reader counts empty lines as part of the next row.
         let (begins, empty) = record.position().map_or((0, 0), |p| {
             let before = text.as_bytes().get(offset + p.byte() as usize..).unwrap_or_default();
             let ends = before.iter().take_while(|b| matches!(b, b'\r' | b'\n'));
@@ -210,7 +210,7 @@ fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError 
 }
 
 /// Reads the time between samples, s, from the lines above a table: `Sample Rate: 1000 Hz`, `dt [ms];0,5`. If several
-/// lines state it, the last one counts.
+/// lines state this time, the last one counts.
 fn sample_time<'a>(above: impl Iterator<Item = &'a str>) -> Option<f64> {
     let mut found = None;
     for line in above.take(HEADER_WITHIN) {

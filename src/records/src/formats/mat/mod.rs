@@ -19,7 +19,7 @@ use crate::source::{Budget, Source};
 /// Signature of an HDF5 file. Version 7.3 writes HDF5 after a header block of 512 bytes.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
-/// Work for the interpretation of a variable name, in steps of the budget.
+/// Work for the interpretation of a variable name, in steps of about a nanosecond (see [`Budget`]).
 const NAMING: u64 = 10_000;
 
 /// A vector or a single number of a file.
@@ -134,7 +134,7 @@ fn columns(array: &Array) -> Vec<Variable> {
     (0..channels).map(named).collect()
 }
 
-/// Type of a compressed element.
+/// Type number of a compressed element in a MAT file.
 const COMPRESSED: u32 = 15;
 /// Unpacked size that is always allowed, bytes. Each byte may become a value of eight bytes in several copies.
 const UNPACKED: usize = 32 << 20;

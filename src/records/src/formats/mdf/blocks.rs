@@ -6,7 +6,7 @@ use crate::source::Budget;
 /// Largest number of blocks in one chain. A longer chain is circular or does not belong to a measurement.
 const CHAIN: usize = 1 << 16;
 
-/// Work of visiting a block, in steps of the budget.
+/// Work of visiting a block, in steps of about a nanosecond (see [`Budget`]).
 const VISIT: u64 = 100;
 /// Largest number of characters that are read of a text.
 const LETTERS: usize = 200;
@@ -83,7 +83,8 @@ impl<'a> Mdf<'a> {
         Ok(Block { id: &head[2..4], links, data })
     }
 
-    /// Returns a text, plain or as the first text of an XML comment. Returns an empty string if there is no text.
+    /// Returns the text of the block at a position, plain or as the first text of an XML comment. Returns an empty
+    /// string if there is no text.
     pub fn text(&self, at: u64) -> String {
         let Ok(block) = self.any(at) else { return String::new() };
         // Limit the length, because many channels may link to one long text.

@@ -1,4 +1,5 @@
-//! Converts stored numbers to physical values by the numeric rules. Formulas and rules that give texts give no value.
+//! Converts stored numbers to physical values by the numeric rules of MDF. Formulas and rules that give texts give no
+//! value.
 
 use super::blocks::Mdf;
 
@@ -14,9 +15,9 @@ pub(super) struct Conversion {
 enum Rule {
     #[default]
     Same,
-    /// Offset and factor, for y = offset + factor · x.
+    /// Offset and factor, for y = offset + factor · x, with the stored number x and the physical value y.
     Linear([f64; 2]),
-    /// Coefficients a to f, for y = (a x² + b x + c) / (d x² + e x + f).
+    /// Coefficients a to f, for y = (a x² + b x + c) / (d x² + e x + f). The stored number is x, the physical value y.
     Rational([f64; 6]),
     /// Pairs of stored and physical value. Between two pairs, the value is interpolated if `straight` is true, else it
     /// is the value of the nearest pair. Outside the pairs, it is the value of the first or last pair.

@@ -1,4 +1,4 @@
-//! The records of a data group in one block or in a list of blocks, plain or compressed.
+//! The records of an MDF data group in one block or in a list of blocks, plain or compressed.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -13,7 +13,7 @@ const UNPACKED: usize = 48 << 20;
 /// well when transposed.
 const RATIO: usize = 4;
 
-/// Work per byte that is unpacked or copied, in steps of the budget.
+/// Work per byte that is unpacked or copied, in steps of about a nanosecond (see [`Budget`]).
 const UNPACKING: u64 = 6;
 
 /// Largest number of records of a file: two hours at 2 kHz. For more records, positions and values would exceed the
@@ -33,7 +33,8 @@ pub(super) struct Record {
     pub count: u64,
 }
 
-/// Returns all bytes of a data group. Charges them to the budget, unless they are borrowed from the file.
+/// Returns all bytes of the records of a data group, from its data block or list at the byte `at`. Charges them to the
+/// budget, unless they are borrowed from the file.
 pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String> {
     let limit = UNPACKED.max(RATIO * mdf.len()).min(mdf.budget.bytes_remaining() as usize);
     let first = mdf.any(at)?;
@@ -51,7 +52,7 @@ pub(super) fn bytes<'a>(mdf: &Mdf<'a>, at: u64) -> Result<Cow<'a, [u8]>, String>
     Ok(Cow::Owned(out))
 }
 
-/// Appends the blocks of a list.
+/// Appends the data of all blocks of a list to `out`, at most `limit` bytes in total.
 fn list(mdf: &Mdf<'_>, first: u64, limit: usize, out: &mut Vec<u8>) -> Result<(), String> {
     let (mut next, mut steps) = (first, 0);
     while next != 0 {
@@ -124,7 +125,8 @@ fn turn_back(bytes: &mut [u8], columns: usize) {
     }
 }
 
-/// Returns the positions of the records of every channel group.
+/// Returns the positions in `bytes` of the records of every channel group, after their identification numbers of
+/// `id_size` bytes.
 pub(super) fn places(
     bytes: &[u8],
     id_size: usize,

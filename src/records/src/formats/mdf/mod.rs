@@ -40,7 +40,7 @@ const MOST: usize = 4096;
 /// Memory of a channel without its values, bytes.
 const CHANNEL: u64 = 1024;
 const NAMING: u64 = 20_000;
-/// Work of converting a stored value to a physical value, in steps of the budget.
+/// Work of converting a stored value to a physical value, in steps of about a nanosecond (see [`Budget`]).
 const CONVERTING: u64 = 10;
 
 /// Returns whether a file begins like an MDF file, regardless of its name.
@@ -137,8 +137,8 @@ struct Format {
     big_endian: bool,
 }
 
-/// Returns the date and time of the time zero, s since 1970 by the rig's own clock. Returns `None` if the file states
-/// no date.
+/// Returns the date and time of the file's time zero, s since 1970 by the rig's own clock. Returns `None` if the file
+/// states no date.
 fn begins(mdf: &Mdf<'_>) -> Result<Option<f64>, String> {
     let header = mdf.block(64, "HD")?;
     // The header states the time in nanoseconds, and the offset of local time in minutes. A flag marks the offset as
@@ -365,7 +365,8 @@ fn with_slow(test: &mut Group, slow: &[Group], options: &Options, budget: &Budge
     Ok(names)
 }
 
-/// Interpolates between two samples. Outside the samples, the result is the value of the nearest sample.
+/// Interpolates `values` linearly at `time`, s, between the samples at `times`, s. Outside the samples, the result is
+/// the value of the nearest sample.
 fn at_time(times: &[f64], values: &[f64], time: f64) -> f64 {
     let next = times.partition_point(|t| *t < time);
     match (next.checked_sub(1), values.get(next)) {

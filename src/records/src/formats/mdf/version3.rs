@@ -16,7 +16,7 @@ struct File<'a> {
     budget: &'a Budget,
 }
 
-/// A block. Positions of its numbers count from its first byte, as in the standard.
+/// A block. Positions of its numbers count from its first byte, as in the MDF standard.
 struct Block<'a> {
     file: &'a File<'a>,
     bytes: &'a [u8],
@@ -41,8 +41,8 @@ pub(super) fn groups(bytes: &[u8], budget: &Budget) -> Result<(Vec<Group>, Optio
     for group in file.chain(header.u32(4)?, "DG")? {
         data_group(&file, &group, &mut found)?;
     }
-    // The texts have the form `25:11:2026` and `10:03:22`. A writer without a clock states the first instant of 1980,
-    // which counts as no date.
+    // The texts of date and time have the form `25:11:2026` and `10:03:22`. A writer without a clock states the first
+    // instant of 1980, which counts as no date.
     let text = header.bytes.get(18..36).map(latin).unwrap_or_default();
     let (date, time) = text.split_at_checked(10).unwrap_or_default();
     let begins = clock::seconds(&format!("{} {time}", date.replace(':', ".")));

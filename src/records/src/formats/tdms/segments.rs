@@ -35,7 +35,7 @@ pub(super) struct Channel {
     pub values: Vec<f64>,
 }
 
-/// An object with its properties and data.
+/// An object of a TDMS file (the file itself, a group or a channel) with its properties and data.
 #[derive(Debug, Default)]
 struct Object {
     path: String,

@@ -128,7 +128,7 @@ impl<'a> Cursor<'a> {
 const FROM_1904_TO_1970: f64 = 24_107.0 * DAY;
 
 impl Property {
-    /// Returns the memory in addition to the value itself, bytes.
+    /// Returns the memory of the property in addition to that of this type itself, bytes.
     pub fn size(&self) -> u64 {
         match self {
             Property::Text(text) => text.len() as u64,

@@ -6,8 +6,8 @@ use crate::source::{Budget, Exhausted};
 
 /// Total unpacked size of a workbook's parts that is always allowed, bytes.
 ///
-/// [`LARGEST_STRINGS`] is the limit of the part with the strings. It is lower, because the strings need several times
-/// their size in memory.
+/// [`LARGEST_STRINGS`], or the file size if larger, is the limit of the part with the strings. It is lower, because the
+/// strings need several times their size in memory.
 const LARGEST_UNPACKED: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
 /// Allowed ratio of a workbook's unpacked size to its file size, if the result exceeds [`LARGEST_UNPACKED`]. For sheets
@@ -17,8 +17,8 @@ const UNPACKED: u64 = 20;
 const LONGEST: u64 = 1 << 20;
 /// Memory of a style in addition to its texts, bytes. Each style refers to a font, a fill and borders.
 const STYLE: u64 = 512;
-/// Work per unpacked byte of XML and per tag, in steps of the budget. Empty rows consist of tags only. Without the
-/// charge per tag, such rows took three times as long as charged (tests/costly.rs).
+/// Work per unpacked byte of XML and per tag, in steps of about a nanosecond (see [`Budget`]). Empty rows consist of
+/// tags only. Without the charge per tag, such rows took three times as long as charged (tests/costly.rs).
 const PARSED: u64 = 6;
 const TAG: u64 = 40;
 

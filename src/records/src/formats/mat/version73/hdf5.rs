@@ -13,7 +13,7 @@ use crate::source::Budget;
 
 /// Signature of the superblock.
 const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// Work of visiting a block, in steps of the budget.
+/// Work of visiting a block, in steps of about a nanosecond (see [`Budget`]).
 const VISIT: u64 = 200;
 /// Memory of a link in addition to its name, bytes.
 const LINK: u64 = 64;
@@ -188,7 +188,7 @@ impl<'a> File<'a> {
     }
 
     /// Copies the chunks below a node into `values`. `above` is the level of the parent node, which exceeds that of the
-    /// node by one.
+    /// node by one; `None` at the root.
     fn chunks(
         &self,
         at: u64,
@@ -250,7 +250,8 @@ impl<'a> File<'a> {
         Ok(bytes)
     }
 
-    /// Copies a chunk to its position. Ignores elements outside the data set, which are padding.
+    /// Copies a chunk to its position `begins` in the data set. Ignores elements outside the data set, which are
+    /// padding.
     fn place(&self, data: &DataSet, chunk: &[u64], begins: &[u64], bytes: &[u8], values: &mut [f64]) {
         let size = data.number.size;
         for (k, stored) in bytes.chunks_exact(size).take(product(chunk) as usize).enumerate() {
