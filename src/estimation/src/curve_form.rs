@@ -96,10 +96,10 @@ mod tests {
             .iter()
             .flat_map(|test| test.inputs().iter().zip(&test.allowed).map(|(input, allowed)| (input.velocity, *allowed)))
             .collect();
-        // The residuals have the size of the allowed error and alternating signs.
+        // The residuals are ±1 allowed error with alternating signs.
         let noise: Vec<f64> = (0..samples.len()).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
         assert_eq!(misses(&velocities, &tests, &noise), [0.0; 6]);
-        // The error is 20 N between 0.15 and 0.2 m/s, during acceleration and deceleration.
+        // The model has an error of 20 N between 0.15 and 0.2 m/s, during acceleration and deceleration.
         let is_missed = |v: f64| (0.15..0.2).contains(&v);
         let missed: Vec<f64> =
             samples.iter().map(|(v, allowed)| if is_missed(*v) { 20.0 / allowed } else { 0.0 }).collect();

@@ -34,7 +34,8 @@ impl DamperPrior {
         self.expected.center()
     }
 
-    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior, at least 0.
+    /// Computes the logarithm of the ratio of two prior standard deviations, at least 0: that over all dampers to that
+    /// of this damper. It is 0 if there is no prior over all dampers.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
         let shared =
