@@ -32,8 +32,8 @@ const FREQUENT: [(&str, f64); 11] = [
     ("viscous_friction", -2.0),
 ];
 
-/// Frequent changes relative to a reference, with their log odds: adjustments, wear and leaks. Any other parameter
-/// changes rarely, with the log odds [`CHANGE`].
+/// Frequent changes relative to a reference damper, with their log odds: adjustments, wear and leaks. Any other
+/// parameter changes rarely, with the log odds [`CHANGE`].
 const CHANGES: [(&str, f64); 13] = [
     ("fv_curve", -1.0),
     ("gas_force", -0.7),
@@ -51,16 +51,16 @@ const CHANGES: [(&str, f64); 13] = [
 ];
 const CHANGE: f64 = -3.0;
 
-/// Returns the prior log odds of a change relative to a reference.
+/// Returns the prior log odds of a change relative to a reference damper.
 fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
 
 /// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// In a comparison with a reference, effects that at least every second damper has count as rare. The reference already
-/// had them, or they were too weak for the records. With ordinary odds, such an effect would be reported instead of a
-/// changed parameter of the reference.
+/// In a comparison with a reference damper, effects that at least every second damper has count as rare. The reference
+/// already had them, or they were too weak for the records. With ordinary odds, such an effect would be reported
+/// instead of a changed parameter of the reference.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
@@ -69,7 +69,8 @@ fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if priors.is_against_reference() && usual >= EVEN { RARE } else { usual }
 }
 
-/// Computes the prior log odds of a number of measurement faults (Pólya's urn).
+/// Computes the prior log odds of a number of measurement faults (Pólya's urn: each fault makes the next more
+/// probable).
 fn log_prior_odds_of_faults(count: usize) -> f64 {
     let [with, without] = FAULTS;
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
