@@ -12,8 +12,8 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest change of a parameter in a linear estimate, in steps of the parameter. Beyond it, the linearization is
-/// unreliable.
+/// Largest change of a parameter in a linear estimate, in typical steps of the parameter in a search. Beyond it, the
+/// linearization is unreliable.
 const TRUSTED: f64 = 5.0;
 /// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
 /// bounds in earlier solutions.
@@ -70,8 +70,8 @@ impl<'a> Linearization<'a> {
         Linearization { structure, settings, thetas, jacobians, normals }
     }
 
-    /// Predicts the family in which `sites` vary and all others are shared. Returns `None` if the linear problem has no
-    /// solution.
+    /// Predicts the family in which the quantities `sites` vary with the setting and all others are shared. Returns
+    /// `None` if the linear problem has no solution.
     pub fn predict(&self, sites: &[Site]) -> Option<Prediction> {
         let from = &self.structure.hypothesis;
         let varies = varies(&from.template, sites);

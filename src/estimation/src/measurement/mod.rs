@@ -61,8 +61,8 @@ pub enum Artefact {
 }
 
 impl Artefact {
-    /// Returns the name of the error. All names except `gain_drift`, for which only fits search, are in the vocabulary
-    /// of the diagnosis.
+    /// Returns the name of the error. A diagnosis reports all names except `gain_drift`, which only fits identify, and
+    /// those of unnamed errors.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
