@@ -91,8 +91,8 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     scaled(&raw, zero, one)
 }
 
-/// Computes the completed fraction of the force change on a grid by least squares over the steps. Returns NaN at times without a usable
-/// step.
+/// Computes the completed fraction of the force change on a grid of times since the step, s, by least squares over the steps. Returns NaN
+/// at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -53,7 +53,7 @@ pub fn has_actuator(axis: &Axis) -> bool {
     axis.is_some() && (actuator.has_lag() || actuator.dead_time > 0.0)
 }
 
-/// Returns the setting of the valve at a time after the step, s.
+/// Returns the setting of the valve at a time after the step of the command to `to`, s.
 fn moved(actuator: &Actuator, rest: &Stand, to: f64, time: f64) -> f64 {
     let moving = time - actuator.dead_time;
     // Without a lag, the valve reaches its new position immediately.

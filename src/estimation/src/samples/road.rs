@@ -170,8 +170,8 @@ mod tests {
     use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
-    /// Checks a record of a simulation of the kernel, sampled at 1 kHz for half a minute. With much larger steps than 1
-    /// ms, the model would not reproduce these forces.
+    /// Checks a record of a simulation of the kernel, sampled at 1 kHz for half a minute. With steps above [`STEP`], the
+    /// model would not reproduce these forces.
     #[test]
     fn a_long_road_is_gone_through_at_its_own_rate() {
         let model = Model::new(&Params::new()).unwrap();
