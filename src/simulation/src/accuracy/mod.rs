@@ -32,7 +32,7 @@ pub enum HostInput {
     Velocity,
 }
 
-/// Force errors of one test, relative to the largest force of this test.
+/// Force errors of one test, as fractions of the largest force of this test.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
     /// Root mean square error.
@@ -62,7 +62,7 @@ pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: u
     forces
 }
 
-/// Computes the errors of `forces` relative to the largest force of `exact`.
+/// Computes the errors of `forces`, N, relative to the largest force of `exact`, N.
 pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let (mut sum, mut largest) = (0.0, 0.0f64);
