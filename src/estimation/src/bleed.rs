@@ -4,8 +4,8 @@
 //! standard deviation of the first rise of the curve follows from a line from zero to the largest force at the slowest
 //! knee.
 //!
-//! If records have no motion between rest and their slowest speed, they do not distinguish a step of the curve at zero
-//! velocity from dry friction. Without this prior, a free curve absorbs all friction.
+//! If records have no motion below their slowest speed, they do not distinguish a step of the curve at zero velocity
+//! from dry friction. Without this prior, a free curve absorbs all friction.
 
 use crate::scale::largest_force;
 use crate::unknowns::{CurveName, Unknown, anchor, towards_zero};

@@ -9,7 +9,8 @@ use dashpot_core::elements::fv_curve::fv_interpolation;
 #[derive(Debug, Clone)]
 pub struct CurveWeights {
     u: Vec<f64>,
-    /// Derivatives, by the forces at the points i−2 to i+2, of the slope before and the slope after each point i.
+    /// Derivatives of the slope before and the slope after each point i with respect to the forces at the points i−2 to
+    /// i+2.
     slope_by: Vec<[[f64; REACH]; 2]>,
 }
 
@@ -22,8 +23,8 @@ const POINTS: usize = 4;
 const OWN: usize = 2;
 
 impl CurveWeights {
-    /// Computes the derivatives of the curve through (`u`, `f`) by the forces `f`, for an `interpolation` between the
-    /// points.
+    /// Computes the derivatives of the curve through (`u`, `f`) with respect to the forces `f`, for an `interpolation`
+    /// between the points.
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> CurveWeights {
         let n = u.len();
         let line = |a: usize, b: usize, at: usize| {
@@ -68,8 +69,8 @@ impl CurveWeights {
                 }
                 let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
                 let m = monotone_derivative(u, f, i);
-                // The slope is m = W / (w0/d0 + w1/d1), with the slopes d0 and d1 of the adjacent chords and W = w0 +
-                // w1. Therefore, ∂m/∂d0 = m² w0 / (W d0²).
+                // The slope is m = W / (w0/d0 + w1/d1), with the slopes d0 and d1 of the adjacent chords, their weights
+                // w0 and w1, and W = w0 + w1. Therefore, ∂m/∂d0 = m² w0 / (W d0²).
                 let by = |w: f64, d: f64| m * m * w / ((w0 + w1) * d * d);
                 let (by0, by1) = (by(w0, d0), by(w1, d1));
                 [[0.0, -by0 / h0, by0 / h0 - by1 / h1, by1 / h1, 0.0]; 2]

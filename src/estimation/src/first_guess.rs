@@ -211,8 +211,8 @@ pub fn guess(segments: &[Segment]) -> Params {
     let set = |p: &mut Params, number: Number, value: f64| {
         let _ = p.set(number, number.inside(value));
     };
-    // Defaults apply to a car damper. Without scaling, the prior would keep the internal mass near its car value in a
-    // damper with twenty times the force.
+    // Defaults apply to a car damper. Without scaling, the prior would keep the internal mass near 0.5 kg in a damper
+    // with twenty times the force.
     let scale = size(segments);
     for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
         set(&mut p, number, scale.of_number(number) * number.default());

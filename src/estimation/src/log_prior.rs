@@ -49,7 +49,7 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
         .map(|row| (row.number, row.expected.standard_score(params.number(row.number))))
 }
 
-/// Computes the negative log prior of the parameters of a hypothesis: the sum of [`log_cost`] over their standard
+/// Computes the negative log prior of the parameters of a hypothesis. It is the sum of [`log_cost`] over their standard
 /// scores and the initial rises of the FV curve.
 pub fn negative_log_prior(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     let params = hypothesis.params(theta);

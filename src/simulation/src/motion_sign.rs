@@ -25,7 +25,8 @@ pub struct SignDoubt {
 /// the opposite direction of motion and force is clearly the right one. Returns `None` if the numbers of samples
 /// differ.
 ///
-/// `as_read` is the simulated motion. `simulate` computes the force of another motion. `recorded` has one force for each sample, in N, with the sign of the motion.
+/// `as_read` is the simulation of the motion as read. `simulate` computes the force of another motion. `recorded` has
+/// one force for each sample, in N, with the sign of the motion.
 ///
 /// # Errors
 /// The errors of `simulate`.

@@ -11,8 +11,8 @@ const FORM: f64 = 0.002;
 /// force jumps, and this fraction of the samples is on the wrong side of the jump.
 const TIMING: f64 = 0.05;
 
-/// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant. `noise` is a
-/// variance of noise, N². `top` is the largest force, N.
+/// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant. `noise` is the
+/// noise variance, N². `top` is the largest force, N.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }

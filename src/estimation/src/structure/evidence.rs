@@ -42,8 +42,8 @@ pub struct Evidence {
     pub relief: f64,
 }
 
-/// Computes the mean square residual of samples of a test, relative to that of its noise and curve discretization,
-/// whose root mean square is `unit`, N. Residuals beyond [`HUBER`] count linearly.
+/// Computes the mean square residual of samples of a test, relative to that of its noise and curve discretization.
+/// `unit` is the root mean square of both, N. Residuals beyond [`HUBER`] count linearly.
 ///
 /// Each sample is a pair: its residual divided by the allowed error, and its allowed error, N.
 pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 {

@@ -33,8 +33,8 @@ pub struct Trial {
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects and their visibility: the squared norm, in squared allowed errors, of the part of an effect's response
-    /// that the other parameters of the model cannot reproduce.
+    /// Effects and their visibility. It is the squared norm, in squared allowed errors, of the part of an effect's
+    /// response that other parameters cannot reproduce.
     pub visible: Vec<(&'static str, f64)>,
 }
 

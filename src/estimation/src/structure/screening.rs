@@ -2,8 +2,8 @@
 //! first order.
 //!
 //! The parameters of the model without the candidate (base parameters) absorb a part of every effect. Therefore, a
-//! candidate's response is evaluated after its projection onto the orthogonal complement of the Jacobian of the base
-//! parameters (Frisch & Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
+//! candidate's response is first projected onto the orthogonal complement of the base parameters' Jacobian (Frisch &
+//! Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
 
 use super::extend::extend;
 use super::nearby::Nearby;

@@ -33,8 +33,8 @@ pub struct StructureSearch {
     pub best: Structure,
     /// All structures that were refitted.
     pub table: BTreeMap<Vec<Form>, Visited>,
-    /// Unnamed errors (patterns of force without a physical effect) that were added to a best structure, with the log
-    /// posterior of each.
+    /// Unnamed errors (measurement errors outside the vocabulary of effects) that were added to a best structure, with
+    /// the log posterior of each.
     pub unnamed: Vec<(Unnamed, f64)>,
     /// Trials of the last expansion: the best structure at that time with one more effect.
     pub last: Vec<Trial>,

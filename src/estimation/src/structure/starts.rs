@@ -31,8 +31,8 @@ pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
     (hypothesis, components)
 }
 
-/// Makes models from the tests, each with an FV curve, gas and friction: one for each of three stiffnesses of a series
-/// path, and one without a series path. Elements for which `may` is false stay disabled.
+/// Makes models from the tests, each with an FV curve, gas and friction. There is one for each of three stiffnesses of
+/// a series path, and one without a series path. Elements for which `may` is false stay disabled.
 pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<StartModel> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
