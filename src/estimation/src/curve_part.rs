@@ -93,7 +93,7 @@ impl CurvePart {
         }
     }
 
-    /// Scales the part of the FV curve in `params` by one plus a relative change.
+    /// Scales the part of the FV curve in `params` by 1 + `change`.
     pub fn scale(self, params: &mut Params, change: f64) {
         let velocity = params.list(list!("fv_velocity")).to_vec();
         let force: Vec<f64> = params

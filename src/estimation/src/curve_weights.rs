@@ -69,8 +69,8 @@ impl CurveWeights {
                 }
                 let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
                 let m = monotone_derivative(u, f, i);
-                // The slope is m = W / (w0/d0 + w1/d1), with the slopes d0 and d1 of the adjacent chords, their weights
-                // w0 and w1, and W = w0 + w1. Therefore, ∂m/∂d0 = m² w0 / (W d0²).
+                // The slope is m = W / (w0/d0 + w1/d1). The adjacent chords have the slopes d0 and d1 and the weights w0
+                // and w1, and W = w0 + w1. Therefore, ∂m/∂d0 = m² w0 / (W d0²).
                 let by = |w: f64, d: f64| m * m * w / ((w0 + w1) * d * d);
                 let (by0, by1) = (by(w0, d0), by(w1, d1));
                 [[0.0, -by0 / h0, by0 / h0 - by1 / h1, by1 / h1, 0.0]; 2]
@@ -135,7 +135,7 @@ mod tests {
     use super::*;
     use dashpot_core::curve::Curve;
 
-    /// Compares the weights of a curve with finite differences of the curve itself.
+    /// Compares the derivatives of [`CurveWeights::evaluate`] with finite differences of the curve itself.
     fn compare(u: &[f64], f: &[f64], interpolation: Interpolation) {
         let weights = CurveWeights::new(u, f, interpolation);
         for at in [-1.7, -0.9, -0.2, -0.03, 0.02, 0.2, 0.9, 1.6] {
@@ -157,7 +157,8 @@ mod tests {
     fn weights_are_the_derivatives_over_the_points() {
         let u = [-1.0, -0.4, -0.1, 0.0, 0.05, 0.3, 1.1];
         let f = [-900.0, -500.0, -300.0, 0.0, 250.0, 700.0, 1900.0];
-        // The rebound side begins almost flat, so the derivative of the parabola at zero would be negative.
+        // The rebound side begins almost flat. The parabola through the first three points of this side would have a
+        // negative derivative at zero.
         let level = [-900.0, -500.0, -300.0, 0.0, 2.0, 700.0, 1900.0];
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::CubicEachSide, Interpolation::Linear] {
             compare(&u, &f, interpolation);

@@ -54,8 +54,8 @@ pub(crate) fn sandwich_of(
     Some((covariance, determined))
 }
 
-/// Number of standard deviations at which the linearization is compared with the nonlinear force. At this number are
-/// the ends of a 95 % interval.
+/// Number of standard deviations at which the linearization is compared with the nonlinear force. The ends of a 95 %
+/// interval are about this far from the estimate.
 const END: f64 = 2.0;
 /// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is only
 /// nonlinear reaches at least half of the linearized change within the interval, so a quarter of its square. A force
@@ -113,8 +113,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Finds the factor, between 1 and [`FARTHEST`], at which a squared change reaches `least`, by doubling and logarithmic
-/// interpolation. If the parameter reaches a bound, returns the first factor beyond the bound.
+/// Finds the factor, between 1 and [`FARTHEST`], at which the squared change of the force reaches `least`, by doubling
+/// and logarithmic interpolation. If the parameter reaches a bound, returns the first factor beyond the bound.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -296,7 +296,7 @@ mod tests {
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
         // The linearization is valid for a proportional force, and for a squared change of 0.3 times the linearized
-        // one.
+        // one. The factor is then 1.
         assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
         assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
         // The squared change is proportional to the factor, because a larger factor makes the force jump at more

@@ -49,9 +49,9 @@ pub struct Number {
     pub start: f64,
     /// Typical size of a change of the parameter in a search, in the search coordinate.
     pub step: f64,
-    /// Lowest and highest value.
+    /// Lowest and highest value, in the search coordinate.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of the prior, if there is one.
+    /// Mean and standard deviation of the prior, in the search coordinate, if there is one.
     pub prior: Option<(f64, f64)>,
 }
 
@@ -76,7 +76,7 @@ impl Hypothesis {
     /// `deviation` is the standard deviation of `value`. The ends are within the bounds of the parameter: a loss
     /// factor, for example, is never negative.
     pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
-        /// Half-width in standard deviations.
+        /// Half-width of a 95 % interval in standard deviations.
         const Z: f64 = 1.96;
         let (low, high) = self.numbers[place].bounds;
         [-Z, Z].map(|z| restrict(value + z * deviation, low, high))

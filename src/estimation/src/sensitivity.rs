@@ -21,19 +21,20 @@ use dashpot_core::{
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
-/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation.
+/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation of the implicit
+/// method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Direction {
     SeriesStiffness,
     SeriesDamping,
     Mass,
-    /// Spring coefficient of |x|^k x, k = 0..3.
+    /// Coefficient of the spring term |x|^k x, where x is the displacement and k is 0 to 3.
     SpringPower(i32),
     FvPoint(usize),
     SpringPoint(usize),
 }
 
-/// Parameters with a direct term in the stage equation.
+/// Parameters with a direct term in the stage equation of the implicit method.
 const DIRECT: [(Number, Direction); 7] = [
     (number!("series_stiffness"), Direction::SeriesStiffness),
     (number!("series_damping"), Direction::SeriesDamping),
@@ -239,7 +240,8 @@ pub struct Run {
     rises: Vec<(usize, CurveName, usize)>,
     /// Elements parallel to the mass with unknowns that do not influence the motion of the mass.
     alone: Vec<Alone>,
-    /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
+    /// Unknowns of elements inside the series or hydraulic path: column, model with a step of the unknown, and the
+    /// reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
     unknowns: usize,
 }

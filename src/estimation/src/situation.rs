@@ -16,7 +16,7 @@ use dashpot_records::restrict;
 pub struct Situation {
     /// The base model.
     pub base: Params,
-    /// Strength of the damper relative to that of a passenger car's damper; 1 within the range of cars.
+    /// Strength of the damper relative to that of a passenger car's damper; 1 within the force range of cars.
     pub scale: Scale,
     /// Sum of the sliding forces of Coulomb, Stribeck and presliding friction in the model, N.
     pub friction: f64,

@@ -225,7 +225,7 @@ pub struct Solution {
     pub rows: Vec<Rows>,
 }
 
-/// The reduced linear problem at one point. It has at most one row for each parameter.
+/// Linear least-squares problem at one point, reduced to at most one row for each parameter.
 struct Linear {
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
@@ -251,7 +251,7 @@ impl Search<'_> {
         if self.problem.is_measured(block) { self.options.loss } else { Loss::Squares }
     }
 
-    /// Computes the cost of residuals; infinite if a residual is not finite.
+    /// Computes the cost of residuals and of the priors at `x`. It is infinite if a residual is not finite.
     fn cost<'r>(&self, x: &[f64], residuals: impl IntoIterator<Item = &'r DVector<f64>>) -> f64 {
         let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
         let of = |(block, residual): (usize, &DVector<f64>)| {
@@ -295,7 +295,7 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Computes the square roots of a block's weights due to the loss. Returns `None` if all are 1.
+    /// Computes the square roots of the weights of a block's residuals under the loss. Returns `None` if all are 1.
     fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
         let loss @ Loss::Huber(_) = self.loss(block) else { return None };
         let roots = residual.map(|r| loss.evaluate(r).1.sqrt());
@@ -364,8 +364,8 @@ impl Search<'_> {
     }
 }
 
-/// Smallest ratio of a stored column length to its previous value. The value 1 is Moré's rule (Lect. Notes Math. 630,
-/// 1978), and 0 is Marquardt's rule.
+/// Smallest ratio of a stored length of a Jacobian column to its previous value. The value 1 is Moré's rule (Lect.
+/// Notes Math. 630, 1978), and 0 is Marquardt's rule.
 const FADE: f64 = 0.5;
 /// Damping below which a step equals the full linear step to rounding.
 const LEAST_DAMPING: f64 = 1e-16;

@@ -1,4 +1,5 @@
-//! Drawing of a damper of the second laboratory. The stated values have errors, and the true values are known.
+//! Drawing (stated dimensions) of a damper of the second laboratory. The stated values have errors, and the true values
+//! are known.
 
 use dashpot_dimensions::{Dimensions, Entry, orifice, read};
 use dashpot_other_lab::Kind;

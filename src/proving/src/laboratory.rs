@@ -24,7 +24,7 @@ const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// Choice of the diagnosed model, and of a diagnosis with or without a reference.
+/// Choice of the diagnosed model, and of a diagnosis with or without a reference damper.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
     /// Whether the damper is compared with itself without the injected effect.

@@ -74,7 +74,7 @@ mod tests {
         assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
         let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
         assert!(found.error > 3.0 * found.reversed_error, "{found:?}");
-        // The force of another damper says nothing, nor does one of another length.
+        // The force of another damper, or one with another number of samples, gives no result.
         assert_eq!(doubt(&motion.reversed(), &of_file(-1.0, 5.0)), None);
         assert_eq!(doubt(&motion, &forces[1..]), None);
     }

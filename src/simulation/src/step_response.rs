@@ -117,8 +117,8 @@ fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     sums.iter().map(|[product, square]| product / square).collect()
 }
 
-/// Averages the completed fraction before the step, and over the last quarter of the time after the step. Without finite values, the
-/// averages are 0 and 1.
+/// Averages the completed fraction of the force change before the step, and over the last quarter of the time after the step. Without
+/// finite values, the averages are 0 and 1.
 fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);

@@ -26,9 +26,9 @@ const RIDGE: f64 = 1e-9;
 pub struct Linearization<'a> {
     structure: &'a FamilyStructure,
     settings: &'a [SettingTests],
-    /// Values of the template's parameters at each setting.
+    /// Values of the free parameters of the template (the damper at one setting), at each setting.
     thetas: Vec<Vec<f64>>,
-    /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
+    /// Derivatives of the weighted forces at each setting with respect to the free parameters of the template.
     jacobians: Vec<DMatrix<f64>>,
     /// Weighted normal matrix and right-hand side of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
@@ -43,7 +43,7 @@ pub struct Prediction {
 }
 
 impl<'a> Linearization<'a> {
-    /// Linearizes a refitted family.
+    /// Linearizes the residuals of a refitted family.
     pub fn new(structure: &'a FamilyStructure, settings: &'a [SettingTests]) -> Linearization<'a> {
         let hypothesis = &structure.hypothesis;
         let columns = hypothesis.columns();

@@ -2,7 +2,8 @@
 
 use super::second_order::SecondOrder;
 
-/// Damping ratio of a resonance. It makes the peak wide enough to include the next trial frequency.
+/// Damping ratio of a resonance. It makes the peak wide enough to include the next trial frequency of the unnamed
+/// errors.
 const DAMPING: f64 = 0.15;
 
 /// Adds a fraction of the response of a resonance at `frequency`, Hz, to the force.

@@ -21,7 +21,7 @@ const SCORED: usize = 1000;
 /// Number of scored samples of a stretch: at least as many as a mean cycle has.
 const STRETCH: usize = 150;
 /// Number of samples of the lead-in of a stretch. An internal state with a time constant above 0.2 s keeps its initial
-/// error. Such slow states belong to temperature and gas, which are inputs.
+/// error. Such slow states belong to the temperature, which is an input, and to the gas.
 const LEAD: usize = 100;
 /// Numbers of cells of displacement and of velocity over the range of the road. With this number, the displacements at
 /// an end stop have separate cells.

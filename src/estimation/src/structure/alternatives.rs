@@ -63,7 +63,7 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
     let by_weight = |a: &Structure, b: &Structure| log_weight(b, at).total_cmp(&log_weight(a, at));
     all.sort_by(by_weight);
     all.truncate(MOST);
-    // The search refitted a trial only with the accuracy that a comparison requires.
+    // The search refitted a trial only with the accuracy that a comparison requires, so refit the alternatives again.
     let mut all: Vec<Structure> =
         all.par_iter().filter_map(|structure| structure.refitted(tests, Effort::JUDGE)).collect();
     all.retain(|structure| is_open(log_weight(structure, at)));
@@ -73,8 +73,8 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
         .collect()
 }
 
-/// Computes the ends of the 95 % intervals of a structure's free parameters, without alternatives. Returns `None` if
-/// the covariance is unknown.
+/// Computes the ends of the 95 % intervals of a structure's free parameters, in their search coordinates and without
+/// alternatives. Returns `None` if the covariance is unknown.
 fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let Structure { hypothesis, refit, .. } = structure;
     let (covariance, _) = sandwich(hypothesis, refit, tests)?;

@@ -14,7 +14,7 @@ pub struct Component {
     pub effect: &'static str,
     /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
-    /// Elements that the effect enables. Empty for a measurement error.
+    /// Elements that the effect enables. Empty for a measurement error and for a change from a reference damper.
     pub elements: Vec<Element>,
     /// Parameters that the effect sets to fixed values.
     pub fixed: Vec<(Number, f64)>,

@@ -26,7 +26,7 @@ pub struct SearchContext<'a> {
     pub tests: &'a [Test],
     /// Whether a candidate may be part of the structure.
     pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
-    /// Candidates in addition to the vocabulary: changes relative to a reference.
+    /// Candidates in addition to the vocabulary: changes relative to a reference damper.
     pub changes: &'a [Candidate],
     /// Priors from known facts about this damper.
     pub priors: &'a PriorSet,

@@ -106,7 +106,7 @@ impl Evidence {
             / self.count().max(1.0)
     }
 
-    /// Computes the log likelihood, up to a constant that all structures share.
+    /// Computes the log likelihood of the residuals, up to a constant that all structures share.
     pub fn log_likelihood(&self) -> f64 {
         let whole = self.count();
         let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
@@ -120,7 +120,7 @@ impl Evidence {
         per_number(self.count())
     }
 
-    /// Computes the log evidence.
+    /// Computes the log evidence: the log likelihood minus the costs of the free parameters and of their values.
     pub fn log_evidence(&self) -> f64 {
         self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.negative_log_prior
     }

@@ -16,8 +16,9 @@ const RARE: f64 = -3.0;
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
 /// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series
-/// path. Monotubes have gas columns and springs. The other effects are faults or rare designs. The oil of every damper
-/// is compressible. In every second damper, the series path cannot represent its compressibility.
+/// path. Monotubes have gas columns and springs. Effects outside this table are faults or rare designs. The oil of
+/// every damper is compressible. In every second damper, the series path cannot represent the compressibility of the
+/// oil.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -76,8 +77,8 @@ fn log_prior_odds_of_faults(count: usize) -> f64 {
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that count as common if a prior of this damper states the parameter on which they depend: an oil column, a
-/// gas.
+/// Effects that count as common if a prior of this damper states the parameter on which they depend. The parameters are
+/// the stiffness of the oil column and that of the gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 

@@ -78,7 +78,7 @@ impl Projection {
 
 /// A screened start of a candidate.
 pub struct Screened {
-    /// Index of the candidate in the list.
+    /// Index of the candidate in the list of candidates.
     pub candidate: usize,
     /// The hypothesis with the candidate.
     pub hypothesis: Hypothesis,
@@ -151,7 +151,7 @@ pub fn screen(
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
                     // Many responses are also proportional to a parameter whose logarithm is free. The response at the
-                    // scaled value tests whether the response is proportional here.
+                    // scaled value tests whether the response of this candidate is proportional.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {

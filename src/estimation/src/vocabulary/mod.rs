@@ -65,7 +65,7 @@ pub struct LinearExtension {
     pub stroke: f64,
     /// Force up to which the curve counts as correct on this stroke, N, positive.
     pub from: f64,
-    /// Smallest slope of the extension, as a fraction of the slope of the curve just below that force.
+    /// Smallest slope of the extension, as a fraction of the slope of the curve just below the force `from`.
     pub steepness: f64,
 }
 

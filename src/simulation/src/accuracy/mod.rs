@@ -35,9 +35,9 @@ pub enum HostInput {
 /// Force errors of one test, as fractions of the largest force of this test.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
-    /// Root mean square error.
+    /// Root mean square error, as a fraction of the largest force.
     pub rms: f64,
-    /// Largest error.
+    /// Largest error, as a fraction of the largest force.
     pub largest: f64,
 }
 
@@ -122,7 +122,7 @@ impl References {
     }
 }
 
-/// Returns the largest errors of several tests.
+/// Returns the largest root mean square error and the largest error over several tests.
 pub fn worst(errors: &[(Sine, Errors)]) -> Errors {
     errors
         .iter()

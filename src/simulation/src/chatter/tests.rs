@@ -19,8 +19,8 @@ fn steep() -> Params {
 
 const HOST: Host = Host { step: 1e-3, mass: 40.0 };
 
-/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of the damper force, N, in the
-/// last steps.
+/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of the
+/// damper force, N, from step to step in the last hundred steps.
 fn swings(params: &Params, host: Host) -> f64 {
     swings_under(params, host, 0.0)
 }

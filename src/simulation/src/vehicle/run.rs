@@ -219,7 +219,7 @@ mod tests {
         run(&Car::default(), manoeuvre, [&model; 4], dt).unwrap()
     }
 
-    /// Returns the largest difference in heave at common instants, relative to the largest heave.
+    /// Returns the largest difference in heave between two runs at common instants, relative to the largest heave of the second.
     fn apart(a: &Run, b: &Run, every: [usize; 2]) -> f64 {
         let heave = |r: &Run, n: usize| -> Vec<f64> {
             r.samples.iter().skip(n - 1).step_by(n).map(|s| s.body.position[0]).collect()
