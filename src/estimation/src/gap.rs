@@ -47,8 +47,8 @@ pub fn noise_alone(tests: &[Test]) -> f64 {
 }
 
 /// Computes the fraction of the error above the noise that a change of the model removes. `before` and `after` are the
-/// errors, N, before and after the change. Returns `None` if the error before the change exceeds the noise by at most 2
-/// %.
+/// errors, N, before and after the change. Returns `None` if the error before the change is at most 2 % above the
+/// noise.
 pub fn gap_closed(tests: &[Test], before: &[Vec<f64>], after: &[Vec<f64>]) -> Option<f64> {
     let (before, after, noise) = (in_noise(tests, before), in_noise(tests, after), noise_alone(tests));
     (before > 1.02 * noise).then(|| 1.0 - (after - noise) / (before - noise))

@@ -11,7 +11,7 @@ use dashpot_core::{element, list, number};
 use dashpot_records::Record;
 use dashpot_records::restrict;
 
-/// Quantities of a base model and its tests.
+/// Quantities of a base model and its tests, from which searches derive their start values.
 #[derive(Debug, Clone)]
 pub struct Situation {
     /// The base model.

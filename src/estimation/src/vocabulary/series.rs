@@ -123,7 +123,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     ));
     // Weight, gas and clamping increase or decrease the force at which the gap opens. The starts are about one and two
     // standard deviations of the load's prior away from zero. From there, the search converges to the optimum. Gap and
-    // stiffness factor of these starts are among those of the starts above.
+    // stiffness factor of these starts lie within those of the starts above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(
