@@ -13,8 +13,8 @@ const BEFORE: f64 = 0.1;
 
 /// Computes the response of the valve to a step of the command, as the completed fraction of the change of its setting.
 ///
-/// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step, so that its hysteresis
-/// reverses. Returns `None` without an actuator, or if the valve does not move.
+/// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step. Its hysteresis
+/// therefore reverses. Returns `None` without an actuator, or if the valve does not move.
 pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let actuator = axis.actuator();
     if !has_actuator(axis) || from == to {
