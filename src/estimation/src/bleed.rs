@@ -1,8 +1,10 @@
 //! Prior of the initial slope of an FV curve.
 //!
-//! Up to the knee, the oil flows through the bleed, so the force at a lower speed is below that at the knee.
+//! Up to the knee, the oil flows through the bleed, so the force at a lower speed is below that at the knee. The prior
+//! standard deviation of the first rise of the curve follows from a line from zero to the largest force at the slowest
+//! knee.
 //!
-//! If records have no motion between rest and their slowest speed, they do not distinguish a step of the curve at rest
+//! If records have no motion below their slowest speed, they do not distinguish a step of the curve at zero velocity
 //! from dry friction. Without this prior, a free curve absorbs all friction.
 
 use crate::scale::largest_force;
@@ -14,7 +16,7 @@ use dashpot_core::{Params, list};
 /// race dampers is too low.
 const SLOWEST_KNEE: f64 = 0.03;
 
-/// Returns the prior scale of the rise of the FV curve from rest to a neighboring point, N.
+/// Returns the prior standard deviation of the rise of the FV curve from zero velocity to a neighboring point, N.
 ///
 /// The scale assumes that the force rises linearly to the largest force at [`SLOWEST_KNEE`]. Returns `None` for any
 /// other unknown, and for a model without a force.

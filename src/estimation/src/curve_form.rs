@@ -6,8 +6,8 @@
 
 use crate::samples::Test;
 
-/// Number of parts of each interval between two points. Without parts, an error that changes its sign within an
-/// interval would cancel.
+/// Number of parts into which each interval between two points is divided. Without parts, an error that changes its
+/// sign within an interval would cancel in the mean residual of the interval.
 const PARTS: usize = 2;
 /// Number of standard errors of a mean residual that count as noise.
 const NOISE: f64 = 2.0;
@@ -32,8 +32,8 @@ impl Mean {
     }
 }
 
-/// Computes the error of a curve at each of `velocities`, N: the largest error in the parts of the two neighboring
-/// intervals.
+/// Computes the error of a curve at each of `velocities`, m/s, in N: the largest error in the parts of the two
+/// neighboring intervals. An interval has two parts.
 ///
 /// `residual` contains the residuals of a fit at the scored samples of all tests, in units of their allowed errors.
 /// Samples have the weights that they have in the fit. Hysteresis is not an error of the curve, because its residuals
@@ -42,7 +42,8 @@ pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> 
     let mut parts = vec![Mean::default(); velocities.len().saturating_sub(1) * PARTS];
     let mut first = 0;
     for test in tests {
-        // Sums of this test alone, because its fraction of independent samples applies only to this test.
+        // Sums of weighted residuals of this test alone, because its fraction of independent samples applies only to
+        // this test.
         let mut own = vec![(0.0, 0.0, 0.0); parts.len()];
         for (place, (input, allowed)) in test.inputs().iter().zip(&test.allowed).enumerate() {
             let Some(part) = part_of(velocities, input.velocity).filter(|_| allowed.is_finite()) else { continue };
@@ -68,8 +69,8 @@ pub fn misses(velocities: &[f64], tests: &[Test], residual: &[f64]) -> Vec<f64> 
         .collect()
 }
 
-/// Returns the index of the part that contains a velocity, counted over all intervals between points. Returns `None`
-/// outside the points.
+/// Returns the index of the part that contains a velocity, m/s, counted over all intervals between points. Returns
+/// `None` outside the points.
 fn part_of(velocities: &[f64], at: f64) -> Option<usize> {
     let right = velocities.partition_point(|v| *v <= at);
     let (from, to) = (*velocities.get(right.checked_sub(1)?)?, *velocities.get(right)?);
@@ -96,10 +97,10 @@ mod tests {
             .iter()
             .flat_map(|test| test.inputs().iter().zip(&test.allowed).map(|(input, allowed)| (input.velocity, *allowed)))
             .collect();
-        // The residuals have the size of the allowed error and alternating signs.
+        // The residuals are ±1 allowed error with alternating signs.
         let noise: Vec<f64> = (0..samples.len()).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
         assert_eq!(misses(&velocities, &tests, &noise), [0.0; 6]);
-        // The error is 20 N between 0.15 and 0.2 m/s, during acceleration and deceleration.
+        // The model has an error of 20 N between 0.15 and 0.2 m/s, during acceleration and deceleration.
         let is_missed = |v: f64| (0.15..0.2).contains(&v);
         let missed: Vec<f64> =
             samples.iter().map(|(v, allowed)| if is_missed(*v) { 20.0 / allowed } else { 0.0 }).collect();

@@ -24,7 +24,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// Returns whether a velocity, rebound positive, belongs to the side.
+    /// Returns whether a velocity, m/s, positive in rebound, belongs to the side.
     pub fn has(self, velocity: f64) -> bool {
         match self {
             Side::Rebound => velocity > 0.0,
@@ -79,7 +79,7 @@ impl CurvePart {
         }
     }
 
-    /// Computes the fraction of the change that applies at a velocity.
+    /// Computes the fraction, 0 to 1, of a relative change of the part that applies at a velocity, m/s.
     fn weight(self, velocity: f64) -> f64 {
         if !self.side.has(velocity) {
             return 0.0;
@@ -93,7 +93,7 @@ impl CurvePart {
         }
     }
 
-    /// Scales the part of the FV curve in `params` by one plus a relative change.
+    /// Scales the part of the FV curve in `params` by 1 + `change`.
     pub fn scale(self, params: &mut Params, change: f64) {
         let velocity = params.list(list!("fv_velocity")).to_vec();
         let force: Vec<f64> = params

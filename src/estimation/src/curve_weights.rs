@@ -9,20 +9,22 @@ use dashpot_core::elements::fv_curve::fv_interpolation;
 #[derive(Debug, Clone)]
 pub struct CurveWeights {
     u: Vec<f64>,
-    /// ∂slope/∂(f at i−2 … i+2) for the slope before and the slope after each point i.
+    /// Derivatives of the slope before and the slope after each point i with respect to the forces at the points i−2 to
+    /// i+2.
     slope_by: Vec<[[f64; REACH]; 2]>,
 }
 
 /// Largest number of points that affect the slope of the curve at a point: the point and two points on each side.
 const REACH: usize = 5;
-/// Largest number of points that affect the value of the curve at one abscissa. The slope at zero depends on two
-/// neighbors, both on the side of the evaluated piece.
+/// Largest number of points that affect the value of the curve at one abscissa. With [`Interpolation::CubicEachSide`],
+/// the slope at zero depends on two neighbors, both on the side of the evaluated piece.
 const POINTS: usize = 4;
 /// Index of the point itself among the [`REACH`] points that affect its slope.
 const OWN: usize = 2;
 
 impl CurveWeights {
-    /// Computes the derivatives of the curve through (`u`, `f`) for an `interpolation` between the points.
+    /// Computes the derivatives of the curve through (`u`, `f`) with respect to the forces `f`, for an `interpolation`
+    /// between the points.
     pub fn new(u: &[f64], f: &[f64], interpolation: Interpolation) -> CurveWeights {
         let n = u.len();
         let line = |a: usize, b: usize, at: usize| {
@@ -67,7 +69,8 @@ impl CurveWeights {
                 }
                 let (w0, w1) = (2.0 * h1 + h0, h1 + 2.0 * h0);
                 let m = monotone_derivative(u, f, i);
-                // m = W / (w0/d0 + w1/d1): ∂m/∂d0 = m² w0 / (W d0²).
+                // The slope is m = W / (w0/d0 + w1/d1). The adjacent chords have the slopes d0 and d1 and the weights w0
+                // and w1, and W = w0 + w1. Therefore, ∂m/∂d0 = m² w0 / (W d0²).
                 let by = |w: f64, d: f64| m * m * w / ((w0 + w1) * d * d);
                 let (by0, by1) = (by(w0, d0), by(w1, d1));
                 [[0.0, -by0 / h0, by0 / h0 - by1 / h1, by1 / h1, 0.0]; 2]
@@ -85,7 +88,7 @@ impl CurveWeights {
         CurveWeights::new(params.list(curve.abscissae()), params.list(curve.forces()), interpolation)
     }
 
-    /// Returns the number of points.
+    /// Returns the number of points of the curve.
     pub fn points(&self) -> usize {
         self.u.len()
     }
@@ -116,7 +119,8 @@ impl CurveWeights {
         (first, weights)
     }
 
-    /// Adds the contribution of the slope before (0) or after (1) a point to the derivatives of the curve's value.
+    /// Adds `factor` times the derivatives of the slope before (`side` 0) or after (`side` 1) a point to `weights`, the
+    /// derivatives of the curve's value.
     fn add_slope(&self, point: usize, side: usize, factor: f64, first: usize, weights: &mut [f64; POINTS]) {
         for (k, by) in self.slope_by[point][side].iter().enumerate() {
             if *by != 0.0 {
@@ -131,7 +135,7 @@ mod tests {
     use super::*;
     use dashpot_core::curve::Curve;
 
-    /// Compares the weights of a curve with finite differences of the curve itself.
+    /// Compares the derivatives of [`CurveWeights::evaluate`] with finite differences of the curve itself.
     fn compare(u: &[f64], f: &[f64], interpolation: Interpolation) {
         let weights = CurveWeights::new(u, f, interpolation);
         for at in [-1.7, -0.9, -0.2, -0.03, 0.02, 0.2, 0.9, 1.6] {
@@ -153,7 +157,8 @@ mod tests {
     fn weights_are_the_derivatives_over_the_points() {
         let u = [-1.0, -0.4, -0.1, 0.0, 0.05, 0.3, 1.1];
         let f = [-900.0, -500.0, -300.0, 0.0, 250.0, 700.0, 1900.0];
-        // The rebound side begins almost flat, so the derivative of the parabola at zero would be negative.
+        // The rebound side begins almost flat. The parabola through the first three points of this side would have a
+        // negative derivative at zero.
         let level = [-900.0, -500.0, -300.0, 0.0, 2.0, 700.0, 1900.0];
         for interpolation in [Interpolation::MonotoneCubic, Interpolation::CubicEachSide, Interpolation::Linear] {
             compare(&u, &f, interpolation);

@@ -18,15 +18,15 @@ use std::collections::BTreeMap;
 /// model's form thus widen the intervals.
 /// The degree of determination states how far the records alone determine a parameter: 1 means fully, 0 means not at
 /// all. Correlation with other parameters reduces it, and the prior does not contribute to it.
-/// If the force jumps with a change of a parameter, the linearization is valid only up to the next sample. The standard
-/// deviation of such a parameter is therefore widened according to the nonlinear force. Returns `None` if the Hessian
-/// is singular.
+/// A small change of a parameter may move a jump of the force from one sample to the next. The linearization is then
+/// not valid. The standard deviation of such a parameter is therefore widened according to the nonlinear force. Returns
+/// `None` if the Hessian is singular.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
 
-/// Computes the [`sandwich`] covariance for parameters whose residuals `residual_at` computes. Returns `None` if the
-/// Hessian is singular.
+/// Computes the [`sandwich`] covariance with the residuals of the function `residual_at`. Returns `None` if the Hessian
+/// is singular.
 pub(crate) fn sandwich_of(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -54,8 +54,8 @@ pub(crate) fn sandwich_of(
     Some((covariance, determined))
 }
 
-/// Number of standard deviations at which the linearization is compared with the nonlinear force. At this number are
-/// the ends of a 95 % interval.
+/// Number of standard deviations at which the linearization is compared with the nonlinear force. The ends of a 95 %
+/// interval are about this far from the estimate.
 const END: f64 = 2.0;
 /// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is only
 /// nonlinear reaches at least half of the linearized change within the interval, so a quarter of its square. A force
@@ -64,11 +64,12 @@ const FLAT: f64 = 0.25;
 /// Largest factor by which a standard deviation is widened. The search for the factor ends there.
 const FARTHEST: f64 = 1024.0;
 
-/// Computes the factor on the deviation of each parameter at which the squared change of the force reaches [`FLAT`]
-/// times the linearized change.
+/// Computes, for each parameter, the factor on its standard deviation at which the squared change of the force reaches
+/// [`FLAT`] times the linearized one.
 ///
 /// The other parameters change with the parameter, according to their correlation. Of an increase and a decrease of the
-/// parameter, the one with the smaller change of the force determines the factor. The factor is at least 1.
+/// parameter, the one with the smaller change of the force determines the factor. The factor is at least 1. It is 1 for
+/// the parameters of curves, and for all if the forces at the refit are not finite.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -78,7 +79,7 @@ fn stretches(
 ) -> Vec<f64> {
     let Some(here) = residual_at(&refit.theta) else { return vec![1.0; refit.theta.len()] };
     let of_number = |k: usize| {
-        // The force is linear in the forces at the points of a curve, so the linearization needs no check.
+        // The force is nearly linear in the forces at the points of a curve, so the linearization needs no check.
         let is_of_curve = matches!(
             hypothesis.numbers[k].free,
             Free::Curve(_) | Free::Model(Unknown::Rise { .. } | Unknown::Entry(..))
@@ -112,8 +113,8 @@ fn stretches(
     (0..refit.theta.len()).into_par_iter().map(of_number).collect()
 }
 
-/// Finds the factor, between 1 and [`FARTHEST`], at which a squared change reaches `least`, by doubling and logarithmic
-/// interpolation. If the parameter reaches a bound, returns the first factor beyond the bound.
+/// Finds the factor, between 1 and [`FARTHEST`], at which the squared change of the force reaches `least`, by doubling
+/// and logarithmic interpolation. If the parameter reaches a bound, returns the first factor beyond the bound.
 fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
     let (mut factor, mut last) = (1.0, None);
     while factor < FARTHEST {
@@ -133,8 +134,8 @@ fn stretch(least: f64, change: &dyn Fn(f64) -> Option<f64>) -> f64 {
 
 /// Computes the covariance of free parameters in the sandwich form, and the degree of determination of each.
 ///
-/// A block contains derivatives and weighted residuals of one test; `precisions` are those of the priors. [`sandwich`]
-/// explains both results. Returns `None` if the Hessian is singular.
+/// A block contains derivatives and weighted residuals of one test; `precisions` are the reciprocal variances of the
+/// priors. [`sandwich`] explains both results. Returns `None` if the Hessian is singular.
 pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     let n = precisions.len();
     let parts: Vec<(DMatrix<f64>, f64)> = blocks
@@ -161,11 +162,12 @@ pub fn robust_covariance(blocks: &[(DMatrix<f64>, Vec<f64>)], precisions: &[f64]
     Some((&bread * meat * &bread, determined))
 }
 
-/// Computes the covariance of free parameters from groups of samples whose errors are correlated in any way (Liang &
-/// Zeger, Biometrika 73, 1986).
+/// Computes the covariance of free parameters from groups of samples. Errors may be correlated in any way within a
+/// group, but not between groups (Liang & Zeger, Biometrika 73, 1986).
 ///
-/// A block contains derivatives and weighted residuals of one test, and `groups` contains the group of each of its
-/// samples. Returns `None` for fewer than two groups, or if the Hessian is singular.
+/// A block contains derivatives and weighted residuals of one test, `precisions` the reciprocal variances of the
+/// priors, and `groups` the group of each sample. Returns `None` for fewer than two groups, or if the Hessian is
+/// singular.
 pub fn grouped_covariance(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],
@@ -216,7 +218,7 @@ impl Inverse {
 }
 
 /// Scales rows and columns of a Hessian by the square roots of its diagonal, so that parameters of all units are
-/// comparable. Also returns the roots.
+/// comparable. Also returns these square roots.
 fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
     let n = hessian.nrows();
     let scale: Vec<f64> = (0..n).map(|i| hessian[(i, i)].sqrt().max(1e-150)).collect();
@@ -250,8 +252,8 @@ pub fn considered_shift(
 /// Computes the number of samples that contain the information of one independent sample: the integrated
 /// autocorrelation time of the residual, in samples.
 ///
-/// The sum ends where the autocorrelation first falls below noise (Geyer's initial positive sequence, Stat. Sci. 7,
-/// 1992).
+/// The sum ends where the autocorrelation first falls below its standard error of noise, 2/√n for n samples (after
+/// Geyer's initial positive sequence, Stat. Sci. 7, 1992).
 fn correlation_factor(residual: &[f64]) -> f64 {
     let n = residual.len();
     let variance: f64 = residual.iter().map(|r| r * r).sum();
@@ -294,7 +296,7 @@ mod tests {
     #[test]
     fn a_deviation_is_stretched_where_the_force_changes_less_than_its_tangent() {
         // The linearization is valid for a proportional force, and for a squared change of 0.3 times the linearized
-        // one.
+        // one. The factor is then 1.
         assert_eq!(stretch(FLAT, &|factor| Some(factor * factor)), 1.0);
         assert_eq!(stretch(FLAT, &|factor| Some(0.3 * factor * factor)), 1.0);
         // The squared change is proportional to the factor, because a larger factor makes the force jump at more

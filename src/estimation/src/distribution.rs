@@ -18,8 +18,8 @@ pub enum Distribution {
     Skewed(f64, f64, f64),
 }
 
-/// Standard deviation of a strength in a search, relative to its median times its factor. The mean is 0. The value is
-/// large enough to avoid a bias toward 0.
+/// Standard deviation of a strength in a search without a logarithm, relative to its median times its factor. The mean
+/// is 0. The value is large enough to avoid a bias toward 0.
 const FREE: f64 = 3.0;
 
 impl Distribution {
@@ -31,7 +31,8 @@ impl Distribution {
             }
             (Distribution::Size(median, factor), false) => (median, median * (factor - 1.0 / factor)),
             (Distribution::Strength(median, factor), false) => (0.0, FREE * median * factor),
-            // The search uses the deviation above the mode on both sides. The evidence uses both deviations.
+            // The search uses the deviation above the mode on both sides. [`Distribution::standard_score`] uses both
+            // deviations.
             (Distribution::Place(mean, deviation) | Distribution::Skewed(mean, _, deviation), false) => {
                 (mean, deviation)
             }

@@ -38,8 +38,8 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(*values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Computes friction and gas force from the median forces of both strokes. Uses velocities between two fractions of the
-/// peak velocity. Returns `None` if a stroke has no such sample.
+/// Computes friction and gas force from the median forces of both strokes. Uses samples with velocities between the
+/// fractions `low` and `high` of the peak velocity of their test. Returns `None` if a stroke has no such sample.
 fn strokes<'a>(segments: impl Iterator<Item = &'a Segment> + Clone, low: f64, high: f64) -> Option<Dry> {
     let side = |sign: f64| {
         let forces = segments
@@ -63,14 +63,15 @@ pub fn sliding(slow: &[Segment]) -> Option<Dry> {
     strokes(slow.iter(), 0.5, f64::INFINITY)
 }
 
-/// Computes the part of the friction of slow tests that grows with velocity, N: damping. The tests must contain samples at
-/// half of their peak velocity and less.
+/// Computes the part of the friction of slow tests that grows with velocity, N: damping. The tests must contain samples
+/// at half of their peak velocity and less.
 ///
-/// The friction near full speed and below half of it lie on a line over the velocity. Returns zero for friction that falls
-/// with velocity.
+/// Friction is assumed linear in velocity, through its values near full speed and below half of full speed. The result
+/// is the growing part at the typical velocity of the faster samples. Returns zero for friction that falls with
+/// velocity.
 pub fn sliding_damping(slow: &[Segment]) -> Option<f64> {
-    /// Limits of the slower samples and typical velocity, as fractions of the peak velocity of a sine. Below the limits,
-    /// presliding reduces the friction.
+    /// Lower limit, upper limit and typical velocity of the slower samples, as fractions of the peak velocity of a
+    /// sine. Below the lower limit, presliding reduces the friction.
     const SLOWER: (f64, f64, f64) = (0.2, 0.5, 0.36);
     /// Typical velocity of the faster samples of a sine: the median between half and full speed.
     const FASTER: f64 = 0.87;
@@ -85,14 +86,13 @@ pub fn size(segments: &[Segment]) -> Scale {
     Scale::of_force(segments.iter().fold(0.0f64, |most, segment| most.max(segment.top)))
 }
 
-/// Computes friction and gas force from the slowest tests. If no test is slow, uses samples near the reversals of the
-/// slowest tests. Without such samples, returns the smallest initial friction and no gas force.
+/// Computes friction and gas force from the slowest tests. If no test has a peak velocity of at most [`SLOW`], uses
+/// samples near the reversals of the slowest tests. Without such samples, returns the smallest initial friction and no
+/// gas force.
 pub fn dry(segments: &[Segment]) -> Dry {
     let slowest = segments.iter().map(|s| s.peak_velocity).fold(f64::INFINITY, f64::min);
     let limit = SLOW.max(1.5 * slowest);
     let slow = segments.iter().filter(|s| s.peak_velocity <= limit);
-    // If a test is slow, use its samples near full speed. Otherwise, use samples near the reversals of the slowest
-    // tests.
     let (low, high) = if slowest <= SLOW { (0.5, f64::INFINITY) } else { (0.02, 0.2) };
     let least = LEAST_FRICTION * size(segments).force();
     match strokes(slow, low, high) {
@@ -101,8 +101,8 @@ pub fn dry(segments: &[Segment]) -> Dry {
     }
 }
 
-/// Returns velocities for the FV table: zero, and on each side a geometric progression up to the fastest test. Points
-/// without enough samples are omitted, except the first and the last point of each side.
+/// Returns velocities for the FV table, m/s: zero, and on each side a geometric progression up to the fastest test.
+/// Points without enough samples are omitted, except the first and the last point of each side.
 pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     let all: Vec<f64> = segments.iter().flat_map(|s| s.input[s.from..].iter().map(|i| i.velocity)).collect();
     let side = |sign: f64| {
@@ -140,14 +140,14 @@ pub fn velocities(segments: &[Segment]) -> Vec<f64> {
     v
 }
 
-/// Computes forces of the FV table at `velocities`: the mean of acceleration and deceleration over the tests, minus
-/// friction and gas force. Samples near the peak velocity of their test have twenty times the weight. Slow tests are
-/// excluded. The result is strictly increasing.
+/// Computes forces of the FV table, N, at `velocities`, m/s: the mean of acceleration and deceleration over the tests,
+/// minus friction and gas force. Samples above 0.9 times the peak velocity of their test have twenty times the weight.
+/// Slow tests are excluded. The result is strictly increasing.
 pub fn forces(segments: &[Segment], velocities: &[f64], dry: Dry) -> Vec<f64> {
     forces_where(segments, velocities, dry, |_, _| true)
 }
 
-/// Computes forces of the FV table from only those samples at which the damper slows down.
+/// Computes forces of the FV table, N, from only those samples at which the damper slows down.
 ///
 /// These forces contain no effect of voids and free play. Such effects begin at a reversal and end before the damper
 /// slows down for the next reversal.
@@ -211,14 +211,14 @@ pub fn guess(segments: &[Segment]) -> Params {
     let set = |p: &mut Params, number: Number, value: f64| {
         let _ = p.set(number, number.inside(value));
     };
-    // Defaults apply to a car damper. Without scaling, the prior would keep the mass near 0.5 kg in a damper with
-    // twenty times the force.
+    // Defaults apply to a car damper. Without scaling, the prior would keep the internal mass near 0.5 kg in a damper
+    // with twenty times the force.
     let scale = size(segments);
     for number in dashpot_core::parameter::table().filter_map(|row| Number::try_from(row).ok()) {
         set(&mut p, number, scale.of_number(number) * number.default());
     }
-    // Valves of rebound and compression have different derivatives at rest; a curve with a common derivative would bias
-    // gas force and friction.
+    // Valves of rebound and compression have different derivatives at zero velocity. A curve with a common derivative
+    // would bias gas force and friction.
     set(&mut p, number!("fv_interpolation"), choice_of_interpolation(Interpolation::CubicEachSide));
     let _ = p.set_list(list!("fv_velocity"), &v);
     let _ = p.set_list(list!("fv_force"), &f);

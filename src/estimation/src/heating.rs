@@ -12,7 +12,7 @@ use dashpot_records::Record;
 /// Heat input of the damper, test by test.
 #[derive(Debug, Clone)]
 pub struct Heating {
-    /// Beginning and end, s, and mean power, W, of every record.
+    /// Beginning and end, s of the campaign's clock, and mean power, W, of every record.
     inputs: Vec<(f64, f64, f64)>,
     /// Time at which the temperature of each test is evaluated, s of the campaign's clock, and the index of the test's
     /// record.
@@ -53,13 +53,14 @@ impl Heating {
         self.at(t, record, cooling)
     }
 
-    /// Computes the temperature rise times heat capacity, J, at the beginning of record `record`.
+    /// Computes the temperature rise times heat capacity, J, at the beginning of record `record`, for a cooling rate
+    /// `cooling`, 1/s.
     pub fn at_the_begin(&self, record: usize, cooling: f64) -> f64 {
         self.at(self.inputs[record].0, record, cooling)
     }
 
     /// Computes the temperature rise times heat capacity, J, at time `t` of the campaign's clock, s, within record
-    /// `record`.
+    /// `record`, for a cooling rate `cooling`, 1/s.
     fn at(&self, t: f64, record: usize, cooling: f64) -> f64 {
         let of = |(begin, end, power): &(f64, f64, f64)| {
             let end = end.min(t);

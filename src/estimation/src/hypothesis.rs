@@ -27,7 +27,8 @@ const PARTS: usize = 3;
 pub enum Free {
     /// A parameter of the model.
     Model(Unknown),
-    /// Difference of a parameter of the model from its value in the base, in the search coordinate of the unknown.
+    /// Difference of a parameter of the model from its value in the base, in the search coordinate of the unknown (for
+    /// example its logarithm).
     Shift(Unknown),
     /// Relative change of a part of the FV curve of the base.
     Curve(CurvePart),
@@ -44,13 +45,13 @@ pub enum Free {
 pub struct Number {
     /// Quantity of the model or of the rig that is free.
     pub free: Free,
-    /// Start value.
+    /// Start value, in the search coordinate of the parameter (for example its logarithm).
     pub start: f64,
-    /// Typical size of a change of the parameter in a search.
+    /// Typical size of a change of the parameter in a search, in the search coordinate.
     pub step: f64,
-    /// Lowest and highest value.
+    /// Lowest and highest value, in the search coordinate.
     pub bounds: (f64, f64),
-    /// Mean and standard deviation of the prior, if there is one.
+    /// Mean and standard deviation of the prior, in the search coordinate, if there is one.
     pub prior: Option<(f64, f64)>,
 }
 
@@ -71,10 +72,11 @@ pub struct Hypothesis {
 pub type Residual = DVector<f64>;
 
 impl Hypothesis {
-    /// Computes the ends of the 95 % interval of a parameter with the standard deviation `deviation`, within the bounds
-    /// of the parameter. For example, a loss factor is never negative.
+    /// Computes the ends of the 95 % interval of the parameter with the index `place`, in its search coordinate.
+    /// `deviation` is the standard deviation of `value`. The ends are within the bounds of the parameter: a loss
+    /// factor, for example, is never negative.
     pub fn interval(&self, place: usize, value: f64, deviation: f64) -> [f64; 2] {
-        /// Half-width in standard deviations.
+        /// Half-width of a 95 % interval in standard deviations.
         const Z: f64 = 1.96;
         let (low, high) = self.numbers[place].bounds;
         [-Z, Z].map(|z| restrict(value + z * deviation, low, high))
@@ -106,7 +108,7 @@ impl Hypothesis {
         number
     }
 
-    /// Returns the hypothesis with another start.
+    /// Returns the hypothesis with the start values `theta`.
     pub fn starting_at(mut self, theta: &[f64]) -> Hypothesis {
         for (number, value) in self.numbers.iter_mut().zip(theta) {
             number.start = *value;
@@ -160,7 +162,8 @@ impl Hypothesis {
         self.position(&Free::Rig(artefact)).map(|place| theta[place])
     }
 
-    /// Returns the segment with the motion shifted by the delay of the force channel.
+    /// Returns the segment with the motion shifted by the delay of the force channel, if this delay is a free
+    /// parameter.
     fn delayed<'a>(&self, test: &'a Test, theta: &[f64]) -> Cow<'a, Segment> {
         match self.of_the_rig(Artefact::Delay, theta) {
             Some(tau) => Cow::Owned(earlier(&test.segment, tau)),
@@ -171,7 +174,8 @@ impl Hypothesis {
     /// Returns the test's segment with the inputs that caused the measured forces.
     ///
     /// The inputs precede the force samples by the delay of the force channel. The temperatures include self-heating if
-    /// `place` is the index of the test. The steps are finer if the channel is filtered.
+    /// `place` is the index of the test. If the force channel has a low-pass filter, each time step is divided into
+    /// [`PARTS`].
     fn gone_through<'a>(&self, test: &'a Test, place: Option<usize>, theta: &[f64]) -> Cow<'a, Segment> {
         let mut segment = self.delayed(test, theta);
         let free = |free| self.exponential(&free, theta);
@@ -211,7 +215,7 @@ impl Hypothesis {
         Some(model.with_integration(accuracy.integration(&self.base, &model)))
     }
 
-    /// Applies the filter of the force channel, if there is one, and retains only the values at the samples.
+    /// Applies the low-pass filter of the force channel, if there is one, and retains only the values at the samples.
     ///
     /// `values` may be forces or their derivatives.
     fn filtered(&self, segment: &Segment, theta: &[f64], values: &mut Vec<f64>) {
@@ -221,8 +225,8 @@ impl Hypothesis {
         }
     }
 
-    /// Adds the measurement errors in their order: a mass between damper and load cell, then load cell and amplifier.
-    /// The delay of the channel applies to all of them.
+    /// Adds the measurement errors to the forces, N, in their order along the force channel. A mass between damper and
+    /// load cell is first, then load cell and amplifier. The delay of the channel applies to all of them.
     fn adjust(&self, test: &Test, theta: &[f64], forces: &mut [f64]) {
         let of_number = |(number, value): (&Number, &f64)| match number.free {
             Free::Rig(artefact) => Some((artefact, *value)),
@@ -239,13 +243,13 @@ impl Hypothesis {
         }
     }
 
-    /// Computes the forces of one test at its scored samples. `place` is the index of the test, if its heating is
+    /// Computes the forces of one test at its scored samples, N. `place` is the index of the test, if its heating is
     /// known.
     fn forces_of(&self, model: &Model, test: &Test, place: Option<usize>, theta: &[f64]) -> Vec<f64> {
         self.measured_forces(test, place, theta, &|segment| forces(model, segment))
     }
 
-    /// Computes the forces that the rig measures at the scored samples of one test. `run` computes the forces of the
+    /// Computes the forces that the rig measures at the scored samples of one test, N. `run` computes the forces of the
     /// damper along a segment.
     pub fn measured_forces(
         &self,
@@ -261,19 +265,19 @@ impl Hypothesis {
         all.split_off(test.segment.from)
     }
 
-    /// Computes the forces of a prepared model in an arbitrary test, with the measurement errors but without
+    /// Computes the forces of a prepared model in an arbitrary test, N, with the measurement errors but without
     /// self-heating.
     pub fn forces_with(&self, model: &Model, test: &Test, theta: &[f64]) -> Vec<f64> {
         self.forces_of(model, test, None, theta)
     }
 
-    /// Computes forces at the scored samples of all tests with the model's own integration. Returns `None` if the
+    /// Computes forces at the scored samples of all tests, N, with the model's own integration. Returns `None` if the
     /// parameters are not a valid model, or if a force is not finite.
     pub fn forces(&self, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         self.forces_by(&self.model(theta)?, tests, theta)
     }
 
-    /// Computes the forces of a prepared model at the scored samples of all tests. Returns `None` if a force is not
+    /// Computes the forces of a prepared model at the scored samples of all tests, N. Returns `None` if a force is not
     /// finite.
     pub fn forces_by(&self, model: &Model, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
         let all: Vec<Vec<f64>> =
@@ -281,8 +285,8 @@ impl Hypothesis {
         all.iter().flatten().all(|f| f.is_finite()).then_some(all)
     }
 
-    /// Computes the weighted residuals of all tests, with few substeps, which suffice for a search. Returns `None` if
-    /// the parameters are not a valid model, or if a force is not finite.
+    /// Computes the weighted residuals of all tests with the accuracy [`Accuracy::Single`], which suffices for a
+    /// search. Returns `None` if the parameters are not a valid model, or if a force is not finite.
     pub fn residual(&self, tests: &[Test], theta: &[f64]) -> Option<Residual> {
         self.residual_by(Accuracy::Single, tests, theta)
     }
@@ -301,8 +305,8 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes weighted derivatives of the forces with respect to the free parameters: one row per scored sample.
-    /// Returns `None` if the parameters are not a valid model, or if a force is not finite.
+    /// Computes derivatives of the forces with respect to the free parameters, divided by the allowed errors: one row
+    /// per scored sample. Returns `None` if the parameters are not a valid model, or if a force is not finite.
     ///
     /// A prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
     /// measurement error or the cooling rate, requires a finite difference. A low-accuracy integration suffices if
@@ -354,8 +358,9 @@ impl Hypothesis {
         Some(matrix)
     }
 
-    /// Computes the derivative of the weighted forces with respect to one parameter. The derivative is a finite
-    /// difference of `residual`, relative to its value `at` the current parameters. Returns `None` if `residual` does.
+    /// Computes the derivative of the weighted forces with respect to the parameter with the index `place`. The
+    /// derivative is a finite difference of `residual`, relative to its value `at` the parameters `theta`. Returns
+    /// `None` if `residual` does.
     pub fn column(
         &self,
         theta: &[f64],

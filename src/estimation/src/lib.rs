@@ -24,7 +24,7 @@
 //! | [`campaign_clock`] | whether the records share one clock |
 //! | [`warmth`] | range of temperatures of the records |
 //! | [`cancel`] | cancellation of long work |
-//! | [`gap`] | errors, and the closed fraction of the gap between model and noise |
+//! | [`gap`] | errors; the fraction by which the final model reduces the difference between the first model's error and the noise |
 
 mod bleed;
 pub mod campaign_clock;

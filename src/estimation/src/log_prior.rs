@@ -19,7 +19,8 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            // The prior of a change from a reference applies only in the refit.
+            // These parameters have no distribution over dampers. A prior of theirs, for example of a change from a
+            // reference damper, applies only in the refit. [`negative_log_prior`] adds that of a rise.
             Free::Shift(_)
             | Free::Curve(_)
             | Free::Rig(_)
@@ -35,7 +36,7 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
 }
 
 /// Returns the distances of fixed parameters from the damper's own priors, in standard deviations. An example is the
-/// oil column of a twin tube, which differs between the directions. A parameter of value zero disables its effect, so
+/// ratio of the oil columns of a twin tube, which its form may fix. A parameter of value zero disables its effect, so
 /// it has no distance.
 fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<Item = (Number, f64)> + 'h {
     let is_free = |number: Number| {
@@ -48,7 +49,8 @@ fn fixed<'h>(hypothesis: &'h Hypothesis, params: &'h Params) -> impl Iterator<It
         .map(|row| (row.number, row.expected.standard_score(params.number(row.number))))
 }
 
-/// Computes the negative log prior of the parameters of a hypothesis.
+/// Computes the negative log prior of the parameters of a hypothesis. It is the sum of [`log_cost`] over their standard
+/// scores and the initial rises of the FV curve.
 pub fn negative_log_prior(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
     let params = hypothesis.params(theta);
     let steep = hypothesis.numbers.iter().zip(theta).filter_map(|(number, rise)| {

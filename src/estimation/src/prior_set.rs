@@ -34,7 +34,8 @@ impl DamperPrior {
         self.expected.center()
     }
 
-    /// Computes the logarithm of the ratio of the spread over all dampers to the spread of this prior, at least 0.
+    /// Computes the logarithm of the ratio of two prior standard deviations, at least 0: that over all dampers to that
+    /// of this damper. It is 0 if there is no prior over all dampers.
     fn sharpness(&self, unknown: &Unknown, scale: Scale) -> f64 {
         let spread = |usual: Distribution| usual.in_search(matches!(unknown, Unknown::Log(_))).1;
         let shared =
@@ -59,14 +60,14 @@ impl PriorSet {
         PriorSet { rows: rows.into(), is_against_reference: false }
     }
 
-    /// Marks the priors as those of a damper that is compared with a reference. The damper has the effects of the
-    /// reference, so any other effect is new.
+    /// Marks the priors as those of a damper that is compared with a reference damper. The damper has the effects of
+    /// the reference, so any other effect is new.
     pub fn against_reference(self) -> PriorSet {
         PriorSet { is_against_reference: true, ..self }
     }
 
-    /// Returns whether the damper is compared with a reference. An added effect is then an effect that the reference
-    /// does not have.
+    /// Returns whether the damper is compared with a reference damper. An added effect is then an effect that the
+    /// reference does not have.
     pub fn is_against_reference(&self) -> bool {
         self.is_against_reference
     }

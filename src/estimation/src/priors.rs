@@ -2,8 +2,8 @@
 //!
 //! If the records determine a parameter, its prior has little influence. Otherwise, the prior keeps the parameter at a
 //! typical value, away from its bounds. A parameter value that is rare among dampers reduces the log odds of its
-//! hypothesis. The reduction grows slowly, as for Student's distribution with four degrees of freedom, because unusual
-//! dampers exist.
+//! hypothesis. The reduction grows slowly with the distance from typical values, as for Student's distribution with
+//! four degrees of freedom, because unusual dampers exist.
 
 pub use crate::distribution::Distribution;
 use crate::scale::Scale;
@@ -145,8 +145,8 @@ pub fn is_force_of_effect(number: Number) -> bool {
 
 /// Degrees of freedom of the Student's t-distribution that gives the cost of a rare parameter value.
 ///
-/// With four degrees of freedom, five standard deviations reduce the log odds by five. With a normal distribution, the
-/// reduction is twelve.
+/// With four degrees of freedom, a distance of five standard deviations reduces the log odds by five. With a normal
+/// distribution, the reduction is twelve.
 const FREEDOM: f64 = 4.0;
 
 /// Computes the decrease of the log odds due to a parameter at a distance of `score` standard deviations from its

@@ -90,7 +90,7 @@ pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
         .sum()
 }
 
-/// A hypothesis with its tests and a function for its residuals. All tests are one block.
+/// A hypothesis with its tests and a function for its residuals. The samples of all tests are one block of the solver.
 struct Problem<'a> {
     hypothesis: &'a Hypothesis,
     tests: &'a [Test],
@@ -118,7 +118,8 @@ impl Residuals for Problem<'_> {
     }
 }
 
-/// Damping of the first step. It is small, because the start is near the result of the previous refit.
+/// Levenberg-Marquardt damping of the first step. It is small, because the start is near the result of the previous
+/// refit.
 const DAMPING: f64 = 1e-3;
 
 /// Makes the options of the least-squares solver for some free parameters.

@@ -14,15 +14,15 @@ use dashpot_core::{Params, element, list, number};
 use dashpot_records::load_cell::OF_CARS;
 use dashpot_records::restrict;
 
-/// Force of a typical car damper, N, to which the medians of the priors apply. The scale of a damper far beyond the
-/// range of cars is relative to this force. The value is the geometric mean of the range. Relative to the nearer end of
+/// Force of a typical car damper, N, to which the medians of the priors apply. It is the geometric mean of the force
+/// range of cars. The scale of a damper far beyond this range is relative to this force. Relative to the nearer end of
 /// the range, a weak damper would have the series stiffness of a weak car damper, which is too stiff.
 const TYPICAL: f64 = 1500.0;
-/// Width, as a force ratio, of the transition beyond the range of cars. There, the scale changes continuously from 1,
-/// so that similar dampers have similar scales.
+/// Width, as a force ratio, of the transition beyond the force range of cars. In the transition, the scale changes
+/// continuously from 1, so that similar dampers have similar scales.
 const PASSAGE: f64 = 3.0;
 
-/// Ratio of a damper's strength to that of a passenger car's damper; it is 1 within the range of cars.
+/// Ratio of a damper's strength to that of a passenger car's damper; it is 1 within the force range of cars.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale(f64);
 
@@ -67,12 +67,13 @@ impl Scale {
         self == Scale::CAR
     }
 
-    /// Returns the factor on forces and on quantities with a force in their unit: stiffness, damping, mass, heat.
+    /// Returns the factor from car dampers to this damper for forces and quantities with a force in their unit:
+    /// stiffness, damping, mass, heat.
     pub fn force(self) -> f64 {
         self.0
     }
 
-    /// Returns the factor on a parameter of the model.
+    /// Returns the factor from car dampers to this damper for a parameter of the model.
     pub fn of_number(self, number: Number) -> f64 {
         if self.is_car() {
             return 1.0;
@@ -90,7 +91,8 @@ impl Scale {
         if has_force(unit) { self.0 } else { 1.0 }
     }
 
-    /// Returns the factor on a parameter of the rig: load cell and fixtures are chosen for the size of the damper.
+    /// Returns the factor from car dampers to this damper for a parameter of the rig, whose load cell and fixtures are
+    /// chosen for the damper.
     pub fn of_artefact(self, artefact: Artefact) -> f64 {
         self.of_unit(artefact.unit())
     }

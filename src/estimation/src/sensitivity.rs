@@ -1,10 +1,10 @@
 //! Forces of a model over a segment and their derivatives with respect to the unknowns, computed with few simulations.
 //!
-//! The kernel's step reports every stage ([`Follow`]). The differentiated stage equation gives the derivatives of the
-//! internal mass's motion with respect to each parameter at the cost of a few products. Thus, a fit with thirty
-//! unknowns requires a few runs instead of sixty. Elements parallel to the mass do not influence its motion, so their
-//! derivatives are finite differences of the element alone. Each parameter of an element inside the paths requires a
-//! run.
+//! The kernel's step reports every stage of the implicit integration method ([`Follow`]). The differentiated stage
+//! equation gives the derivatives of the internal mass's motion with respect to each parameter at the cost of a few
+//! products. Thus, a fit with thirty unknowns requires a few runs instead of sixty. Elements parallel to the mass do
+//! not influence its motion, so their derivatives are finite differences of the element alone. Each parameter of an
+//! element inside the series or hydraulic path requires a run.
 
 use super::curve_weights::CurveWeights;
 use super::segment::Segment;
@@ -21,19 +21,20 @@ use dashpot_core::{
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
 
-/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation.
+/// Parameter that changes the motion of the internal mass and has a direct term in the stage equation of the implicit
+/// method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Direction {
     SeriesStiffness,
     SeriesDamping,
     Mass,
-    /// Spring coefficient of |x|^k x, k = 0..3.
+    /// Coefficient of the spring term |x|^k x, where x is the displacement and k is 0 to 3.
     SpringPower(i32),
     FvPoint(usize),
     SpringPoint(usize),
 }
 
-/// Parameters with a direct term in the stage equation.
+/// Parameters with a direct term in the stage equation of the implicit method.
 const DIRECT: [(Number, Direction); 7] = [
     (number!("series_stiffness"), Direction::SeriesStiffness),
     (number!("series_damping"), Direction::SeriesDamping),
@@ -186,23 +187,24 @@ struct Alone {
 pub enum Accuracy {
     /// The integration that host programs use.
     Full,
-    /// Four substeps of the fourth-order method: accurate enough for the result of a fit. Eight substeps apply to a
-    /// series spring that carries the whole force, and to a bypass that opens at each reversal. With one substep, tests
-    /// of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
+    /// Four substeps per sample of the fourth-order method: accurate enough for the result of a fit. Eight substeps
+    /// apply to a series spring that carries the whole force, and to a bypass that opens at each reversal. With one
+    /// substep, tests of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
     /// (tests/tests/system/identification.rs).
     Fine,
-    /// One substep of the fourth-order method, for any step length: as accurate on smooth motions, and several times
-    /// cheaper in slow tests. A series spring requires two substeps, because its force reverses within a sample of a
-    /// mean cycle. With one substep, the log evidence of a stiff series spring was 24 units too low, and aeration
-    /// replaced the spring. A bypass that opens at each reversal also requires two substeps.
+    /// One substep of the fourth-order method, for any step length. It is as accurate as [`Accuracy::Full`] on smooth
+    /// motions, and several times cheaper in slow tests. A series spring requires two substeps, because its force
+    /// reverses within a sample of a mean cycle. With one substep, the log evidence of a stiff series spring was 24
+    /// units too low, and aeration replaced the spring. A bypass that opens at each reversal also requires two
+    /// substeps.
     Single,
     /// The second-order method with the number of substeps of [`Accuracy::Single`]. Its error is a few tenths of a
-    /// percent, at a third of the cost.
+    /// percent, at a third of the cost of [`Accuracy::Single`].
     Cheap,
     /// One substep of the second-order method. It suffices for derivatives, because the residuals determine the result
-    /// of a search. It also suffices for trials with a base that corrects the error of the series spring
-    /// (`structure/nearby.rs`). Two substeps apply to a series spring that carries the whole force, and to a bypass
-    /// that opens at each reversal.
+    /// of a search. It also suffices for the comparison of hypotheses near a refitted one, whose known error corrects
+    /// the residuals (`structure/nearby.rs`). Two substeps apply to a series spring that carries the whole force, and
+    /// to a bypass that opens at each reversal.
     Derivatives,
 }
 
@@ -238,7 +240,8 @@ pub struct Run {
     rises: Vec<(usize, CurveName, usize)>,
     /// Elements parallel to the mass with unknowns that do not influence the motion of the mass.
     alone: Vec<Alone>,
-    /// Unknowns of elements inside the paths: column, model with a step of the unknown, and the reciprocal of the step.
+    /// Unknowns of elements inside the series or hydraulic path: column, model with a step of the unknown, and the
+    /// reciprocal of the step.
     moved: Vec<(usize, Model, f64)>,
     unknowns: usize,
 }
@@ -246,7 +249,8 @@ pub struct Run {
 const NOWHERE: usize = usize::MAX;
 
 impl Run {
-    /// Prepares the run at `theta`; `None` if the parameters are not a valid model.
+    /// Prepares the run at `theta`. Returns `None` if the parameters, or those with a small change of one unknown, are
+    /// not a valid model.
     pub fn new(unknowns: &Unknowns, theta: &[f64], accuracy: Accuracy) -> Option<Run> {
         let params = unknowns.params(theta);
         let model = Model::new(&params).ok()?;
@@ -352,12 +356,12 @@ impl Run {
         Some(run)
     }
 
-    /// Computes the forces at the samples of a segment.
+    /// Computes the forces at the samples of a segment, N.
     pub fn forces(&self, segment: &Segment) -> Vec<f64> {
         forces(&self.model, segment)
     }
 
-    /// Computes the forces at the samples, and their derivatives: one column per sample, one row per unknown. The
+    /// Computes the forces at the samples, N, and their derivatives: one column per sample, one row per unknown. The
     /// derivatives of the equilibrium at the first sample are neglected; they influence only samples before the scored
     /// samples.
     pub fn jacobian(&self, segment: &Segment, unknowns: &Unknowns, theta: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
@@ -504,7 +508,7 @@ fn off_the_bound(moved: &dyn Fn(f64) -> Params, step: f64, from: &Params) -> (Pa
     if params == *from { (moved(-step), -step) } else { (params, step) }
 }
 
-/// Computes forces of a model at the samples of a segment, from the equilibrium at the first sample.
+/// Computes forces of a model at the samples of a segment, N, from the equilibrium at the first sample.
 pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
     let mut state = model.steady_state(&segment.input[0]);
     let mut out = vec![dashpot_core::evaluate::force(model, &state, &segment.input[0]).force];
@@ -580,7 +584,7 @@ mod tests {
                 rms(&other[32..]) / rms(&exact[32..])
             };
             // With half the substeps, the error is 4 to 6 %, more than the noise of a rig. With the actual substeps, it
-            // is 1.1 to 2.6 % in the search and 0.3 to 1.2 % in the result.
+            // is 1.1 to 2.6 % in a search (`Single`, `Cheap`) and 0.3 to 1.2 % in the result (`Fine`).
             for (accuracy, most) in [(Accuracy::Fine, 0.015), (Accuracy::Single, 0.03), (Accuracy::Cheap, 0.03)] {
                 let off = off(accuracy.integration(&params, &model));
                 assert!(off < most, "{accuracy:?} at {amplitude} m, {frequency} Hz: {off:.4}");
@@ -588,8 +592,9 @@ mod tests {
         }
     }
 
-    /// Compares the rows at `theta` with central differences of runs, relative to the differences. Only scored samples
-    /// count, because derivatives of the initial equilibrium are neglected. The `without` worst samples are excluded.
+    /// Compares the derivatives of [`Run::jacobian`] at `theta` with central differences of forces. For each unknown,
+    /// `each` receives the norm of the deviation and the norm of the central difference. Only scored samples count,
+    /// because derivatives of the initial equilibrium are neglected. The `without` worst samples are excluded.
     fn off(
         unknowns: &Unknowns,
         theta: &[f64],
@@ -718,9 +723,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // Some event times jump from sample to sample: those at which a void closes, and those at which a lag
-            // changes its time constant. For a void with gas, the opening time also jumps. The time at which friction
-            // behind a series spring reverses also jumps.
+            // Some event times jump from sample to sample if a parameter changes. They are the times at which a void
+            // closes, and at which a lag changes its time constant. For a void with gas, the opening time also jumps.
+            // The time at which friction behind a series spring reverses also jumps.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
             let without = match (gassy, jumps) {
@@ -735,7 +740,7 @@ mod tests {
                     case.contains(&"valve_hysteresis") && settings.iter().any(|(name, _)| *name == "valve_form");
                 let least = if table && matches!(unknown, Unknown::Rise { .. }) { 2e-4 } else { 1e-6 };
                 // For elements with several substeps, the derivative with respect to the series damping has a known
-                // error of 3 %. For a change of the damping by a tenth, this is 0.001 N.
+                // error of 3 %. The force after a change of the damping by a tenth then has an error of 0.001 N.
                 let several = *unknown == Unknown::Linear(number!("series_damping"))
                     && matches!(case[..], ["bushing"] | ["oil_compressibility"]);
                 let share = if jumps { 6e-2 } else { 2e-2 } + if several { 2e-2 } else { 0.0 };

@@ -5,7 +5,8 @@ use crate::samples::Test;
 use crate::segment::Segment;
 use dashpot_core::Input;
 
-/// Makes sine tests with the given amplitudes, m, and frequencies, Hz. The forces are those of a hypothesis.
+/// Makes sine tests with the given amplitudes, m, and frequencies, Hz. The forces are those of a hypothesis. Each test
+/// has two cycles of 80 samples, and the second is scored.
 pub fn measured(of: &Hypothesis, sines: &[(f64, f64)]) -> Vec<Test> {
     let test = |&(amplitude, frequency): &(f64, f64)| {
         let (count, omega) = (160, std::f64::consts::TAU * frequency);

@@ -1,4 +1,4 @@
-//! Summary of a base model and its tests: quantities for the starts of searches.
+//! Summary of a base model and its tests: quantities from which searches derive their start values.
 
 use crate::first_guess::{dry, slowing_forces};
 use crate::heating::Heating;
@@ -11,12 +11,12 @@ use dashpot_core::{element, list, number};
 use dashpot_records::Record;
 use dashpot_records::restrict;
 
-/// Quantities of a base model and its tests.
+/// Quantities of a base model and its tests, from which searches derive their start values.
 #[derive(Debug, Clone)]
 pub struct Situation {
     /// The base model.
     pub base: Params,
-    /// Strength of the damper relative to that of a passenger car's damper; 1 within the range of cars.
+    /// Strength of the damper relative to that of a passenger car's damper; 1 within the force range of cars.
     pub scale: Scale,
     /// Sum of the sliding forces of Coulomb, Stribeck and presliding friction in the model, N.
     pub friction: f64,
@@ -31,20 +31,20 @@ pub struct Situation {
     pub knee_force: f64,
     /// Lowest and highest displacement of the tests, m.
     pub reach: (f64, f64),
-    /// Largest range of displacements at which the tests have about one speed, m.
+    /// Largest range of displacements, m, over which samples have about equal velocity.
     pub places_span: f64,
     /// Range of the tests' accumulated heat, J, with cooling neglected.
     pub heat_span: f64,
     /// Ratio of the highest to the lowest frequency; infinite if a test has no frequency.
     pub frequency_ratio: f64,
-    /// Whether all records have a temperature channel and the temperature varies.
+    /// Whether all records have a temperature channel and the temperature varies by more than 3 K.
     pub temperature_measured: bool,
     /// Middle of the temperature range, °C; 20 if [`Situation::temperature_measured`] is false.
     pub temperature: f64,
-    /// Span of the tests' clocks, s.
+    /// Time between the middles of the first and the last test on the clock of the campaign, s.
     pub clock_span: f64,
-    /// Middles of the pauses of more than 1 s between tests, s: times at which a load cell may have been zeroed. The
-    /// first and the last pause are excluded.
+    /// Times midway between successive tests whose middles are more than 1 s apart, s of the campaign's clock. A load
+    /// cell may have been zeroed at these times. The first and the last pair of tests are excluded.
     pub pauses: Vec<u32>,
     /// Delay of the force channel estimated from the raw data of the first record, s; 0 if none was significant.
     pub apparent_delay: f64,
@@ -52,7 +52,8 @@ pub struct Situation {
     pub side_force_span: f64,
     /// Highest speeds in rebound and compression, m/s, positive.
     pub fastest: [f64; 2],
-    /// Forces at the points of the FV curve, N, only from samples at which the damper slows down.
+    /// Forces at the points of the FV curve, N, only from samples at which the damper slows down. Empty without tests
+    /// and for a curve with fewer than three points.
     pub slowing: Vec<f64>,
 }
 
@@ -60,14 +61,16 @@ pub struct Situation {
 /// velocity.
 const DRAWN_BACK: (f64, f64) = (0.02, 0.08);
 
-/// Interpolates an FV curve linearly at a velocity. Beyond the ends, the last force applies.
+/// Interpolates an FV curve (`v` in m/s, `f` in N) linearly at the velocity `speed`. Beyond the ends, the last force
+/// applies.
 fn at(v: &[f64], f: &[f64], speed: f64) -> f64 {
     let right = restrict(v.partition_point(|x| *x < speed), 1, v.len() - 1);
     let share = ((speed - v[right - 1]) / (v[right] - v[right - 1])).clamp(0.0, 1.0);
     f[right - 1] + share * (f[right] - f[right - 1])
 }
 
-/// Computes half the step of an FV curve at zero velocity: the force at low speed, extrapolated to zero speed.
+/// Computes half the step of an FV curve at zero velocity, N: the force at low speed, extrapolated to zero speed. For
+/// fewer than three points, the result is 0.
 fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
     if v.len() < 3 {
         return 0.0;
@@ -81,8 +84,8 @@ fn step_at_standstill(v: &[f64], f: &[f64]) -> f64 {
 const SPEEDS: [f64; 6] = [0.05, 0.1, 0.2, 0.4, 0.8, 1.6];
 const OF_SPEED: f64 = 0.3;
 
-/// Computes the largest range of displacements, m, at one speed and direction of motion. If the range is zero, effects
-/// of displacement and of speed cannot be separated.
+/// Computes the largest range of displacements, m, of samples with about equal velocity. If the range is zero, effects
+/// of displacement and of velocity cannot be separated.
 fn places_span(tests: &[Test]) -> f64 {
     let at = |speed: f64| {
         let of = tests.iter().flat_map(|t| t.inputs()).filter(|i| (i.velocity / speed - 1.0).abs() < OF_SPEED);
@@ -94,8 +97,8 @@ fn places_span(tests: &[Test]) -> f64 {
     SPEEDS.iter().flat_map(|speed| [at(*speed), at(-speed)]).fold(0.0, f64::max)
 }
 
-/// Computes the FV curve from samples at which the damper slows down. The result is empty without tests, and for fewer
-/// than three velocities.
+/// Computes the forces of the FV curve, N, at `velocities`, m/s, from samples at which the damper slows down. The
+/// result is empty without tests, and for fewer than three velocities.
 fn slowing(tests: &[Test], velocities: &[f64]) -> Vec<f64> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     if segments.is_empty() || velocities.len() < 3 {
@@ -131,7 +134,7 @@ impl Situation {
             friction += base.number(number!("presliding_force"));
         }
         let (v, f) = (base.list(list!("fv_velocity")), base.list(list!("fv_force")));
-        // The knee is the first point in rebound beyond which the slope is less than half of its largest value.
+        // The knee is the first point in rebound beyond which the slope is less than half of the curve's largest slope.
         let slopes: Vec<f64> = v.windows(2).zip(f.windows(2)).map(|(v, f)| (f[1] - f[0]) / (v[1] - v[0])).collect();
         let steepest = slopes.iter().fold(0.0f64, |m, s| m.max(*s));
         let knee = v
@@ -176,7 +179,7 @@ impl Situation {
         }
     }
 
-    /// Scales the situation to a car damper, because start values and priors apply to car dampers.
+    /// Scales the situation to a car damper, because tabulated start values and priors apply to car dampers.
     pub fn as_car(&self) -> Situation {
         let of_car = |force: f64| force / self.scale.force();
         Situation {
@@ -194,7 +197,7 @@ impl Situation {
         }
     }
 
-    /// Returns the force of the FV curve at a velocity, N.
+    /// Returns the force of the FV curve, N, at a velocity, m/s.
     pub fn driven(&self, speed: f64) -> f64 {
         at(self.base.list(list!("fv_velocity")), self.base.list(list!("fv_force")), speed)
     }

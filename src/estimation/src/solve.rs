@@ -8,8 +8,9 @@
 //!   of steps instead of thousands.
 //! - If a Jacobian costs many runs and only a ranking is required, Broyden's rank-one update (Math. Comp. 19, 1965)
 //!   replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
-//! - The rows of each block are reduced to a triangular factor (see [`reduce()`]) and stacked in their order.
-//!   Therefore, a result does not depend on the number of threads.
+//! - The residuals are grouped in blocks, for example one for each test. The rows of each block are reduced to a
+//!   triangular factor (see [`reduce()`]) and stacked in their order. Therefore, a result does not depend on the number
+//!   of threads.
 //! - Bounds apply by projection. If a parameter is at a bound and its descent direction points outward, it is fixed for
 //!   that step.
 //! - Huber's loss uses reweighting (Ann. Math. Stat. 35, 1964). Gaussian priors are further rows.
@@ -141,7 +142,7 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// Computes the cost of one residual, and the weight of its square.
+    /// Computes the cost of one residual, and its weight in iteratively reweighted least squares.
     pub fn evaluate(self, r: f64) -> (f64, f64) {
         match self {
             Loss::Huber(knee) if r.abs() > knee => (knee * (r.abs() - 0.5 * knee), knee / r.abs()),
@@ -174,8 +175,8 @@ pub struct Options {
     pub priors: Vec<Option<Prior>>,
     /// Source of the derivatives.
     pub derivatives: Derivatives,
-    /// Damping of the first step, for columns scaled to length 1. It is 1 for an arbitrary start, and small for a good
-    /// start.
+    /// Levenberg–Marquardt damping of the first step, for columns scaled to length 1. It is 1 for an arbitrary start,
+    /// and small for a good start.
     pub damping: f64,
     /// Number of successive accepted steps with a gain below the tolerance after which a search ends.
     ///
@@ -224,11 +225,11 @@ pub struct Solution {
     pub rows: Vec<Rows>,
 }
 
-/// The reduced linear problem at one point. It has at most one row for each parameter.
+/// Linear least-squares problem at one point, reduced to at most one row for each parameter.
 struct Linear {
     /// Triangular factor of the weighted Jacobian.
     factor: DMatrix<f64>,
-    /// Weighted residuals after the same rotation of rows.
+    /// Weighted residuals, rotated with the rows of the factor.
     right: DVector<f64>,
 }
 
@@ -250,7 +251,7 @@ impl Search<'_> {
         if self.problem.is_measured(block) { self.options.loss } else { Loss::Squares }
     }
 
-    /// Computes the cost of residuals; infinite if a residual is not finite.
+    /// Computes the cost of residuals and of the priors at `x`. It is infinite if a residual is not finite.
     fn cost<'r>(&self, x: &[f64], residuals: impl IntoIterator<Item = &'r DVector<f64>>) -> f64 {
         let priors = self.prior_rows(x).iter().map(|(.., r)| 0.5 * r * r).sum::<f64>();
         let of = |(block, residual): (usize, &DVector<f64>)| {
@@ -294,7 +295,7 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Computes the square roots of a block's weights due to the loss. Returns `None` if all are 1.
+    /// Computes the square roots of the weights of a block's residuals under the loss. Returns `None` if all are 1.
     fn weights(&self, block: usize, residual: &DVector<f64>) -> Option<DVector<f64>> {
         let loss @ Loss::Huber(_) = self.loss(block) else { return None };
         let roots = residual.map(|r| loss.evaluate(r).1.sqrt());
@@ -336,7 +337,8 @@ impl Search<'_> {
     }
 
     /// Computes the gradient due to half the second derivative of the residuals along a step, from one further
-    /// evaluation. Returns `None` if the evaluated point is outside the bounds or not a valid model.
+    /// evaluation. Returns `None` if the evaluated point is outside the bounds or not a valid model, or if the gradient
+    /// is not finite.
     fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();
         if self.bounds.inside(&probe) != probe {
@@ -362,8 +364,8 @@ impl Search<'_> {
     }
 }
 
-/// Smallest ratio of a stored column length to its previous value. The value 1 is Moré's rule (Lect. Notes Math. 630,
-/// 1978), and 0 is Marquardt's rule.
+/// Smallest ratio of a stored length of a Jacobian column to its previous value. The value 1 is Moré's rule (Lect.
+/// Notes Math. 630, 1978), and 0 is Marquardt's rule.
 const FADE: f64 = 0.5;
 /// Damping below which a step equals the full linear step to rounding.
 const LEAST_DAMPING: f64 = 1e-16;
@@ -486,7 +488,7 @@ fn search(
                 let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
                 let nothing = predicted.abs() <= ROUNDING * cost || straight.norm() <= ROUNDING * size(&x);
                 if arrived || nothing {
-                    // A further reduction would be below rounding.
+                    // No further reduction beyond the tolerance or beyond rounding is possible.
                     end.converged = true;
                     break;
                 }
@@ -572,9 +574,9 @@ impl<'a> System<'a> {
     }
 }
 
-/// Applies Broyden's update: afterward, the derivatives agree with the last step. The change is the smallest possible
-/// if every parameter is scaled by its column length. A parameter whose column in a block is zero does not influence
-/// this block, so the column remains zero.
+/// Applies Broyden's update: afterward, the derivatives predict exactly the residuals after the last step. The change
+/// is the smallest possible if every parameter is scaled by its column length. A parameter whose column in a block is
+/// zero does not influence this block, so the column remains zero.
 fn keep_up(rows: &mut [Rows], there: &[DVector<f64>], moved: &DVector<f64>, lengths: &[f64]) {
     for (block, there) in rows.iter_mut().zip(there) {
         let is_zero = |i: usize| block.jacobian.column(i).iter().all(|v| *v == 0.0);

@@ -10,7 +10,8 @@ use dashpot_records::restrict;
 /// Fraction of the spring's displacement range that counts as its middle.
 const MIDDLE: f64 = 0.5;
 
-/// Computes the slope of the middle of a spring curve, N/m.
+/// Computes the slope of the middle of a spring curve, N/m, at least 0. `x` are displacements, m, and `force` forces,
+/// N.
 fn middle(x: &[f64], force: &[f64]) -> f64 {
     let reach = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let mut inside = x.iter().zip(force).filter(|(x, _)| x.abs() <= MIDDLE * reach);
@@ -21,7 +22,7 @@ fn middle(x: &[f64], force: &[f64]) -> f64 {
 }
 
 /// Computes the excess force, N, at the spring's end in rebound (`side` = 1) or compression (−1) over the extrapolated
-/// middle. Without a lookup spring, the excess is 0.
+/// middle. Without a lookup spring of at least three points, the excess is 0.
 pub fn excess(base: &Params, side: f64) -> f64 {
     let (x, force) = (base.list(list!("spring_displacement")), base.list(list!("spring_force")));
     if !base.is_on(element!("parallel_spring")) || x.len() < 3 {
@@ -31,7 +32,8 @@ pub fn excess(base: &Params, side: f64) -> f64 {
     (side * (force[end] - force[anchor(x)]) - middle(x, force) * (x[end] - x[anchor(x)]).abs()).max(0.0)
 }
 
-/// Limits the start values of one side of the spring curve to the linear extrapolation of its middle.
+/// Limits the start values of one side of the spring curve, rebound (`side` = 1) or compression (−1), to the linear
+/// extrapolation of its middle.
 pub fn straighten(to: &mut Hypothesis, side: f64) {
     let (x, force) =
         (to.base.list(list!("spring_displacement")).to_vec(), to.base.list(list!("spring_force")).to_vec());

@@ -1,12 +1,12 @@
-//! A step of an FV curve at rest, converted to dry friction and gas force.
+//! A step of an FV curve at zero velocity, converted to dry friction and gas force.
 //!
-//! Tests at constant speeds contain no motion between rest and the slowest speed. In such a campaign, a free curve
-//! absorbs friction and gas. After the conversion, friction and gas can change independently.
+//! Tests at constant speeds contain no motion between rest and the slowest speed. In such a campaign, the points of a
+//! free FV curve absorb friction and gas force. After the conversion, friction and gas force can change independently.
 
 use crate::unknowns::anchor;
 use dashpot_core::{Params, element, list, number};
 
-/// Moves the step of the FV curve at rest to Coulomb friction and gas force.
+/// Moves the step of the FV curve at zero velocity to Coulomb friction and gas force.
 ///
 /// The total force at all other points of the curve stays unchanged. Returns `None` if the curve has too few points, or
 /// if its step is small or has the wrong sign. Small means friction below the fraction `LEAST` of the force at the
@@ -17,7 +17,7 @@ pub fn read_step(params: &Params) -> Option<Params> {
     const LEAST: f64 = 0.3;
     let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     let zero = anchor(velocity);
-    // Force extrapolated to rest, on the line through the two slowest points of a side.
+    // Force, N, extrapolated to zero velocity, on the line through the two slowest points of a side.
     let toward_rest = |first: usize, second: usize| {
         let derivative = (force[second] - force[first]) / (velocity[second] - velocity[first]);
         force[first] - derivative * velocity[first]

@@ -10,7 +10,7 @@ use dashpot_core::{list, number};
 pub struct Unknowns {
     /// Fixed parameters, and enabled elements.
     pub base: Params,
-    /// One entry per element of the vector.
+    /// The unknowns, in the order of the vector of their values.
     pub list: Vec<Unknown>,
 }
 
@@ -55,7 +55,7 @@ pub enum CurveName {
 }
 
 impl CurveName {
-    /// Returns the list of abscissae.
+    /// Returns the list parameter with the abscissae of the points: velocities, m/s, or displacements, m.
     pub fn abscissae(self) -> List {
         match self {
             CurveName::Fv => list!("fv_velocity"),
@@ -63,7 +63,7 @@ impl CurveName {
         }
     }
 
-    /// Returns the list of forces.
+    /// Returns the list parameter with the forces at the points, N.
     pub fn forces(self) -> List {
         match self {
             CurveName::Fv => list!("fv_force"),
@@ -72,13 +72,13 @@ impl CurveName {
     }
 }
 
-/// Returns the point of a curve that stays at zero force: the point nearest the origin.
+/// Returns the index of the point of a curve that stays at zero force: the point nearest the origin.
 pub fn anchor(abscissae: &[f64]) -> usize {
     (0..abscissae.len()).min_by(|a, b| abscissae[*a].abs().total_cmp(&abscissae[*b].abs())).unwrap_or(0)
 }
 
-/// Returns the next point of a curve toward its anchor `zero`. A rise is the difference of force between the two
-/// points.
+/// Returns the index of the next point of a curve toward its anchor, whose index is `zero`. A rise is the difference of
+/// force between the two points.
 pub fn towards_zero(point: usize, zero: usize) -> usize {
     if point > zero { point - 1 } else { point + 1 }
 }
@@ -171,7 +171,7 @@ impl Unknowns {
                     values[*i] = *t;
                     let _ = params.set_list(*list, &values);
                 }
-                // The parameter `below` is already set, because it comes first in every list.
+                // The parameter `below` is already set, because it precedes `number` in every list.
                 Unknown::Above(number, below) => {
                     let level = params.number(*below);
                     set_inside(&mut params, *number, level * (1.0 + t));

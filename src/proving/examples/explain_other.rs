@@ -56,7 +56,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let model = model_file::of_text(&model_file::write(&found), Path::new("model.toml"))?;
         let (v, f) = (model.params.list(list!("fv_velocity")), model.params.list(list!("fv_force")));
         let still = v.iter().zip(f).find(|(v, _)| **v == 0.0).map_or(0.0, |(_, f)| *f);
-        // The computation of the gas pressure does not use the gas pressure of the drawing.
+        // The computation of the gas pressure does not use the gas pressure of the drawing, so the drawing may state
+        // it.
         let explanation = explain(&model, &drawing.with(&all));
         contradictions += explanation.contradictions.len();
         for found in &explanation.contradictions {

@@ -2,7 +2,8 @@
 //!
 //! `split=calibrate`, `split=check` or `split=locked="what for"` replaces the seed (see [`dashpot_proving::split`]).
 //! `only=BLOCK,...` runs some blocks, with the seeds that they have in the whole suite. `alone` runs one case after the
-//! other, to measure the duration for a user. `whole` starts a named case from a fit with all elements.
+//! other, to measure the duration for a user. `whole` starts a named case from a fit with all elements. For a named
+//! case, a third argument `COUNT` runs this number of successive seeds.
 
 use dashpot_core::list;
 use dashpot_proving::suite::{Entry, Size, suite};

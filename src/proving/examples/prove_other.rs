@@ -3,8 +3,9 @@
 //! `cargo run --release -p dashpot-proving --example prove_other -- ROUNDS FIRST_SEED [reference] [fitted] [only=BLOCK,EFFECT,...] [OUT.jsonl]`.
 //!
 //! The suite is repeated ROUNDS times. With `reference`, each damper is compared with itself without the injected effect. With `fitted`,
-//! the model is that of `dashpot fit`. Otherwise, it has only series spring, Coulomb friction and gas. `split=calibrate`, `split=check` or
-//! `split=locked="what for"` may replace the first seed. The locked split issues unused seeds, which are never issued again.
+//! the model is that of `dashpot fit`. Otherwise, it has an FV curve, series spring, Coulomb friction, gas, side-force friction and a weak
+//! spring. `split=calibrate`, `split=check` or `split=locked="what for"` may replace the first seed. The locked split issues unused seeds,
+//! which are never issued again.
 
 use dashpot_proving::laboratory::{Way, run, suite};
 use dashpot_proving::outcome::Outcome;

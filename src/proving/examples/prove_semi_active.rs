@@ -1,4 +1,4 @@
-//! Identifies semi-active dampers of the second laboratory over their current.
+//! Identifies semi-active dampers of the second laboratory as functions of their current.
 //!
 //! `cargo run --release -p dashpot-proving --example prove_semi_active -- COUNT FIRST_SEED [OUT.jsonl]`.
 //!

@@ -1,8 +1,8 @@
 //! Diagnoses the same records from four starting models: `cargo run --release -p dashpot-proving --example start_invariance -- FOLDER...`.
 //!
 //! The starts are the plain fit; FV curve with series spring and gas; these three elements with presliding friction;
-//! and the plain FV curve. The example prints the effects of each improved model and the ratio of the largest residual
-//! to the smallest.
+//! and the plain FV curve. The example prints the effects of each improved model and the ratio of the largest to the
+//! smallest root mean square residual.
 
 use dashpot_diagnosis::{Options, Status, choose_left_out, diagnose};
 use dashpot_identification::{Family, FitOptions, fit};

@@ -1,4 +1,5 @@
-//! Drawing of a damper of the second laboratory. The stated values have errors, and the true values are known.
+//! Drawing (stated dimensions) of a damper of the second laboratory. The stated values have errors, and the true values
+//! are known.
 
 use dashpot_dimensions::{Dimensions, Entry, orifice, read};
 use dashpot_other_lab::Kind;
@@ -22,7 +23,8 @@ const GPA: f64 = 1e9;
 /// Atmospheric pressure in the laboratory, bar.
 const AIR: f64 = 1.0;
 
-/// Entries of a drawing with their relative tolerances. The order determines the random error of each entry.
+/// Entries of a drawing with their relative tolerances, which contain 95 % of the errors. The order determines the
+/// random error of each entry.
 const ENTRIES: [(Entry, f64); 9] = [
     (Entry::Bore, 0.005),
     (Entry::Rod, 0.005),
@@ -35,7 +37,7 @@ const ENTRIES: [(Entry, f64); 9] = [
     (Entry::AirContent, 0.5),
 ];
 
-/// Returns a number between 0 and 1 from a seed and an index (splitmix64).
+/// Returns a number between 0 and 1 from a seed and an index `place` (splitmix64).
 fn uniform(seed: u64, place: u64) -> f64 {
     let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add((place + 1).wrapping_mul(0xbf58_476d_1ce4_e5b9));
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -81,7 +83,7 @@ impl Drawing {
         }
     }
 
-    /// Makes the drawing with some of its entries. Each entry has a random error, which is within the tolerance of the
+    /// Makes the drawing with the given entries. Each entry has a random error, which is within the tolerance of the
     /// entry in 95 % of the dampers. The tube of the drawing is nearly rigid, like the tubes of the laboratory.
     ///
     /// # Panics

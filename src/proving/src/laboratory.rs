@@ -1,5 +1,6 @@
-//! Cases from the second laboratory. Each campaign is simulated, written to files and read back, and a base model is
-//! identified. [`at_severities`] chooses the strength of each effect so that the effect has the requested severity.
+//! Cases from the second laboratory, a simulator whose laws differ from those of the model. Each campaign is simulated,
+//! written to files and read back, and a base model is identified. [`at_severities`] chooses the strength of each
+//! effect so that the effect has the requested severity.
 
 use crate::EvaluationError;
 use crate::outcome::{Outcome, judged};
@@ -14,7 +15,7 @@ use dashpot_severity::case::{Measured, model_of};
 use dashpot_severity::measured::{base_model, write_and_read};
 use std::collections::BTreeMap;
 
-/// Logarithmic deviation from the requested severity below which the search for a strength ends.
+/// Absolute natural logarithm of the ratio of found to requested severity below which the search for a strength ends.
 const NEAR: f64 = 0.1;
 /// Largest number of trial strengths.
 const TRIES: usize = 8;
@@ -23,7 +24,7 @@ const STRENGTHS: (f64, f64) = (1e-3, 12.0);
 /// Constant part of the laboratory's force noise, N.
 const LEAST_NOISE: f64 = 0.5;
 
-/// Choice of the diagnosed model, and of a diagnosis with or without a reference.
+/// Choice of the diagnosed model, and of a diagnosis with or without a reference damper.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Way {
     /// Whether the damper is compared with itself without the injected effect.
@@ -207,7 +208,8 @@ impl SeverityContext {
         if from_neutral <= wanted * (1.0 + NEAR) {
             return Ok(from_neutral);
         }
-        // The refit may have ended early. So identify the model again, and use the smaller severity.
+        // The refit may have ended before it converged. Therefore, identify the model again, and use the smaller
+        // severity.
         Ok(self.left(&records, &base_of(case, &records)?)?.min(from_neutral))
     }
 

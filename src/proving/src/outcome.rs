@@ -40,7 +40,7 @@ pub struct Outcome {
     pub clean_before: f64,
     /// Root mean square difference between the improved model and the noise-free force of the left-out tests, N.
     pub clean_after: f64,
-    /// Fraction of the gap between model and noise that the improved model closes, from the diagnosis.
+    /// Fraction of the error above the noise that the improved model removes, from the diagnosis.
     pub gap_closed: Option<f64>,
     /// Duration of the diagnosis, s.
     pub seconds: f64,
@@ -153,7 +153,7 @@ pub fn judged(
 const DRIVES: (f64, f64) = (2e-4, 1.6);
 
 /// Returns the first effect that is named after the first proposed sine was added, and after all proposed sines were
-/// added.
+/// added. Sines beyond the limits [`DRIVES`] are omitted.
 fn proposed(case: &Case, measured: &Measured, found: &Diagnosis) -> (Option<String>, Option<String>) {
     let point = |k: usize, (amplitude, frequency): (f64, f64), test: &NextTest| {
         let speed = std::f64::consts::TAU * amplitude * frequency;

@@ -25,7 +25,8 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     Some(values[values.len() / 2])
 }
 
-/// Computes the fraction of the error against the noise-free force that the improved model removes.
+/// Computes the fraction of the error against the noise-free force of the left-out tests that the improved model
+/// removes.
 fn closed(o: &Outcome) -> f64 {
     1.0 - o.clean_after / o.clean_before.max(1e-9)
 }
@@ -150,7 +151,7 @@ pub fn table(all: &[Outcome]) -> String {
     out
 }
 
-/// Formats the expected calibration error, and the precision of confident names.
+/// Formats the expected calibration error, and the precision of names with a confidence of at least 0.9.
 fn calibration(all: &[Outcome]) -> String {
     let given: Vec<(f64, bool)> = all.iter().flat_map(|o| o.named.iter().map(|(n, c)| (*c, o.is_true(n)))).collect();
     let mut error = 0.0;

@@ -1,5 +1,5 @@
-//! A semi-active damper of the second laboratory, identified over its current. Evaluates the predictions of the
-//! identified damper for data that the fit did not use.
+//! A semi-active damper of the second laboratory, identified as a function of its current. Evaluates the predictions of
+//! the identified damper for data that the fit did not use.
 
 use crate::EvaluationError;
 use dashpot_core::Input;
@@ -25,7 +25,7 @@ use std::path::Path;
 
 /// Sampling rate of the compared responses, 1/s.
 const RATE: f64 = 10_000.0;
-/// Grid of a response: start and end, s, and number of intervals.
+/// Grid of a response: start and end, s after the step, and number of intervals.
 const GRID: (f64, f64, usize) = (-0.01, 0.09, 1000);
 
 /// Time from a step of the current to 63 % of its effect, s, of the plant and of the identified model.
@@ -72,7 +72,7 @@ pub struct SemiActiveOutcome {
 }
 
 impl SemiActiveOutcome {
-    /// Returns the largest relative error of the valve's lag.
+    /// Returns the largest absolute relative error of the valve's lag.
     pub fn worst_lag(&self) -> f64 {
         self.valve.iter().map(|lag| lag.error().abs()).fold(0.0, f64::max)
     }
@@ -155,7 +155,7 @@ fn describe(found: &FamilyFit) -> String {
     format!("{}; {}", parts.join(", "), numbers.join(", "))
 }
 
-/// Replaces the steps of a test's command by one constant current.
+/// Replaces the steps of a test's command by one constant current, A.
 fn constant(test: &SemiActiveTest, level: f64) -> SemiActiveTest {
     SemiActiveTest { command: Command::Levels(vec![[0.0, level]]), ..test.clone() }
 }
@@ -219,7 +219,7 @@ fn lags(plant: &SemiActivePlant, damper: &Definition, seed: u64) -> Result<(Vec<
     Ok((valves, forces))
 }
 
-/// Returns the current at which a position of the main stage is the steady state.
+/// Returns the current, A, at which a position of the main stage, m, is the steady state.
 fn current_of(map: &[[f64; 2]], stage: f64) -> f64 {
     let right = map.partition_point(|[place, _]| *place < stage).min(map.len() - 1).max(1);
     let ([x0, i0], [x1, i1]) = (map[right - 1], map[right]);

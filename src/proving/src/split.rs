@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 /// A range of seeds for one purpose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Split {
-    /// Seeds for the values in `calibration.toml` and the temperatures of the search.
+    /// Seeds for the values in `calibration.toml` and the divisors of the log evidence in the search (its
+    /// temperatures).
     Calibrate,
     /// Seeds for development.
     Check,

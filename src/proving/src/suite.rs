@@ -19,7 +19,7 @@ pub const BLOCKS: [&str; 9] =
 /// Effects that a fit with all elements already contains.
 const FITTED: [&str; 2] = ["stribeck_friction", "side_force_friction"];
 
-/// Numbers of cases of each kind.
+/// Numbers of cases of each kind in a suite.
 #[derive(Debug, Clone, Copy)]
 pub struct Size {
     /// Number of seeds per effect and severity.

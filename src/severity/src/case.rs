@@ -13,7 +13,7 @@ use dashpot_rig::{CHECK_PREFIX, InjectedCampaign, InjectedCase, Matrix, Options,
 /// Specification of a campaign with injected effects, and of its base model.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Names of the injected effects with their severities; `name:form` selects a form.
+    /// Names of the injected effects with their severities, in units of the noise; `name:form` selects a form.
     pub effects: Vec<(String, f64)>,
     /// Plan of the tests.
     pub plan: Plan,
@@ -35,9 +35,9 @@ pub struct Measured {
     pub left_out: Vec<bool>,
     /// The identified base model.
     pub base: Params,
-    /// Measurement errors that the fit found. The records are corrected for them, as on the command line.
+    /// Names of the measurement errors that the fit found. The records are corrected for them, as on the command line.
     pub taken_out: Vec<&'static str>,
-    /// Strengths of the injected effects.
+    /// Strengths of the injected effects; 1 is a typical strong case.
     pub strengths: Vec<f64>,
     /// The injected effects and the parameters of the damper.
     pub truth: Truth,
@@ -169,8 +169,8 @@ impl Measured {
 
 /// Identifies the diagnosed model, with the measurement errors that the fit found.
 ///
-/// With `whole_fit`, it is a user's fit with all elements. Otherwise, it is [`base_model`], and the list of measurement
-/// errors is empty, so the records are not corrected.
+/// With `whole_fit`, the model is a user's fit with all elements. Otherwise, it is [`base_model`], and the list of
+/// measurement errors is empty, so the records are not corrected.
 pub fn model_of(
     records: &[&Record],
     whole_fit: bool,

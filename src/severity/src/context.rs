@@ -3,8 +3,9 @@
 //! [`SeverityContext::strength`] finds the strength at which an injected effect has a requested severity.
 //!
 //! The neutral damper, without injected effects, also has a residual, because its form differs from that of the base
-//! model. Severity is the root mean square of the difference between the residual with the effect and this residual. A
-//! difference of two root mean squares would depend on the direction of the effect relative to the neutral residual.
+//! model. Severity is therefore the root mean square of the difference between the residual with the effect and the
+//! neutral residual. A difference of two root mean squares would depend on the direction of the effect relative to the
+//! neutral residual.
 
 use crate::SeverityError;
 use crate::measured::{base_model, read, without_noise};
@@ -65,7 +66,7 @@ impl SeverityContext {
         Ok(SeverityContext { base, noise, own })
     }
 
-    /// Computes the severity of a campaign. A result above `wanted` may be too large.
+    /// Computes the severity of a campaign, relative to the noise. A result above `wanted` may be too large.
     ///
     /// The refit starts from the neutral damper's model. If its result exceeds `wanted`, a newly identified model is
     /// refitted as well, and the smaller residual counts. For example, friction in the FV curve behind the series
@@ -84,7 +85,8 @@ impl SeverityContext {
         Ok(self.left(&records, &afresh)?.min(from_neutral))
     }
 
-    /// Refits a model and computes the root mean square difference of its residual from that of the neutral damper.
+    /// Refits a model and computes the root mean square difference of its residual from that of the neutral damper,
+    /// relative to the noise.
     fn left(&self, records: &[&Record], model: &Params) -> Result<f64, SeverityError> {
         let (_, left) = refitted(records, &self.noise, model).ok_or(SeverityError::NotFinite)?;
         if left.len() != self.own.len() {

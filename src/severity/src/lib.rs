@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`case`] | a case: the injected effects with their severities, and the diagnosed model |
 //! | [`request`] | the strengths of the effects that a user requests |
-//! | [`context`] | the strength for a severity |
+//! | [`context`] | the severity of an effect, and the strength that gives a severity |
 //! | [`measured`] | a campaign of the rig in the form that a user has |
 
 pub mod case;

@@ -14,7 +14,7 @@ pub const BASE: [Element; 4] =
     [element!("fv_curve"), element!("series_compliance"), element!("coulomb_friction"), element!("gas_preload")];
 
 /// Identifies the diagnosed model: an ordinary fit to the records, to which side-force friction and a weak linear
-/// spring are added.
+/// spring (300 N/m) are added.
 pub fn base_model(records: &[&Record]) -> Result<Params, SeverityError> {
     let options =
         FitOptions { elements: Some(BASE.map(|element| element.name().to_owned()).to_vec()), ..FitOptions::default() };

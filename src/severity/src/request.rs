@@ -4,7 +4,7 @@ use crate::SeverityError;
 use crate::case::Case;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
-/// Requested effects: name, or `name:form` for one physical form, with the number if stated.
+/// Requested effects: name, or `name:form` for one physical form, with its severity or strength if stated.
 pub type RequestedEffects = Vec<(String, Option<f64>)>;
 
 /// Meaning of the numbers of requested effects.

@@ -364,7 +364,7 @@ mod tests {
         motion.drive(&model()).unwrap().iter().map(|a| a.force).collect()
     }
 
-    /// Returns the largest difference relative to the largest force.
+    /// Returns the largest difference between two lists of forces, relative to the largest force of the first.
     fn apart(a: &[f64], b: &[f64]) -> f64 {
         let peak = a.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
         a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) / peak
@@ -464,7 +464,7 @@ mod tests {
                 bends / (h * h)
             };
             for i in 1..x.len() - 1 {
-                // The second derivatives are of the order of 1 / (0.1 s)².
+                // The second derivatives are of the order of 1 / (0.1 s)², so the tolerance is far below them.
                 prop_assert!((bend(i - 1, true) - bend(i, false)).abs() < 1e-8);
             }
         }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`prediction`] | forces of a model for a record |
 //! | [`step_response`] | response of the force to a step of the setting |
-//! | [`valve_response`] | response of the valve, from the numbers of its actuator |
+//! | [`valve_response`] | response of the valve, from the parameters of its actuator |
 //! | [`warm_starts`] | temperature of the damper at the start of each record |
 //! | [`own_setting`] | setting of a record, for a damper that depends on one |
 //! | [`setting_doubts`] | records whose forces belong to another setting |

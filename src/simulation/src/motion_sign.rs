@@ -2,28 +2,31 @@
 
 use crate::imposed_motion::{ImposeError, ImposedMotion, SimulatedSample};
 
-/// Smallest ratio of the error as read to the error with the opposite direction at which the sign is doubted.
+/// Smallest ratio of two errors at which the sign is doubted: the error of the motion as read, and that with the
+/// opposite direction positive.
 ///
-/// A damper that is nearly symmetric has a ratio near 1 in the right direction, too. Test:
-/// `a_motion_with_compression_positive_is_noticed_by_its_force`.
+/// A damper that is nearly symmetric has a ratio near 1 in the right direction, too. The test
+/// `a_motion_with_compression_positive_is_noticed_by_its_force` checks the limit.
 const CLEAR: f64 = 2.0;
 /// Largest error with the opposite direction, as a fraction of the force, at which the model describes the damper. With a larger error,
 /// the recorded force may be that of another damper.
 const DESCRIBES: f64 = 0.35;
 
-/// Errors of a model for a motion in both directions.
+/// Errors of a model for a motion as read and with the opposite direction positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SignDoubt {
-    /// Root mean square error of the force as read, N.
+    /// Root mean square error of the force for the motion as read, N.
     pub error: f64,
     /// Root mean square error with the opposite direction positive, N.
     pub reversed_error: f64,
 }
 
-/// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if the opposite
-/// direction of motion and force is clearly the right one.
+/// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if
+/// the opposite direction of motion and force is clearly the right one. Returns `None` if the numbers of samples
+/// differ.
 ///
-/// `as_read` is the simulated motion. `simulate` computes the force of another motion. `recorded` has one force for each sample, in N, with the sign of the motion.
+/// `as_read` is the simulation of the motion as read. `simulate` computes the force of another motion. `recorded` has
+/// one force for each sample, in N, with the sign of the motion.
 ///
 /// # Errors
 /// The errors of `simulate`.
@@ -71,7 +74,7 @@ mod tests {
         assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
         let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
         assert!(found.error > 3.0 * found.reversed_error, "{found:?}");
-        // The force of another damper says nothing, nor does one of another length.
+        // The force of another damper, or one with another number of samples, gives no result.
         assert_eq!(doubt(&motion.reversed(), &of_file(-1.0, 5.0)), None);
         assert_eq!(doubt(&motion, &forces[1..]), None);
     }

@@ -73,7 +73,8 @@ pub fn at_velocities(model: &Model, velocities: &[f64]) -> Vec<[f64; 2]> {
     velocities.iter().map(|v| [*v, at(*v)]).filter(|p| p[1].is_finite()).collect()
 }
 
-/// Returns velocities and forces like [`at_velocities`], from the negative velocity `low` to the positive velocity `high`.
+/// Returns velocities, m/s, and forces, N, as [`at_velocities`] computes them, from the negative velocity `low` to the positive velocity
+/// `high`.
 ///
 /// The velocities are dense near zero, where friction and bleed determine the shape of the curve.
 pub fn between_velocities(model: &Model, low: f64, high: f64) -> Vec<[f64; 2]> {

@@ -11,8 +11,8 @@ use rayon::prelude::*;
 
 /// Mean error of a test, relative to its largest force, up to which the setting of the test is not questioned.
 ///
-/// At settings left out of the fits of the physical valve, the error is 0.7 to 2.2 % (`prove_semi_active 4 3040000`). Test:
-/// `a_validation_names_tests_whose_forces_are_those_of_another_setting`.
+/// At settings left out of the fits of the physical valve, the mean error is 0.7 to 2.2 % (`prove_semi_active 4 3040000`). The test
+/// `a_validation_names_tests_whose_forces_are_those_of_another_setting` checks the limit.
 const CLEAR: f64 = 0.05;
 /// Largest number of tests that are examined. They are those with the largest errors. The number is small, because each test is simulated
 /// at every candidate setting.

@@ -57,11 +57,12 @@ pub struct StepForces {
 }
 
 impl StepForces {
-    /// Returns, for each instant, whether rounding in the window of the velocity leaves the model's forces unaffected.
+    /// Returns, for each instant, whether rounding of the velocity leaves the model's forces unaffected.
     ///
-    /// Rounding moves a value toward the mean of its neighbors in the window. The difference between value and mean estimates the error of
-    /// the force. In the middle of a corner, the rounded velocity is linear, so this difference does not show the error. So instants within
-    /// a quarter of the window from a rounded instant count as rounded too.
+    /// Rounding is the smoothing by the window of the derivative with which the velocity is computed. It moves a value toward the mean of
+    /// its neighbors in the window. The difference between value and mean estimates the error of the force. In the middle of a corner, the
+    /// rounded velocity is linear, so this difference does not show the error. So instants within a quarter of the window from a rounded
+    /// instant count as rounded too.
     fn has_known_motion(&self) -> Vec<bool> {
         if self.velocity_window_s == 0.0 {
             return vec![true; self.time.len()];
@@ -91,8 +92,8 @@ pub fn mean_response(steps: &[StepForces], grid: &[f64]) -> Vec<f64> {
     scaled(&raw, zero, one)
 }
 
-/// Computes the completed fraction of the force change on a grid by least squares over the steps. Returns NaN at times without a usable
-/// step.
+/// Computes the completed fraction of the force change on a grid of times since the step, s, by least squares over the steps. Returns NaN
+/// at times without a usable step.
 fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     let most =
         steps.iter().flat_map(|of| of.after.iter().zip(&of.before)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -117,8 +118,8 @@ fn fraction_of_way(steps: &[&StepForces], grid: &[f64]) -> Vec<f64> {
     sums.iter().map(|[product, square]| product / square).collect()
 }
 
-/// Averages the completed fraction before the step, and over the last quarter of the time after the step. Without finite values, the
-/// averages are 0 and 1.
+/// Averages the completed fraction of the force change before the step, and over the last quarter of the time after the step. Without
+/// finite values, the averages are 0 and 1.
 fn ends(raw: &[f64], grid: &[f64]) -> [f64; 2] {
     let mean = |wanted: &dyn Fn(f64) -> bool| {
         let own = raw.iter().zip(grid).filter(|(r, t)| r.is_finite() && wanted(**t)).map(|(r, _)| *r);

@@ -64,8 +64,8 @@ fn in_digits(limit: f64) -> String {
     format!("{limit:.digits$}")
 }
 
-/// Returns the text of [`remark`] for a parameter set, or no text. The description of an FMU contains this text, because an FMU allows
-/// model exchange.
+/// Returns the text of [`remark`] for a parameter set, or an empty list. The description of an FMU contains this text, because an FMU
+/// allows model exchange.
 pub fn remarks(params: &Params) -> Vec<String> {
     Model::new(params).ok().and_then(|model| remark(&model)).into_iter().collect()
 }

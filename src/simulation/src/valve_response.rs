@@ -13,8 +13,8 @@ const BEFORE: f64 = 0.1;
 
 /// Computes the response of the valve to a step of the command, as the completed fraction of the change of its setting.
 ///
-/// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step. Returns `None` without
-/// an actuator, or if the valve does not move.
+/// Before the step, the valve is in equilibrium at `from` after a long travel in the direction opposite to the step. Its hysteresis
+/// therefore reverses. Returns `None` without an actuator, or if the valve does not move.
 pub fn valve_response(axis: &Axis, from: f64, to: f64) -> Option<StepResponse> {
     let actuator = axis.actuator();
     if !has_actuator(axis) || from == to {
@@ -53,7 +53,7 @@ pub fn has_actuator(axis: &Axis) -> bool {
     axis.is_some() && (actuator.has_lag() || actuator.dead_time > 0.0)
 }
 
-/// Returns the setting of the valve at a time after the step, s.
+/// Returns the setting of the valve at a time after the step of the command to `to`, s.
 fn moved(actuator: &Actuator, rest: &Stand, to: f64, time: f64) -> f64 {
     let moving = time - actuator.dead_time;
     // Without a lag, the valve reaches its new position immediately.

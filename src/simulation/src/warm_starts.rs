@@ -2,7 +2,7 @@
 //!
 //! A model with a heat balance starts cold in every simulation, although the preceding tests have warmed the oil on the rig. For records
 //! with a common clock, the rise ϑ of the oil temperature, K, follows from C_h dϑ/dt = F v − h ϑ. C_h is the heat capacity, J/K, and h the
-//! heat transfer, W/K. Force F and velocity v are measured, and F v is 0 in pauses.
+//! heat transfer, W/K. The force F, N, and the velocity v, m/s, are measured, and F v is 0 in pauses.
 
 use dashpot_core::{Model, Params, State, element, number};
 use dashpot_estimation::heating::Heating;

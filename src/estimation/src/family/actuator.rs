@@ -1,11 +1,11 @@
 //! Estimation problem of the actuator of an adjustable damper, from forces under a setting that changes within the
 //! test.
 //!
-//! The damper at constant settings is known. The free parameters are those of the actuator, and relative errors of the
-//! family's force. For each direction of motion, there is one error at each setting of the grid, and one midway between
-//! two neighboring settings. Without these errors, an error of the family's force would be attributed to the response
-//! of the actuator. The [instant](super::command_time) within a sample at which the command changes is unknown. This
-//! uncertainty widens the intervals.
+//! The forces of the damper at constant settings (its family) are known. The free parameters are those of the actuator,
+//! and relative errors of the family's force. For each direction of motion, there is one error at each setting of the
+//! grid, and one midway between two neighboring settings. Without these errors, an error of the family's force would be
+//! attributed to the response of the actuator. The [instant](super::command_time) within a sample at which the command
+//! changes is unknown. This uncertainty widens the intervals.
 
 use super::command_time::{STEP, shifted};
 use super::response::run_commanded;
@@ -78,14 +78,16 @@ const DEAD_TIME: (f64, f64) = (0.003, 0.004);
 /// Mean and standard deviation of the hysteresis of solenoid valves, as a fraction of their range: friction and
 /// magnetic remanence cause one to six percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
-/// Mean and standard deviation of the place in the hysteresis at which tests at constant settings hold the valve. Rigs
-/// mostly switch the setting on from zero, so most settings are reached from below (1).
+/// Mean and standard deviation of the position in the hysteresis band at which tests at constant settings hold the
+/// valve. Rigs mostly switch the setting on from zero, so most settings are reached from below (1) rather than from
+/// above (−1).
 const REST: (f64, f64) = (0.6, 0.6);
-/// Entry of the place in the hysteresis.
+/// Name of the axis entry for the position in the hysteresis band.
 pub const REST_ENTRY: &str = "setting_hysteresis_rest";
-/// Places in the hysteresis that are compared. The best of them is the result, so its error is an eighth.
+/// Positions in the hysteresis band that are compared. The best of them is the result, so its error is at most an
+/// eighth.
 const PLACES: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
-/// Standard deviation that fixes the place in the hysteresis during a refit.
+/// Standard deviation that fixes the position in the hysteresis band during a refit.
 const FIXED: f64 = 1e-3;
 /// Time to cross the whole range at a typical rate limit, s: some tens of milliseconds. [`RATE_SPREAD`] is the standard
 /// deviation of its logarithm.
@@ -93,19 +95,19 @@ const CROSSES: f64 = 0.03;
 const RATE_SPREAD: f64 = 1.0;
 /// Standard deviation of the error of the force at a setting, as a fraction of the force.
 const LEVEL_SPREAD: f64 = 0.05;
-/// Largest standard deviation of the error of the force between neighbors of the grid, as a fraction of the force. A
-/// larger estimate is reduced to this value, because a family with a larger error is unusable.
+/// Largest standard deviation of the error of the force between neighbors of the grid of settings, as a fraction of the
+/// force. A larger estimate is reduced to this value, because a family with a larger error is unusable.
 const MOST_BETWEEN: f64 = 0.3;
 /// Bound of the force error midway between neighbors of the grid, in its standard deviations.
 const WITHIN: f64 = 2.0;
 /// Standard deviation of the force errors in a refit with a fixed force of the family, as a fraction of the force. It
 /// is far below the resolution of any record.
 const HELD_SPREAD: f64 = 1e-6;
-/// Largest hysteresis as a fraction of the range. The kernel accepts a quarter.
+/// Largest hysteresis as a fraction of the range of settings. The kernel accepts a quarter.
 const MOST_HYSTERESIS: f64 = 0.24;
 
 impl ActuatorNumber {
-    /// Returns the free parameters of a form for a grid whose settings span `range`.
+    /// Returns the free parameters of a form for a grid whose settings span `range`, in the unit of the setting.
     pub fn of_form(form: ActuatorForm, range: f64) -> Vec<ActuatorNumber> {
         let mut numbers = Vec::new();
         let time = |entries| {
@@ -232,7 +234,7 @@ pub struct ActuatorPoint {
     moved: OnceLock<Option<Vec<(Box<Family>, f64)>>>,
 }
 
-/// Returns the family with the values `x` of the actuator's free parameters; `None` if the kernel rejects them.
+/// Returns the family with the values `x` of the actuator's free parameters. Returns `None` if the kernel rejects them.
 fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Box<Family>> {
     let axis = axis_with(&definition.axis, numbers, x)?;
     let mut family = Box::new(Family::OFF);
@@ -240,7 +242,7 @@ fn family_with(definition: &Definition, numbers: &[ActuatorNumber], x: &[f64]) -
     Some(family)
 }
 
-/// Returns the axis with the values `x` of the actuator's free parameters; `None` if the axis rejects them.
+/// Returns the axis with the values `x` of the actuator's free parameters. Returns `None` if the axis rejects them.
 pub fn axis_with(axis: &Axis, numbers: &[ActuatorNumber], x: &[f64]) -> Option<Axis> {
     let mut axis = *axis;
     for (number, value) in numbers.iter().zip(x) {
@@ -287,7 +289,7 @@ impl<'a> ActuatorProblem<'a> {
         self.context.definition.axis.grid()
     }
 
-    /// Computes the forces at the scored samples of the test of a block, and the requested derivatives.
+    /// Computes the forces at the scored samples of the test of a block, N, and the requested derivatives.
     ///
     /// The command is delayed by `later` samples.
     fn forces(&self, block: usize, family: &Family, x: &[f64], wanted: Wanted, later: f64) -> (Vec<f64>, DMatrix<f64>) {
@@ -361,11 +363,12 @@ impl<'a> ActuatorProblem<'a> {
         self.refit(Some(&near.theta), effort)
     }
 
-    /// Finds the place in the hysteresis at which tests at constant settings hold the valve. Refits all other
-    /// parameters at each of [`PLACES`], and returns the refit at the best place.
+    /// Finds the position in the hysteresis band at which tests at constant settings hold the valve. Refits all other
+    /// parameters at each of [`PLACES`], and returns the refit at the best position.
     ///
-    /// The free errors of the force at and between the settings explain the forces at any place nearly as well. The
-    /// model does not contain these errors, so the places are compared without them. `log_likelihood` evaluates a refit.
+    /// The free errors of the force at and between the settings explain the forces at any position nearly as well. The
+    /// identified model does not contain these errors, so the positions are compared without them. `log_likelihood`
+    /// evaluates a refit.
     pub fn refit_place(
         &self,
         from: ActuatorRefit,
@@ -380,7 +383,7 @@ impl<'a> ActuatorProblem<'a> {
             let mut start = from.theta.clone();
             start[place] = rest;
             let mut refit = problem.refit(Some(&start), effort)?;
-            // The interval is that of the place as a free parameter.
+            // The interval of the position is that of a free parameter.
             refit.numbers.clone_from(&self.numbers);
             let (mean, spread) = REST;
             let prior = 0.5 * ((rest - mean) / spread).powi(2);
@@ -485,13 +488,13 @@ impl ActuatorProblem<'_> {
 }
 
 impl ActuatorRefit {
-    /// Returns the precisions of the priors of all free parameters.
+    /// Returns the precisions (reciprocal variances) of the priors of all free parameters.
     pub fn precisions(&self) -> Vec<f64> {
         let own = self.numbers.iter().map(|number| number.prior.1);
         own.chain(self.spreads.iter().copied()).map(|spread| 1.0 / (spread * spread)).collect()
     }
 
-    /// Makes a start for the search of another form.
+    /// Makes a start for the search of another form, on a grid whose settings span `range`.
     ///
     /// Parameters that both forms contain keep their values, the others get typical values, and the force errors are
     /// those of this refit.

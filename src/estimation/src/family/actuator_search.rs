@@ -52,7 +52,7 @@ pub struct ActuatorSearch {
     pub parts: Vec<ActuatorPart>,
     /// Other forms that the records do not rule out, with their log posterior minus that of the best form.
     pub alternatives: Vec<(f64, ActuatorRefit)>,
-    /// Refit of the same form without errors of the force between the settings; `None` if it gives no finite force.
+    /// Refit of the best form without errors of the force between the settings; `None` if it gives no finite force.
     pub without_errors_between: Option<ActuatorRefit>,
     /// Derivatives of the residuals with respect to the instant of the command change within a sample: see
     /// [`ActuatorProblem::timing_derivatives`].
@@ -184,7 +184,7 @@ impl Trials {
         self.find(form).map(|trial| (self.log_posterior(trial), trial))
     }
 
-    /// Returns the most probable form, but `now` if no other form is clearly more probable.
+    /// Returns the most probable form, or `now` if no other form is clearly more probable.
     fn best(&self, now: ActuatorForm) -> ActuatorForm {
         let all = self.0.keys().filter_map(|form| Some((self.scored(*form)?.0, *form)));
         let best = all.reduce(|best, next| if next.0 > best.0 { next } else { best });
@@ -193,7 +193,7 @@ impl Trials {
     }
 }
 
-/// Finds the most probable actuator; `None` if no form gives a finite force.
+/// Finds the most probable actuator. Returns `None` if no form gives a finite force.
 pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
     let (low, high) = context.definition.axis.range();
     let range = high - low;

@@ -31,7 +31,7 @@ impl From<&FamilyStructure> for Rival {
 }
 
 /// Returns what distinguishes two families: their effects, the quantities that vary with the setting, and the form of
-/// the FV curve at rest.
+/// the FV curve at zero velocity.
 fn key(hypothesis: &FamilyHypothesis, components: &[Component]) -> (Vec<Form>, Vec<Site>, Interpolation) {
     let mut forms: Vec<Form> = components.iter().map(|c| (c.effect, c.form)).collect();
     forms.sort_unstable();

@@ -12,8 +12,8 @@ use crate::refit::weights;
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest change of a parameter in a linear estimate, in steps of the parameter. Beyond it, the linearization is
-/// unreliable.
+/// Largest change of a parameter in a linear estimate, in typical steps of the parameter in a search. Beyond it, the
+/// linearization is unreliable.
 const TRUSTED: f64 = 5.0;
 /// Largest number of solutions of the bounded linear problem. Each solution fixes the parameters that exceeded their
 /// bounds in earlier solutions.
@@ -26,9 +26,9 @@ const RIDGE: f64 = 1e-9;
 pub struct Linearization<'a> {
     structure: &'a FamilyStructure,
     settings: &'a [SettingTests],
-    /// Values of the template's parameters at each setting.
+    /// Values of the free parameters of the template (the damper at one setting), at each setting.
     thetas: Vec<Vec<f64>>,
-    /// Derivatives of the weighted forces at each setting with respect to the template's parameters.
+    /// Derivatives of the weighted forces at each setting with respect to the free parameters of the template.
     jacobians: Vec<DMatrix<f64>>,
     /// Weighted normal matrix and right-hand side of each setting.
     normals: Vec<(DMatrix<f64>, DVector<f64>)>,
@@ -43,7 +43,7 @@ pub struct Prediction {
 }
 
 impl<'a> Linearization<'a> {
-    /// Linearizes a refitted family.
+    /// Linearizes the residuals of a refitted family.
     pub fn new(structure: &'a FamilyStructure, settings: &'a [SettingTests]) -> Linearization<'a> {
         let hypothesis = &structure.hypothesis;
         let columns = hypothesis.columns();
@@ -70,8 +70,8 @@ impl<'a> Linearization<'a> {
         Linearization { structure, settings, thetas, jacobians, normals }
     }
 
-    /// Predicts the family in which `sites` vary and all others are shared. Returns `None` if the linear problem has no
-    /// solution.
+    /// Predicts the family in which the quantities `sites` vary with the setting and all others are shared. Returns
+    /// `None` if the linear problem has no solution.
     pub fn predict(&self, sites: &[Site]) -> Option<Prediction> {
         let from = &self.structure.hypothesis;
         let varies = varies(&from.template, sites);

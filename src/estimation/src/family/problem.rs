@@ -111,14 +111,14 @@ impl FamilyHypothesis {
         self.template.params(&self.theta_at(theta, setting))
     }
 
-    /// Returns the family with another start.
+    /// Returns the family with the start `theta`.
     pub fn starting_at(mut self, theta: &[f64]) -> FamilyHypothesis {
         let starts = (0..self.settings()).map(|setting| self.theta_at(theta, setting)).collect();
         self.starts = starts;
         self
     }
 
-    /// Returns the family without one of its settings, with the starts of the other settings.
+    /// Returns the family without the setting with the index `setting`, with the starts of the other settings.
     pub fn without_setting(&self, setting: usize) -> FamilyHypothesis {
         let mut less = self.clone();
         less.starts.remove(setting);
@@ -133,7 +133,8 @@ impl FamilyHypothesis {
         sandwich_of(&self.joint(), &self.joint_refit(refit), &tests, &residual_at)
     }
 
-    /// Computes the residuals of all settings, concatenated; `None` if a setting gives no finite force.
+    /// Computes the weighted residuals of all settings, concatenated. Returns `None` if a setting gives no finite
+    /// force.
     fn residual_by(&self, accuracy: Accuracy, settings: &[SettingTests], theta: &[f64]) -> Option<Residual> {
         let of = |(place, of): (usize, &SettingTests)| {
             self.template.residual_by(accuracy, &of.tests, &self.theta_at(theta, place))
@@ -142,7 +143,7 @@ impl FamilyHypothesis {
         Some(Residual::from_iterator(all.iter().map(|of| of.len()).sum(), all.iter().flat_map(|of| of.iter().copied())))
     }
 
-    /// Refits the family from its start; `None` if the family gives no finite force.
+    /// Refits the family from its start. Returns `None` if the family gives no finite force.
     pub fn refit(&self, settings: &[SettingTests], effort: Effort) -> Option<FamilyRefit> {
         let numbers = self.numbers();
         let problem = Problem { family: self, settings, columns: self.columns(), length: self.len(), effort };

@@ -13,20 +13,20 @@ const PARTS: u32 = 4;
 /// moving.
 const MOVING: f64 = 1e-3;
 
-/// Computes the forces and the valve's positions at the samples of a segment. The simulation begins at the equilibrium
-/// of the first sample.
+/// Computes the forces, N, and the valve's positions, in the unit of the setting, at the samples of a segment. The
+/// simulation begins at the equilibrium of the first sample.
 pub fn run(family: &Family, segment: &Segment) -> (Vec<f64>, Vec<f64>) {
     run_commanded(family, segment, segment.setting.as_deref())
 }
 
-/// Returns the input at a fraction of a time step.
+/// Returns the input at the fraction `theta` of a time step, which ends with `input`.
 fn part_of(input: &Input, path: &Path, theta: f64) -> Input {
     let point = path.point(theta);
     Input { displacement: Some(point.x), velocity: point.v, ..*input }
 }
 
-/// Computes forces and valve positions under other commands than those of the segment. Each command applies to the step
-/// that ends at its sample.
+/// Computes forces, N, and valve positions, in the unit of the setting, under other commands than those of the segment.
+/// Each command applies to the step that ends at its sample.
 pub fn run_commanded(family: &Family, segment: &Segment, commands: Option<&[f64]>) -> (Vec<f64>, Vec<f64>) {
     let command = |sample: usize| commands.and_then(|all| all.get(sample)).copied();
     let count = segment.input.len();

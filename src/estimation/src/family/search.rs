@@ -103,9 +103,9 @@ pub fn search_family(
     Some(FamilySearch { best, rivals })
 }
 
-/// Returns the family with the more probable of the two forms of the FV curve at rest, then the family with the other
-/// form. The second is `None` if the other form does not apply or gives no finite force. Both forms have the same
-/// number of parameters, so the smaller χ² decides.
+/// Returns the family with the more probable of the two forms of the FV curve at zero velocity, then the family with
+/// the other form. The second is `None` if the other form does not apply or gives no finite force. Both forms have the
+/// same number of parameters, so the smaller χ² decides.
 fn by_form_at_rest(now: FamilyStructure, settings: &[SettingTests]) -> (FamilyStructure, Option<FamilyStructure>) {
     let other = with_other_form(&now.hypothesis.template).and_then(|template| {
         let hypothesis = FamilyHypothesis { template, ..now.hypothesis.clone() };
@@ -169,7 +169,7 @@ fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     }
 }
 
-/// Returns the sites that vary after a change of one site.
+/// Returns the quantities that vary after `site` has changed between varying and shared.
 fn toggled(varying: &[Site], site: Site) -> Vec<Site> {
     if varying.contains(&site) {
         varying.iter().copied().filter(|other| *other != site).collect()
@@ -266,7 +266,7 @@ fn asked_for(found: &[StructureSearch]) -> Vec<&Structure> {
     all.into_iter().take(beyond).map(|(_, structure)| structure).collect()
 }
 
-/// Returns for each site whether it depends on the setting, with the log odds of the dependence.
+/// Returns for each quantity whether it depends on the setting, with the log odds of the dependence.
 pub fn dependences(of: &FamilyStructure, settings: &[SettingTests]) -> Vec<Dependence> {
     let varying = of.varying();
     let linear = Linearization::new(of, settings);

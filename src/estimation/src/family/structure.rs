@@ -69,7 +69,7 @@ fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
 }
 
 impl FamilyStructure {
-    /// Fits a family from its start; `None` if the family gives no finite force.
+    /// Fits a family from its start. Returns `None` if the family gives no finite force.
     pub fn fit(
         hypothesis: FamilyHypothesis,
         components: Vec<Component>,
@@ -88,7 +88,8 @@ impl FamilyStructure {
         varying_sites(&self.hypothesis.template, &self.hypothesis.varies)
     }
 
-    /// Removes one effect from the family and refits.
+    /// Removes the effect with the index `place` from the family and refits. Returns `None` if the family gives no
+    /// finite force.
     pub fn without(&self, place: usize, settings: &[SettingTests], effort: Effort) -> Option<FamilyStructure> {
         let varying = self.varying();
         let from = &self.hypothesis;

@@ -17,12 +17,12 @@ use dashpot_core::parameter::{Number, table};
 use dashpot_records::restrict;
 use rayon::prelude::*;
 
-/// Smallest ratio of the speeds of a knee's point and of any other point. The search of one setting adds points at
-/// least a factor of 1.13 from their neighbors. Points of two settings closer than about half of that factor show the
-/// same knee. The curve would have too few samples between them.
+/// Smallest ratio of the speed of a point that a search added at a knee to the speed of any other point. The search of
+/// one setting adds points at least a factor of 1.13 from their neighbors. Points of two settings closer than about
+/// half of that factor show the same knee. The curve would have too few samples between them.
 const APART: f64 = 1.06;
 
-/// Returns the velocities of the FV table that all settings share.
+/// Returns the velocities of the FV table that all settings share, m/s.
 ///
 /// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
 /// the velocities of the tests alone, a knee that moves with the setting is rounded off.

@@ -11,12 +11,13 @@ const TURNS: f64 = 2e-3;
 pub enum Load {
     /// The whole force, including the gas force.
     Whole,
-    /// The force minus the force at rest: the tilt occurred later, or the force at rest was set to zero.
+    /// The force minus the force at rest. It applies if the tilt occurred under the static force, or if the load cell
+    /// was zeroed under this force.
     BeyondRest,
 }
 
-/// Adds friction as a fraction of the load. With `along`, the fraction is proportional to the displacement, and `share`
-/// has the unit 1/m.
+/// Adds the friction of the guides to the forces, N, as the fraction `share` of the load. With `along`, the fraction is
+/// proportional to the displacement, and `share` has the unit 1/m.
 pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], forces: &mut [f64]) {
     let rest = match load {
         Load::Whole => 0.0,
@@ -28,7 +29,7 @@ pub(super) fn guide(share: f64, along: bool, load: Load, inputs: &[Input], force
     }
 }
 
-/// Computes the mean of the forces on both sides of each reversal of the motion, or 0 without a reversal.
+/// Computes the mean of the forces on both sides of each reversal of the motion, N, or 0 without a reversal.
 fn at_rest(inputs: &[Input], forces: &[f64]) -> f64 {
     let turns = inputs.windows(2).zip(forces.windows(2)).filter(|(i, _)| i[0].velocity * i[1].velocity <= 0.0);
     let (sum, count) = turns.fold((0.0, 0.0), |(sum, count), (_, f)| (sum + 0.5 * (f[0] + f[1]), count + 1.0));

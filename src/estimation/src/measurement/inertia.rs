@@ -4,8 +4,8 @@
 
 use dashpot_core::Input;
 
-/// Adds the inertia force M a of a mass M. The acceleration a is the derivative of the parabola through three
-/// velocities.
+/// Adds the inertia force M a of a mass M, kg, to the forces, N. The acceleration a is the derivative of the parabola
+/// through three velocities.
 ///
 /// At fifty samples per cycle, the acceleration is 0.3 % too small. The fitted motion contains no noise that
 /// differentiation could amplify.

@@ -5,8 +5,8 @@ use super::second_order::SecondOrder;
 /// Damping ratio ζ of a second-order Bessel filter, which delays all frequencies nearly equally.
 const DAMPING: f64 = 0.866_025_403_784_438_6;
 
-/// Filters forces. At low frequency, the filter delays the forces by τ = 2 ζ/ω, s, where ω is its natural frequency,
-/// rad/s.
+/// Filters forces with the time steps `dt`, s. At low frequency, the filter delays the forces by `tau` = 2 ζ/ω, s,
+/// where ω is its natural frequency, rad/s.
 pub fn low_pass(tau: f64, dt: &[f64], forces: &mut [f64]) {
     if tau <= 0.0 {
         return;

@@ -38,8 +38,8 @@ pub enum Artefact {
     Step(u32),
     /// Drift of the load cell's zero with the campaign's clock, N/s.
     Drift,
-    /// Total drift of the load cell's zero, N, which grows exponentially while the rig warms up. The number of the
-    /// variant is the time constant on the campaign's clock, s.
+    /// Final drift of the load cell's zero, N, which the drift approaches exponentially while the rig warms up. The
+    /// number of the variant is the time constant on the campaign's clock, s.
     WarmUp(u32),
     /// Friction as a fraction of the force, for example because a tilted cross-head loads the guides.
     Guide(Load),
@@ -50,18 +50,19 @@ pub enum Artefact {
     /// The number of the variant is the force range, N, over which the sign of the added force changes after a
     /// reversal.
     Loop(u32),
-    /// Factor of a resonance's second derivative, divided by ω², that adds to the force. Below the resonance, this part
-    /// is in phase opposition to the force. The number of the variant is the frequency of the resonance, Hz.
+    /// Factor on y''/ω², which is added to the force. The output y of a resonance follows the force, and ω is its
+    /// natural frequency, rad/s. Below the resonance, y'' is in phase opposition to the force. The number of the
+    /// variant is the frequency of the resonance, Hz.
     Ring(u32),
-    /// Factor of a resonance's rate, divided by ω, that adds to the force. Below the resonance, this part is in
-    /// quadrature with the force, in phase with its rate. The number of the variant is the frequency of the resonance,
-    /// Hz.
+    /// Factor on y'/ω, which is added to the force. The output y of a resonance follows the force, and ω is its natural
+    /// frequency, rad/s. Below the resonance, y' is in phase with the rate of the force. The number of the variant is
+    /// the frequency of the resonance, Hz.
     RingAcross(u32),
 }
 
 impl Artefact {
-    /// Returns the name of the error. All names except `gain_drift`, for which only fits search, are in the vocabulary
-    /// of the diagnosis.
+    /// Returns the name of the error. A diagnosis reports all names except `gain_drift`, which only fits identify, and
+    /// those of unnamed errors.
     pub fn name(self) -> &'static str {
         match self {
             Artefact::Delay | Artefact::LowPass => "channel_delay",
@@ -130,7 +131,7 @@ impl Artefact {
         }
     }
 
-    /// Applies the measurement error to the forces at the samples of a test.
+    /// Applies the measurement error to the forces, N, at the samples of a test. `value` is the parameter of the error.
     ///
     /// A delay and a filter are excluded: a delay uses the force of an earlier motion ([`earlier`]), a filter uses
     /// [`low_pass()`] at finer steps.
@@ -151,7 +152,7 @@ impl Artefact {
         }
     }
 
-    /// Returns the constant force per unit of the parameter in a test, or `None` if the force is not constant.
+    /// Returns the constant force, N, per unit of the parameter in a test, or `None` if the force is not constant.
     pub fn per_value(self, segment: &Segment) -> Option<f64> {
         match self {
             Artefact::Delay

@@ -4,7 +4,8 @@ use crate::segment::Segment;
 use dashpot_core::Input;
 use dashpot_records::restrict;
 
-/// Shifts the motion of a test by a delay τ: the new motion at each sample is the motion at a time τ earlier.
+/// Shifts the motion of a test by a delay `tau`, s: the new motion at each sample is the motion at a time `tau`
+/// earlier.
 ///
 /// The motion is smooth and may be interpolated. The force must not be interpolated, because friction can reverse
 /// within a sample.
@@ -63,9 +64,9 @@ pub fn finer(segment: &Segment, parts: usize) -> Segment {
     fine
 }
 
-/// Interpolates displacement and velocity at a time `ahead` after a sample. The next sample is `h` later. Between the
-/// samples, the displacement is a Hermite cubic. Outside, it is a straight line. Without a displacement, the velocity
-/// is linear between the samples and constant outside.
+/// Interpolates displacement, m, and velocity, m/s, at a time `ahead`, s, after a sample. The next sample is `h`, s,
+/// later. Between the samples, the displacement is a Hermite cubic. Outside, it is a straight line. Without a
+/// displacement, the velocity is linear between the samples and constant outside.
 fn between(before: &Input, after: &Input, h: f64, ahead: f64) -> (Option<f64>, f64) {
     let (Some(x0), Some(x1)) = (before.displacement, after.displacement) else {
         let share = (ahead / h).clamp(0.0, 1.0);

@@ -2,14 +2,15 @@
 
 use super::second_order::SecondOrder;
 
-/// Damping ratio of a resonance. It makes the peak wide enough to include the next trial frequency.
+/// Damping ratio of a resonance. It makes the peak wide enough to include the next trial frequency of the unnamed
+/// errors.
 const DAMPING: f64 = 0.15;
 
 /// Adds a fraction of the response of a resonance at `frequency`, Hz, to the force.
 ///
 /// The output y follows the force as a second-order system with natural frequency ω, rad/s. With `across`, the response
-/// is the rate of y divided by ω. Otherwise, it is the second derivative of y divided by ω², which is in phase
-/// opposition to the force below resonance.
+/// is the rate of y divided by ω. Otherwise, it is the second derivative of y divided by ω². The second derivative is
+/// in phase opposition to the force below resonance.
 pub(super) fn resonance(share: f64, frequency: f64, across: bool, dt: &[f64], forces: &mut [f64]) {
     let omega = std::f64::consts::TAU * frequency;
     SecondOrder { omega, damping: DAMPING }.follow(dt, forces, |force, y, rate| {

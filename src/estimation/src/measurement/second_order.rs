@@ -1,6 +1,7 @@
 //! Second-order filter with output y and input force F: y'' + 2 ζ ω y' + ω² y = ω² F.
 //!
-//! The solution is exact for a force that is linear between samples.
+//! ζ is the damping ratio, and ω the natural frequency, rad/s. The solution is exact for a force that is linear between
+//! samples.
 
 /// Filter of the second order.
 pub(super) struct SecondOrder {
@@ -15,8 +16,8 @@ pub(super) struct SecondOrder {
 const ALIKE: f64 = 1e-9;
 
 impl SecondOrder {
-    /// Filters the forces and calls `then` for each sample after the first. The arguments of `then` are the force, the
-    /// filter's output and the rate of the output.
+    /// Filters the forces with the time steps `dt`, s, and calls `then` for each sample after the first. The arguments
+    /// of `then` are the force, the filter's output and the rate of the output.
     pub fn follow(&self, dt: &[f64], forces: &mut [f64], mut then: impl FnMut(&mut f64, f64, f64)) {
         let SecondOrder { omega, damping } = *self;
         let (falls, turns) = (damping * omega, omega * (1.0 - damping * damping).sqrt());

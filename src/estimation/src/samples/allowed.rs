@@ -12,15 +12,16 @@ const FORM: f64 = 0.002;
 const TIMING: f64 = 0.05;
 
 /// Computes the typical allowed error, N: the allowed error of a sample at which the force is constant. `noise` is the
-/// variance of a sample, N². `top` is the largest force, N.
+/// noise variance, N². `top` is the largest force, N.
 pub fn typical(noise: f64, top: f64) -> f64 {
     (noise + (FORM * top).powi(2)).sqrt().max(1e-6)
 }
 
 /// Computes the allowed error of each sample of a mean cycle, N.
 ///
-/// `noise` is the variance of a sample's mean, N². `times` contains a factor on this variance for each sample. A jump
-/// of the force counts only as far as it exceeds `mean_noise`, N.
+/// `noise` is the variance of a sample's mean divided by the fraction of independent samples, N². `times` contains a
+/// factor on `noise` for each sample. `mean_noise` is the standard deviation of a sample's mean, N. A jump of the force
+/// increases the allowed error only by its part above `mean_noise`.
 pub fn in_cycle(segment: &Segment, noise: f64, times: &[f64], mean_noise: f64) -> Vec<f64> {
     let n = times.len();
     allowed(segment, noise, mean_noise, |i| times[i], |i, k| (i + k + n - 2) % n)
@@ -33,8 +34,8 @@ pub fn on_a_road(segment: &Segment, noise: f64, mean_noise: f64) -> Vec<f64> {
     allowed(segment, noise, mean_noise, |_| 1.0, |i, k| (i + k).saturating_sub(2).min(n - 1))
 }
 
-/// Computes the allowed errors, N; `beside(i, k)` is the index of neighbor k of sample i, from 0 (two before) to 4 (two
-/// after).
+/// Computes the allowed errors, N, of all scored samples. `beside(i, k)` is the index of neighbor k of sample i, from 0
+/// (two before) to 4 (two after).
 fn allowed(
     segment: &Segment,
     noise: f64,

@@ -48,7 +48,8 @@ fn step(record: &Record) -> f64 {
     ((record.time[n - 1] - record.time[0]) / (n - 1).max(1) as f64).max(1e-9)
 }
 
-/// Computes the command of each step between picked samples: the mean over the samples of the step.
+/// Computes the command of each step between picked samples, in the unit of the setting: the mean over the samples of
+/// the step.
 fn commands(signal: &SettingSignal, picks: &[(usize, bool)]) -> Vec<f64> {
     let first = picks.first().map(|(first, _)| signal.command(*first));
     let mean = |pair: &[(usize, bool)]| {
@@ -118,7 +119,7 @@ fn with_steps_until_changes(
     test
 }
 
-/// Interpolates the input of the damper in the middle between two samples `dt` apart.
+/// Interpolates the input of the damper in the middle between two samples `dt`, s, apart.
 fn between([a, b]: [Input; 2], dt: f64) -> Input {
     let middle = |a: f64, b: f64| 0.5 * (a + b);
     // This is the cubic Hermite interpolation between both samples with their velocities.

@@ -13,8 +13,8 @@ const PER_CYCLE: usize = 120;
 /// Largest fraction of a cycle over which the force is averaged. A wider window would smooth the knee of the FV curve.
 const WINDOW: f64 = 1.0 / 400.0;
 
-/// Returns the time at which the displacement rises through its mean near a sample. Cycles are cut at samples, but a
-/// mean cycle requires a more accurate time.
+/// Returns the time, s, at which the displacement rises through its `mean` near a sample. Cycles are cut at samples,
+/// but a mean cycle requires a more accurate time.
 fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     let step = if index > 0 { time[index] - time[index - 1] } else { time[1] - time[0] };
     let ahead = (mean - motion.displacement[index]) / motion.velocity[index];
@@ -23,7 +23,7 @@ fn crossing(time: &[f64], motion: &Motion, mean: f64, index: usize) -> f64 {
     if ahead.abs() <= 2.0 * step { time[index] + ahead } else { time[index] }
 }
 
-/// Interpolates a channel at a time by a cubic through the four nearest samples, so that a coarsely sampled flank
+/// Interpolates a channel at a time by a cubic through the four nearest samples, so that a coarsely sampled steep part
 /// retains its shape.
 fn at(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
@@ -63,7 +63,8 @@ fn across_a_jump(record: &Record, t: f64) -> bool {
     rise(left) > STEEPER * (0.5 * (rise(left - 1) + rise(right)) + record.noise.force_rms)
 }
 
-/// Returns the phases at which the mean of a cycle is computed: those of at most `count` samples of the middle cycle.
+/// Returns the phases, 0 to 1, at which the mean of a cycle is computed: those of at most `count` samples of the middle
+/// cycle.
 ///
 /// If the other cycles have samples at equal phases, interpolation is unnecessary. Interpolation across a friction
 /// reversal would give an arbitrary force between the forces before and after the reversal.
@@ -82,7 +83,8 @@ fn phases(time: &[f64], cycles: &[Range<usize>], bounds: &[(f64, f64)], count: u
         .collect()
 }
 
-/// Computes the mean of `value` at `averaged` points around a time. The distance between points is `apart`.
+/// Computes the mean of `value` at an odd number `averaged` of points around its argument 0. The distance between
+/// points is `apart`.
 fn window(averaged: usize, apart: f64, value: impl Fn(f64) -> f64) -> f64 {
     let half = (averaged / 2) as i64;
     (-half..=half).map(|k| value(k as f64 * apart)).sum::<f64>() / averaged as f64

@@ -27,7 +27,7 @@ const LEFT: f64 = 0.1;
 /// not end such a change, so the lead-in is then not extended.
 const SLOWEST: f64 = 0.95;
 
-/// Computes the initial length of the lead-in of a cycle of `count` samples, in samples.
+/// Computes the initial length of the lead-in, in samples, of a cycle of `count` samples that lasts `period`, s.
 pub fn initial_length(period: f64, count: usize) -> usize {
     let half_cycles = (2.0 * (TIME / period).clamp(CYCLES.0, CYCLES.1)).round();
     (0.5 * half_cycles * count as f64) as usize
@@ -57,7 +57,7 @@ pub fn as_long_as_remembered(tests: Vec<Test>, params: &Params) -> Vec<Test> {
         .collect()
 }
 
-/// Repeats the scored cycle over the indices `places`, of which the first `lead` samples are the lead-in.
+/// Repeats the scored cycle at the indices `places`, which count from the start of a lead-in of `lead` samples.
 fn led_in(test: &Test, places: &[usize], lead: usize) -> Segment {
     let (whole, count) = (&test.segment, test.count());
     let turned = |k: usize| whole.from + (k + count - lead % count) % count;
@@ -71,8 +71,8 @@ fn led_in(test: &Test, places: &[usize], lead: usize) -> Segment {
     }
 }
 
-/// Returns the number of further cycles of lead-in after which the force is that of the steady state. Returns 0 for a
-/// test without cycles.
+/// Returns the number of further cycles of lead-in after which the force is that of the steady state, at most [`MORE`].
+/// Returns 0 for a test without cycles or with too few samples.
 fn further_cycles(test: &Test, model: &Model) -> usize {
     let count = test.count();
     if test.frequency <= 0.0 || count <= COARSER {
@@ -109,7 +109,7 @@ mod tests {
 
     const COUNT: usize = 100;
 
-    /// Makes the test of a cycle of 1 mm that starts at an arbitrary phase, with the initial lead-in.
+    /// Makes the test of a cycle with an amplitude of 1 mm that starts at an arbitrary phase, with the initial lead-in.
     fn cycle(frequency: f64) -> Test {
         let dt = 1.0 / (frequency * COUNT as f64);
         let input = |k: usize| {

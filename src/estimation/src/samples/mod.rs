@@ -114,7 +114,7 @@ fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<
 }
 
 /// Makes a segment of a record at the time `clock` of the campaign's clock, s. Scored samples begin at index `from`.
-/// `noise` is the variance of a sample, N².
+/// `noise` is the variance of a sample divided by the fraction of independent samples, N².
 fn segment(
     record: &Record,
     clock: f64,

@@ -22,6 +22,7 @@ pub struct Repeat {
 }
 
 /// Computes the statistics from the deviations of cycles from their mean at equal phase, for any noise spectrum.
+/// `bounds` are the begin and end of each cycle, s, and `mean` the phases, 0 to 1, and forces, N, of the mean cycle.
 /// Returns `None` for too few cycles or samples, or if all deviations are zero.
 pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) -> f64) -> Option<Repeat> {
     let count = mean.len();
@@ -42,7 +43,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     if variance <= 0.0 {
         return None;
     }
-    // Geyer's initial positive sequence (Stat. Sci. 7, 1992), truncated at a quarter of a cycle.
+    // After Geyer's initial positive sequence (Stat. Sci. 7, 1992), truncated at a quarter of a cycle.
     let mut stands_for = 1.0;
     for lag in 1..count / 4 {
         let correlation = product(lag) / variance;
@@ -61,7 +62,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
 }
 
 /// Computes the growth of the force from cycle to cycle in standard deviations, from each cycle's gain relative to the
-/// mean cycle.
+/// mean cycle. One independent sample stands for `stands_for` samples.
 fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 {
     let middle = mean.iter().map(|m| m.1).sum::<f64>() / mean.len() as f64;
     let shape: Vec<f64> = mean.iter().map(|m| m.1 - middle).collect();
@@ -81,13 +82,13 @@ fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 
     slope / (of_gain / places).sqrt().max(1e-300)
 }
 
-/// Computes the fraction of independent samples from the correlation of neighboring samples.
+/// Computes the fraction of independent samples from the autocorrelation `lag` of neighboring samples.
 pub fn independence(lag: f64) -> f64 {
     (1.0 - lag) / (1.0 + lag)
 }
 
 /// Computes the variance of the mean of `count` neighbors relative to the variance of one sample. The autocorrelation
-/// of the noise decays geometrically.
+/// of the noise is `lag1` between neighbors and decays geometrically.
 pub fn mean_variance(count: usize, lag1: f64) -> f64 {
     let n = count as f64;
     let sum: f64 = (1..count).map(|k| (n - k as f64) * lag1.powi(k as i32)).sum();

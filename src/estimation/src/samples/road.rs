@@ -21,7 +21,7 @@ const SCORED: usize = 1000;
 /// Number of scored samples of a stretch: at least as many as a mean cycle has.
 const STRETCH: usize = 150;
 /// Number of samples of the lead-in of a stretch. An internal state with a time constant above 0.2 s keeps its initial
-/// error. Such slow states belong to temperature and gas, which are inputs.
+/// error. Such slow states belong to the temperature, which is an input, and to the gas.
 const LEAD: usize = 100;
 /// Numbers of cells of displacement and of velocity over the range of the road. With this number, the displacements at
 /// an end stop have separate cells.
@@ -170,8 +170,8 @@ mod tests {
     use dashpot_core::{Input, Model, Params};
     use dashpot_records::smoothing::smooth;
 
-    /// Checks a record of a simulation of the kernel, sampled at 1 kHz for half a minute. With larger steps, the model
-    /// would not reproduce these forces.
+    /// Checks a record of a simulation of the kernel, sampled at 1 kHz for half a minute. With steps above [`STEP`], the
+    /// model would not reproduce these forces.
     #[test]
     fn a_long_road_is_gone_through_at_its_own_rate() {
         let model = Model::new(&Params::new()).unwrap();

@@ -9,7 +9,7 @@ const STEP: f64 = 6e-6;
 const SMALLEST: f64 = 1e-3;
 
 /// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model
-/// is invalid on one side. Returns `None` if the model is invalid at `x` or on both sides.
+/// is invalid on one side. Returns `None` if the model is invalid at `x`, or on both sides of `x` for a parameter.
 pub(super) fn central(
     problem: &dyn Problem,
     block: usize,

@@ -13,10 +13,10 @@ use crate::samples::Test;
 use rayon::prelude::*;
 
 /// Smallest probability at which an alternative is included. The probability assumes that the alternative and the best
-/// structure are the only candidates. Below it, a 95 % interval may omit the alternative.
+/// structure are the only candidates. Below this probability, a 95 % interval may omit the alternative.
 pub(crate) const LEAST: f64 = 0.05;
 /// Largest number of alternatives. Each alternative costs a refit, and further alternatives are even less probable.
-/// With 3, other forms of the effects use up the number, and a spring parallel to a gas column is lost (system test
+/// With 3, other forms of the same effects fill the list, and a spring parallel to a gas column is omitted (system test
 /// `an_interval_holds_what_a_less_probable_structure_says`).
 pub(crate) const MOST: usize = 5;
 
@@ -28,7 +28,8 @@ pub struct Alternative {
     pub weight: f64,
 }
 
-/// Computes the log weight of a structure.
+/// Computes the logarithm of the weight of a structure in averages over structures; `at` contains the divisors of its
+/// log evidence and log prior.
 fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
     at.log_weight(structure.log_posterior, structure.log_prior)
 }
@@ -36,11 +37,13 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
 /// Returns the probable structures that differ from `best` by one added, removed or exchanged effect. They are
 /// refitted, and the most probable structure is first.
 ///
-/// Each has a probability of at least 5 % relative to `best`, so that a 95 % interval must include it. `best` is the
-/// most probable structure of the search, or that structure without some effects. In the second case, the most probable
-/// structure is an alternative.
+/// If an alternative and `best` were the only candidates, the alternative would have a probability of at least 5 %. A
+/// 95 % interval must then include it. `best` is the most probable structure of the search, or that structure without
+/// some effects. In the second case, the most probable structure may be an alternative. At most `MOST` alternatives are
+/// returned.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
-    // Refit `best` with the effort of the alternatives: a more accurate integration changes the log posterior by units.
+    // Refit `best` with the effort used for the alternatives: a more accurate integration changes the log posterior by
+    // several units.
     let judged = best.refitted(tests, Effort::JUDGE);
     let own = log_weight(judged.as_ref().unwrap_or(best), at);
     let is_open = |weight: f64| 1.0 / (1.0 + libm::exp(own - weight)) >= LEAST;
@@ -60,7 +63,7 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
     let by_weight = |a: &Structure, b: &Structure| log_weight(b, at).total_cmp(&log_weight(a, at));
     all.sort_by(by_weight);
     all.truncate(MOST);
-    // The search refitted a trial only with the accuracy that a comparison requires.
+    // The search refitted a trial only with the accuracy that a comparison requires, so refit the alternatives again.
     let mut all: Vec<Structure> =
         all.par_iter().filter_map(|structure| structure.refitted(tests, Effort::JUDGE)).collect();
     all.retain(|structure| is_open(log_weight(structure, at)));
@@ -70,8 +73,8 @@ pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures
         .collect()
 }
 
-/// Computes the ends of the 95 % intervals of a structure's free parameters, without alternatives. Returns `None` if
-/// the covariance is unknown.
+/// Computes the ends of the 95 % intervals of a structure's free parameters, in their search coordinates and without
+/// alternatives. Returns `None` if the covariance is unknown.
 fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
     let Structure { hypothesis, refit, .. } = structure;
     let (covariance, _) = sandwich(hypothesis, refit, tests)?;
@@ -83,7 +86,8 @@ fn own_ends(structure: &Structure, tests: &[Test]) -> Option<Vec<[f64; 2]>> {
 /// value, in standard deviations.
 const BEYOND: f64 = 0.025;
 const DEVIATIONS: f64 = 1.959_964;
-/// Bisection steps for a quantile. Their accuracy is a billionth of the distance between the outermost ends.
+/// Bisection steps for a quantile. Their accuracy is a billionth of the distance between the outermost ends of all
+/// intervals.
 const HALVES: usize = 30;
 
 /// Estimate of a parameter by one structure: weight of the structure, value, and ends of the 95 % interval.
@@ -98,7 +102,8 @@ pub struct Part {
 }
 
 impl Part {
-    /// Computes the probability that the parameter is below `x`. Each side is half of a normal distribution.
+    /// Computes the probability that the parameter is below `x`. Each side of `value` is half of a normal distribution,
+    /// whose standard deviation follows from the end on this side.
     fn below(&self, x: f64) -> f64 {
         let end = if x < self.value { self.ends[0] } else { self.ends[1] };
         let deviation = (end - self.value).abs() / DEVIATIONS;
@@ -111,7 +116,8 @@ impl Part {
 }
 
 /// Computes the ends of a parameter's 95 % interval over several structures. The interval contains the interval of the
-/// first structure, so alternatives never make it narrower. Returns `None` if `parts` is empty.
+/// first structure, so alternatives never make it narrower. If an end is infinite, the outermost ends are returned.
+/// Returns `None` if `parts` is empty.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);
@@ -160,8 +166,8 @@ mod tests {
         assert_eq!(mixed_interval(&[part(1.0, 3.0)]), Some([3.0 - DEVIATIONS, 3.0 + DEVIATIONS]));
         // Two equal estimates give the interval of a single estimate.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(0.4, 0.0)]), [-DEVIATIONS, DEVIATIONS]));
-        // A quarter of the weight is around 100. The upper end is 1.28 deviations above 100, so a tenth of that quarter
-        // is above the interval.
+        // A quarter of the weight is around 100. The upper end is 1.28 standard deviations above 100, so a tenth of
+        // that quarter is above the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1.0 / 3.0, 100.0)]), [-DEVIATIONS, 101.282]));
         // A structure with negligible weight does not widen the interval.
         assert!(near(mixed_interval(&[part(1.0, 0.0), part(1e-6, 100.0)]), [-DEVIATIONS, DEVIATIONS]));

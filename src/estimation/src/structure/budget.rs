@@ -3,14 +3,14 @@
 /// Numbers of refits that an expansion may spend.
 #[derive(Debug, Clone, Copy)]
 pub struct Budget {
-    /// Number of starts that are refitted for each form: first starts with unchanged base parameters, then starts that
-    /// change them.
+    /// Number of starts that are refitted for each form: first starts with unchanged base parameters (those without the
+    /// effect), then starts that change them.
     pub starts: [usize; 2],
-    /// Total number of starts that are refitted.
+    /// Number of starts that are refitted in total. The best start of every effect is refitted even beyond this number.
     pub entrants: usize,
-    /// Number of forms that are refitted in the second stage.
+    /// Number of forms that are refitted in the second stage of the successive halving.
     pub forms: usize,
-    /// Number of forms that are refitted with a separate Jacobian.
+    /// Number of forms that are refitted in the third stage, each with a newly computed Jacobian.
     pub finals: usize,
 }
 

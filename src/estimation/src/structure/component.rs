@@ -14,7 +14,7 @@ pub struct Component {
     pub effect: &'static str,
     /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
-    /// Elements that the effect enables. Empty for a measurement error.
+    /// Elements that the effect enables. Empty for a measurement error and for a change from a reference damper.
     pub elements: Vec<Element>,
     /// Parameters that the effect sets to fixed values.
     pub fixed: Vec<(Number, f64)>,
@@ -62,8 +62,8 @@ const WEAK: [Number; 34] = [
     number!("moving_mass_time"),
 ];
 
-/// Returns the element to which a free parameter belongs, or `None` for parameters of the measurement and of the FV
-/// curve.
+/// Returns the element to which a free parameter belongs. Returns `None` for parameters of the measurement and of the
+/// FV curve, and for changes from a reference damper.
 pub fn element_of(free: &Free) -> Option<Element> {
     let element = match free {
         Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -99,8 +99,8 @@ impl Component {
         }
     }
 
-    /// Returns the components of a given model: one for each element except the FV curve, and one for each measurement
-    /// error.
+    /// Returns the components of a given model: one for each enabled element except the FV curve, and one for each
+    /// measurement error.
     pub fn of_model(of: &Hypothesis) -> Vec<Component> {
         let mut all: Vec<Component> = Element::all()
             .filter(|element| of.base.is_on(*element) && *element != element!("fv_curve"))
@@ -148,7 +148,7 @@ impl Component {
         forces.next().is_some_and(|first| is_zero(first) && forces.all(is_zero))
     }
 
-    /// Returns whether the component is a measurement error, not a part of the damper.
+    /// Returns whether the component enables no element: a measurement error, or a change from a reference damper.
     pub fn is_of_measurement(&self) -> bool {
         self.elements.is_empty()
     }

@@ -26,7 +26,7 @@ pub struct SearchContext<'a> {
     pub tests: &'a [Test],
     /// Whether a candidate may be part of the structure.
     pub is_allowed: &'a (dyn Fn(&Candidate, &Situation) -> bool + Sync),
-    /// Candidates in addition to the vocabulary: changes relative to a reference.
+    /// Candidates in addition to the vocabulary: changes relative to a reference damper.
     pub changes: &'a [Candidate],
     /// Priors from known facts about this damper.
     pub priors: &'a PriorSet,
@@ -88,12 +88,13 @@ impl Structure {
         key(self.components.iter())
     }
 
-    /// Returns the key of the structure without one of its effects.
+    /// Returns the key of the structure without the effect with the index `place`.
     pub fn key_without(&self, place: usize) -> Vec<Form> {
         key(self.components.iter().enumerate().filter(|(k, _)| *k != place).map(|(_, component)| component))
     }
 
-    /// Returns the structure without one effect, refitted. Returns `None` if the model gives no finite force.
+    /// Returns the structure without the effect with the index `place`, refitted. Returns `None` if the model gives no
+    /// finite force.
     pub fn without(&self, place: usize, tests: &[Test], effort: Effort) -> Option<Structure> {
         let hypothesis = self.components[place].remove(&self.hypothesis, &self.refit.theta);
         let mut components = self.components.clone();
@@ -101,8 +102,9 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Returns the structure without one effect, refitted. After a few steps, the refit continues only if the log
-    /// posterior has decreased by at most `reach`. Returns `None` if the model gives no finite force.
+    /// Returns the structure without the effect with the index `place`, refitted. After a few steps, the refit
+    /// continues only if the log posterior has decreased by at most `reach`. Returns `None` if the model gives no
+    /// finite force.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;
         if first.log_posterior < self.log_posterior - reach {
@@ -127,7 +129,7 @@ impl Structure {
     }
 
     /// Refits from the current parameters, and adds points to the FV curve where they reduce χ² enough. The refit also
-    /// tries the other form of the curve at rest, and restarts an implausible series element.
+    /// tries the other form of the curve at zero velocity, and restarts an implausible series element.
     pub fn refined(&self, tests: &[Test], effort: Effort) -> Structure {
         let Some(mut fine) = refit(&self.hypothesis, tests, &self.refit.theta, None, effort) else {
             return self.clone();
@@ -145,7 +147,7 @@ impl Structure {
     }
 }
 
-/// Refits with the other form of the FV curve at rest, and returns the form with the smaller χ².
+/// Refits with the other form of the FV curve at zero velocity, and returns the form with the smaller χ².
 fn likelier_at_rest(now: (Hypothesis, Refit), tests: &[Test], effort: Effort) -> (Hypothesis, Refit) {
     let other = with_other_form(&now.0).and_then(|other| {
         let refitted = refit(&other, tests, &now.1.theta, None, effort)?;
@@ -164,7 +166,7 @@ fn key<'c>(components: impl Iterator<Item = &'c Component>) -> Vec<Form> {
     key
 }
 
-/// Counts the free parameters. Points of the FV curve also count as parameters.
+/// Counts the free parameters, with weakly determined ones as half. Points of the FV curve also count as parameters.
 fn numbers(hypothesis: &Hypothesis, components: &[Component]) -> f64 {
     let points = hypothesis
         .numbers

@@ -15,7 +15,8 @@ const STEPS: [f64; 5] = [0.8, 0.4, 0.2, 0.1, 0.05];
 /// Number of model evaluations after which no further sweep over the parameters begins.
 const RUNS: usize = 60;
 
-/// Returns the parameters that minimize the cost of `residual`. Only the parameters at `places` change.
+/// Returns the parameters, from those of `at`, that minimize the cost of `residual`. Only the parameters with the
+/// indices `places` change.
 pub fn minimize(
     hypothesis: &Hypothesis,
     at: &Refit,

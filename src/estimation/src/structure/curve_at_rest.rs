@@ -1,7 +1,9 @@
-//! The two forms of the FV curve at rest: smooth with a single derivative, or a kink with one derivative on each side.
+//! The two forms of the FV curve at zero velocity: one derivative for both sides, or a kink with one derivative on each
+//! side.
 //!
-//! Rebound and compression of a damper have different valves, so its curve has a kink. A model from another source may
-//! be smooth at rest. Both forms have the same parameters, so the form with the smaller residual is more probable.
+//! Rebound and compression of a damper have different valves, so its curve has a kink at zero velocity. A model from
+//! another source may be smooth there. Both forms have the same parameters, so the form with the smaller residual is
+//! more probable.
 
 use crate::hypothesis::{Free, Hypothesis};
 use crate::unknowns::{CurveName, Unknown};
@@ -9,7 +11,8 @@ use dashpot_core::curve::Interpolation;
 use dashpot_core::elements::fv_curve::{choice_of_interpolation, fv_interpolation};
 use dashpot_core::{Params, number};
 
-/// Returns the model with the other form of its FV curve at rest. Returns `None` if the curve is piecewise linear.
+/// Returns the model with the other form of its FV curve at zero velocity. Returns `None` if the curve is piecewise
+/// linear.
 pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     let other = match fv_interpolation(params) {
         Interpolation::MonotoneCubic => Interpolation::CubicEachSide,
@@ -21,8 +24,9 @@ pub fn with_other_form_at_rest(params: &Params) -> Option<Params> {
     Some(params)
 }
 
-/// Returns the hypothesis with the other form of its FV curve at rest. Returns `None` if the curve is piecewise linear.
-/// Also returns `None` if the curve has no free points, for example because it is that of a reference.
+/// Returns the hypothesis with the other form of its FV curve at zero velocity. Returns `None` if the curve is
+/// piecewise linear. Also returns `None` if no force of the curve is free, for example because the curve of a reference
+/// damper is used.
 pub fn with_other_form(of: &Hypothesis) -> Option<Hypothesis> {
     let is_point = |free: &Free| matches!(free, Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }));
     of.numbers.iter().find(|number| is_point(&number.free))?;

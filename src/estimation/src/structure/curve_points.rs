@@ -12,8 +12,8 @@ use dashpot_core::curve::MAX_POINTS;
 use dashpot_core::{Model, Params, list};
 use nalgebra::DVector;
 
-/// Smallest reduction of χ² for each added point. All added points together must reduce the excess χ² by at least the
-/// fraction [`BY_POINTS`].
+/// Smallest reduction of χ² for each added point. All added points together must reduce the excess of χ² over that of
+/// noise by at least the fraction [`BY_POINTS`].
 const PER_POINT: f64 = 8.0;
 const BY_POINTS: f64 = 0.05;
 /// Largest number of refinements of the curve.
@@ -47,8 +47,8 @@ pub fn with_enough_points(mut now: (Hypothesis, Refit), tests: &[Test], floor: f
     now
 }
 
-/// Returns the middle of every interval of the FV curve. It is the geometric mean of the ends, because the points are
-/// spaced geometrically. Next to zero, it is the arithmetic mean.
+/// Returns the middle of every interval of the FV curve, m/s. It is the geometric mean of the ends, because the points
+/// are spaced geometrically. Next to zero, it is the arithmetic mean.
 fn middles(from: &Hypothesis) -> Vec<f64> {
     let velocity = from.base.list(list!("fv_velocity"));
     velocity
@@ -64,7 +64,7 @@ fn middles(from: &Hypothesis) -> Vec<f64> {
 }
 
 /// Returns the middles at which a point reduces χ² enough, and the total reduction. Returns `None` if the curve with
-/// all middles gives no valid model or no finite force.
+/// all middles exceeds the table, or if it gives no valid model or no finite force.
 ///
 /// All other parameters adapt to first order. A greedy selection adds the best middle first.
 fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(Vec<f64>, f64)> {
@@ -81,8 +81,8 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
-    // If a point is above the line of its interval, the force increment before it is larger and the one after it is
-    // smaller.
+    // If a new point is above the line between its neighbors, the force increment before it is larger and the one after
+    // it is smaller.
     let mut bumps: Vec<(f64, DVector<f64>)> = middles
         .iter()
         .filter_map(|middle| {
@@ -120,15 +120,15 @@ fn with_points(from: &Hypothesis, theta: &[f64], points: &[f64]) -> Option<Hypot
     with_velocities(from, theta, &velocities)
 }
 
-/// Computes the forces of a parameter set's FV curve at some velocities, N. Returns `None` if the set is not a valid
-/// model.
+/// Computes the forces of a parameter set's FV curve, N, at some velocities, m/s. Returns `None` if the set is not a
+/// valid model.
 pub(crate) fn forces_at(params: &Params, velocities: &[f64]) -> Option<Vec<f64>> {
     let curve = Model::new(params).ok()?.elements().paths.fv_curve;
     Some(velocities.iter().map(|v| curve.evaluate(*v).value).collect())
 }
 
-/// Resamples the FV curve of a hypothesis at other velocities. Returns `None` if the table is too small or the model is
-/// not valid.
+/// Resamples the FV curve of a hypothesis at other velocities, m/s. Returns `None` if the table is too small or the
+/// model is not valid.
 pub(crate) fn with_velocities(from: &Hypothesis, theta: &[f64], velocities: &[f64]) -> Option<Hypothesis> {
     let mut params = from.params(theta);
     let forces = forces_at(&params, velocities)?;

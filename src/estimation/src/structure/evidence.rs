@@ -18,9 +18,9 @@ use crate::samples::Test;
 use crate::scale::Scale;
 use nalgebra::DVector;
 
-/// Mean square form error that every test is assumed to have at least, in units of noise and curve discretization. With
-/// a smaller value, reports contain effects that explain only the discretization of the FV curve. With a larger value,
-/// effects below the noise are lost.
+/// Mean square form error that every test is assumed to have at least, relative to the mean square of noise and curve
+/// discretization. With a smaller value, reports contain effects that explain only the discretization of the FV curve.
+/// With a larger value, effects below the noise are lost.
 const FORM: f64 = 0.3;
 /// Number of observations of the form error in a test. A mean cycle shows more than one feature, but its features are
 /// correlated with those of neighboring tests. With a larger value, reports contain effects that explain only a small
@@ -30,7 +30,7 @@ const OBSERVATIONS: f64 = 1.5;
 /// Residual statistics of a structure.
 #[derive(Debug, Clone)]
 pub struct Evidence {
-    /// Mean square residual of each test, in units of noise and curve discretization.
+    /// Mean square residual of each test, relative to the mean square of noise and curve discretization.
     pub mean_squares: Vec<f64>,
     /// Number of tests that each test represents.
     pub weights: Vec<f64>,
@@ -42,10 +42,10 @@ pub struct Evidence {
     pub relief: f64,
 }
 
-/// Computes the mean square residual of samples of a test, relative to its noise and curve discretization. Residuals
-/// beyond [`HUBER`] count linearly.
+/// Computes the mean square residual of samples of a test, relative to that of its noise and curve discretization.
+/// `unit` is the root mean square of both, N. Residuals beyond [`HUBER`] count linearly.
 ///
-/// Each sample is a pair: its weighted residual and its allowed error, N.
+/// Each sample is a pair: its residual divided by the allowed error, and its allowed error, N.
 pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut sum, mut expected) = (0.0, 0.0);
     for (residual, allowed) in samples {
@@ -56,15 +56,15 @@ pub fn mean_square(unit: f64, samples: impl Iterator<Item = (f64, f64)>) -> f64 
     sum / expected.max(1e-300)
 }
 
-/// Computes the mean square residual of each test.
+/// Computes the mean square residual of each test, relative to that of noise and curve discretization.
 pub fn mean_squares(tests: &[Test], residual: &DVector<f64>) -> Vec<f64> {
     let mut rows = residual.iter().copied();
     let of_test = |test: &Test| mean_square(test.unit(), rows.by_ref().zip(test.allowed.iter().copied()));
     tests.iter().map(of_test).collect()
 }
 
-/// Computes the reduction of a parameter's cost `per_number` if the parameter is better known for this damper than for
-/// other dampers.
+/// Computes the reduction of a parameter's cost, in log odds, if the parameter is better known for this damper than for
+/// other dampers. `per_number` is the cost without this knowledge.
 pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64) -> f64 {
     match &number.free {
         Free::Model(unknown) => priors.relief(unknown, scale, weight(&number.free) * per_number),
@@ -73,7 +73,8 @@ pub fn relief(number: &Number, priors: &PriorSet, scale: Scale, per_number: f64)
 }
 
 impl Evidence {
-    /// Computes the evidence from residuals at `theta`. `numbers` is the count of free parameters.
+    /// Computes the evidence from residuals at `theta`. `numbers` is the count of free parameters, with weakly
+    /// determined ones as half.
     pub fn new(
         hypothesis: &Hypothesis,
         theta: &[f64],
@@ -99,13 +100,13 @@ impl Evidence {
         self.weights.iter().sum()
     }
 
-    /// Computes the mean of the tests' mean square residuals.
+    /// Computes the mean of the tests' mean square residuals, relative to noise and curve discretization.
     pub fn mean(&self) -> f64 {
         self.mean_squares.iter().zip(&self.weights).map(|(square, weight)| square * weight).sum::<f64>()
             / self.count().max(1.0)
     }
 
-    /// Computes the log likelihood, up to a constant that all structures share.
+    /// Computes the log likelihood of the residuals, up to a constant that all structures share.
     pub fn log_likelihood(&self) -> f64 {
         let whole = self.count();
         let of = |(square, weight): (&f64, &f64)| weight * (FORM + (square - 1.0).max(0.0)).sqrt();
@@ -113,19 +114,19 @@ impl Evidence {
         -OBSERVATIONS * whole * libm::log(scale)
     }
 
-    /// Computes the cost of one free parameter: half the logarithm of the number of tests. With few tests, it is 1, the
-    /// mean gain of a parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
+    /// Computes the cost of one free parameter, in log odds: half the logarithm of the number of tests. With few tests,
+    /// it is 1, the mean gain of a parameter by chance (Akaike, IEEE Trans. Autom. Control 19, 1974).
     pub fn per_number(&self) -> f64 {
         per_number(self.count())
     }
 
-    /// Computes the log evidence.
+    /// Computes the log evidence: the log likelihood minus the costs of the free parameters and of their values.
     pub fn log_evidence(&self) -> f64 {
         self.log_likelihood() - self.numbers * self.per_number() + self.relief - self.negative_log_prior
     }
 }
 
-/// Computes the cost of one free parameter for a number of tests.
+/// Computes the cost of one free parameter, in log odds, for a number of tests.
 fn per_number(tests: f64) -> f64 {
     (0.5 * libm::log(tests.max(1.0))).max(1.0)
 }
@@ -144,7 +145,7 @@ pub fn log_sum_exp(logs: &[f64]) -> f64 {
     most + libm::log(logs.iter().map(|l| libm::exp(l - most)).sum::<f64>())
 }
 
-/// Computes the χ² that noise adds to a test.
+/// Computes the χ² that noise adds to a test: the sum of squared ratios of the noise to the allowed errors.
 fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }

@@ -29,12 +29,12 @@ pub struct Trial {
     pub structure: Structure,
 }
 
-/// All structures with one more effect.
+/// Refitted structures with one more effect than a given structure, and the visibility of the effects.
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects and their visibility. This is the squared norm, in σ², of the part of an effect's response that the
-    /// other parameters of the model cannot reproduce.
+    /// Effects and their visibility. It is the squared norm, in squared allowed errors, of the part of an effect's
+    /// response that other parameters cannot reproduce.
     pub visible: Vec<(&'static str, f64)>,
 }
 
@@ -72,7 +72,8 @@ pub fn expand(
             let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
             if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
-                // The first-order step of the base may be too large. The start without this step may then be better.
+                // The first-order step of the base parameters may be too large. The start without this step may then be
+                // better.
                 let still = s.hypothesis.start();
                 let there = residual_at(&still)?;
                 if there.norm_squared() < residual.norm_squared() {

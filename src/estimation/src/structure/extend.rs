@@ -59,9 +59,9 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     }
 }
 
-/// Ratio of the prior standard deviation of a parameter's change from a reference to that of the parameter itself. The
-/// latter counts at most as two steps of the parameter. [`CURVE`] is the prior standard deviation of the relative
-/// change of a part of the FV curve.
+/// Ratio of the prior standard deviation of a parameter's change from a reference damper to that of the parameter
+/// itself. The latter counts at most as two typical steps of the parameter in a search. [`CURVE`] is the prior standard
+/// deviation of the relative change of a part of the FV curve.
 const CHANGED: f64 = 2.0;
 const CURVE: f64 = 0.4;
 
@@ -103,7 +103,7 @@ fn fresh_number(base: &Params, fresh: &Fresh, value: f64) -> Number {
     }
 }
 
-/// Multiplies the start value of a free parameter of the base by a factor.
+/// Multiplies the start value of the free parameter `which` of the model by a factor.
 fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     for number in &mut to.numbers {
         let (low, high) = number.bounds;
@@ -117,8 +117,8 @@ fn scale(to: &mut Hypothesis, which: parameter::Number, factor: f64) {
     }
 }
 
-/// Returns the free force increments of one stroke of the FV curve, innermost first. Each entry is the index of the
-/// increment among the parameters and the index of its point.
+/// Returns the free force increments of one stroke of the FV curve (1 rebound, −1 compression), innermost first. Each
+/// entry is the index of the increment among the parameters and the index of its point.
 fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)> {
     let mut rises: Vec<(usize, usize)> = of
         .numbers
@@ -135,7 +135,7 @@ fn branch(of: &Hypothesis, velocity: &[f64], stroke: f64) -> Vec<(usize, usize)>
     rises
 }
 
-/// Sets the start of the FV curve to the given forces at its points.
+/// Sets the start of the FV curve to the given forces at its points, N.
 fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     let zero = anchor(to.base.list(list!("fv_velocity")));
     for number in &mut to.numbers {
@@ -147,8 +147,8 @@ fn set_curve(to: &mut Hypothesis, forces: &[f64]) {
     }
 }
 
-/// Subtracts a force from the innermost increments of the FV curve, on both strokes. Each increment keeps at least a
-/// tenth of its value.
+/// Subtracts a force, N, from the innermost increments of the FV curve, on both strokes. Each increment keeps at least
+/// a tenth of its value.
 fn level(to: &mut Hypothesis, force: f64) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     for stroke in [1.0, -1.0] {
@@ -162,8 +162,8 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Raises the slope of the FV curve on the stroke `drawn.stroke`, beyond the force `drawn.from`. The raised slope is at
-/// least `drawn.steepness` times the slope below that force.
+/// Raises the slope of the FV curve on the stroke `drawn.stroke`, beyond the force `drawn.from`, N. The raised slope is
+/// at least `drawn.steepness` times the slope below that force.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

@@ -1,4 +1,4 @@
-//! Successive halving: many short refits, then longer refits of the better starts, then full refits of the best.
+//! Successive halving: many short refits, then longer refits of the better starts, then full refits of the best starts.
 
 use super::budget::Budget;
 use super::coordinate_search::minimize;
@@ -13,8 +13,8 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// Largest deficit of log posterior, relative to the most probable form after the second stage, at which a form is
-/// fully refitted.
+/// Largest deficit of log posterior at which a form is fully refitted, relative to the most probable form after the
+/// second stage.
 ///
 /// A full refit rarely gains more.
 const REACH: f64 = 8.0;
@@ -54,7 +54,7 @@ pub struct Entrant {
     pub screened: usize,
     /// Parameters at the start.
     pub start: Vec<f64>,
-    /// Derivatives at the start.
+    /// Derivatives of the weighted forces with respect to the parameters, at the start.
     pub jacobian: DMatrix<f64>,
 }
 
@@ -66,13 +66,13 @@ pub struct Field<'a> {
     pub list: &'a [Candidate],
     /// The tests.
     pub tests: &'a [Test],
-    /// Residuals of the low-accuracy integration, corrected by its error at the base.
+    /// Residuals of the low-accuracy integration, corrected by its error at the hypothesis without the candidate.
     pub nearby: &'a Nearby<'a>,
     /// Numbers of refits in each stage.
     pub budget: Budget,
 }
 
-/// Refits in three stages. Returns for each form the index of its screened start, and its refit.
+/// Refits the starts in three stages. Returns for each form the index of its screened start, and its refit.
 pub fn halve(
     entrants: Vec<Entrant>,
     field: &Field,

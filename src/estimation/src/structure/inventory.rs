@@ -8,7 +8,7 @@ use crate::samples::Test;
 use crate::sensitivity::Accuracy;
 use serde::Serialize;
 
-/// Change of an effect from the given model to the most probable one.
+/// Change of an effect from the given model (the user's) to the most probable model of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -16,9 +16,9 @@ pub enum Status {
     Kept,
     /// The effect is only in the most probable model.
     Added,
-    /// The effect is only in the given model. In the most probable model, another effect has its force.
+    /// The effect is only in the given model. An added effect of the most probable model gives a similar force instead.
     Replaced,
-    /// The effect is only in the given model. The records do not require it.
+    /// The effect is only in the given model, and no added effect of the most probable model gives a similar force.
     Removed,
 }
 
@@ -30,8 +30,8 @@ pub struct InventoryItem {
     /// Form of the effect. Empty if the effect has only one form, or if the given model does not state the form.
     pub form: &'static str,
     /// Force of the effect, N rms over all fitted tests: the change of the force if only this effect is removed. If the
-    /// model without the effect gives no finite force, it is infinite for an effect of the most probable model. It is 0
-    /// for a removed effect.
+    /// model without the effect gives no finite force, this value is infinite for an effect of the most probable model.
+    /// For an effect that is only in the given model, it is then 0.
     pub force_n_rms: f64,
     /// Ratio of the force of the effect to the root mean square of the measured force. The JSON key is `share`, because
     /// scripts depend on this name.
@@ -43,7 +43,7 @@ pub struct InventoryItem {
     pub test_forces_n: Vec<f64>,
     /// Probability that the damper has the effect.
     pub probability: f64,
-    /// Change from the given model to the most probable one.
+    /// Change from the given model to the most probable model.
     pub status: Status,
     /// Effect of the given model that this effect replaces.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -62,12 +62,14 @@ pub struct Instead {
     pub probability: f64,
 }
 
-/// Computes the forces of a hypothesis at `theta`. The low-accuracy integration is accurate enough for an inventory.
+/// Computes the forces of a hypothesis, N, with the parameters `theta`: one list for each test. The low-accuracy
+/// integration is accurate enough for an inventory.
 fn forces(of: &Hypothesis, tests: &[Test], theta: &[f64]) -> Option<Vec<Vec<f64>>> {
     of.forces_by(&of.model_by(Accuracy::Single, theta)?, tests, theta)
 }
 
-/// Computes the correlation of the forces of two components over all tests, without subtraction of their means.
+/// Computes the correlation of the forces of two components, one list for each test, without subtraction of their
+/// means. Each test has the same weight.
 fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     let dot = |x: &[Vec<f64>], y: &[Vec<f64>]| -> f64 {
         x.iter().zip(y).map(|(x, y)| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>() / x.len().max(1) as f64).sum()
@@ -75,8 +77,8 @@ fn alikeness(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
     dot(a, b) / (dot(a, a) * dot(b, b)).sqrt().max(1e-300)
 }
 
-/// Computes the force of a component in each test, N, as the change due to its removal. Returns `None` if the model
-/// with the component removed gives no finite force.
+/// Computes the force of a component in each test, N, as the change due to its removal; `whole` contains the forces
+/// with it. Returns `None` if the model with the component removed gives no finite force.
 fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let without = component.remove(&structure.hypothesis, &structure.refit.theta);
     let less = forces(&without, tests, &without.start())?;
@@ -87,7 +89,7 @@ fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole:
 const REPLACES: f64 = 0.5;
 
 /// Makes the inventory of `best` compared with a given model. Without a given model, every effect counts as added. The
-/// inventory is empty if `best` gives no finite force.
+/// inventory is empty if `best` gives no finite force. `probability` returns the probability of an effect.
 pub fn inventory(
     best: &Structure,
     given: Option<&Structure>,

@@ -16,8 +16,9 @@ const RARE: f64 = -3.0;
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
 /// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series
-/// path. Monotubes have gas columns and springs. The other effects are faults or rare designs. The oil of every damper
-/// is compressible. In every second damper, the series path cannot represent its compressibility.
+/// path. Monotubes have gas columns and springs. Effects outside this table are faults or rare designs. The oil of
+/// every damper is compressible. In every second damper, the series path cannot represent the compressibility of the
+/// oil.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -32,8 +33,8 @@ const FREQUENT: [(&str, f64); 11] = [
     ("viscous_friction", -2.0),
 ];
 
-/// Frequent changes relative to a reference, with their log odds: adjustments, wear and leaks. Any other parameter
-/// changes rarely, with the log odds [`CHANGE`].
+/// Frequent changes relative to a reference damper, with their log odds: adjustments, wear and leaks. Any other
+/// parameter changes rarely, with the log odds [`CHANGE`].
 const CHANGES: [(&str, f64); 13] = [
     ("fv_curve", -1.0),
     ("gas_force", -0.7),
@@ -51,16 +52,16 @@ const CHANGES: [(&str, f64); 13] = [
 ];
 const CHANGE: f64 = -3.0;
 
-/// Returns the prior log odds of a change relative to a reference.
+/// Returns the prior log odds of a change relative to a reference damper.
 fn log_prior_odds_of_change(name: &str) -> f64 {
     CHANGES.iter().find(|(known, _)| *known == name).map_or(CHANGE, |(_, odds)| *odds)
 }
 
 /// Returns the prior log odds of an effect of the damper, or of a change.
 ///
-/// In a comparison with a reference, effects that at least every second damper has count as rare. The reference already
-/// had them, or they were too weak for the records. With ordinary odds, such an effect would be reported instead of a
-/// changed parameter of the reference.
+/// In a comparison with a reference damper, effects that at least every second damper has count as rare. The reference
+/// already had them, or they were too weak for the records. With ordinary odds, such an effect would be reported
+/// instead of a changed parameter of the reference.
 fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if form == "changed" {
         return log_prior_odds_of_change(effect);
@@ -69,14 +70,15 @@ fn log_prior_odds(effect: &str, form: &str, priors: &PriorSet) -> f64 {
     if priors.is_against_reference() && usual >= EVEN { RARE } else { usual }
 }
 
-/// Computes the prior log odds of a number of measurement faults (Pólya's urn).
+/// Computes the prior log odds of a number of measurement faults (Pólya's urn: each fault makes the next more
+/// probable).
 fn log_prior_odds_of_faults(count: usize) -> f64 {
     let [with, without] = FAULTS;
     (0..count).map(|k| k as f64).map(|k| libm::log((with + k) / (without - k).max(1.0))).sum()
 }
 
-/// Effects that count as common if a prior of this damper states the parameter on which they depend: an oil column, a
-/// gas.
+/// Effects that count as common if a prior of this damper states the parameter on which they depend. The parameters are
+/// the stiffness of the oil column and that of the gas.
 const CERTAIN: [(&str, Number); 2] =
     [("oil_compressibility", number!("oil_stiffness")), ("gas_spring", number!("gas_stiffness"))];
 

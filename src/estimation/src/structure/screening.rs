@@ -1,9 +1,9 @@
 //! Screening of effects for a refit: the reduction of χ² by each effect if the other parameters of the model adapt to
 //! first order.
 //!
-//! The base parameters absorb a part of every effect. Therefore, a candidate's response is evaluated after its
-//! projection onto the orthogonal complement of the base's Jacobian (Frisch & Waugh, Econometrica 1, 1933; Lovell, J.
-//! Am. Stat. Assoc. 58, 1963).
+//! The parameters of the model without the candidate (base parameters) absorb a part of every effect. Therefore, a
+//! candidate's response is first projected onto the orthogonal complement of the base parameters' Jacobian (Frisch &
+//! Waugh, Econometrica 1, 1933; Lovell, J. Am. Stat. Assoc. 58, 1963).
 
 use super::extend::extend;
 use super::nearby::Nearby;
@@ -18,7 +18,8 @@ use dashpot_records::restrict;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
-/// Projection of a residual onto the orthogonal complement of the base's Jacobian.
+/// Projection of a residual onto the orthogonal complement of the Jacobian of the base parameters, which are those of
+/// the model without candidates.
 pub struct Projection {
     jacobian: DMatrix<f64>,
     weights: Vec<f64>,
@@ -53,7 +54,8 @@ impl Projection {
         DVector::from_fn(b.len(), |i, _| b[i] * self.weights[i])
     }
 
-    /// Computes the least-squares changes of the base parameters for a residual.
+    /// Computes the least-squares changes of the base parameters for a residual, or zeros if the normal matrix has no
+    /// Cholesky decomposition.
     pub fn solve(&self, b: &Residual) -> DVector<f64> {
         let right = self.jacobian.tr_mul(&self.weighted(b));
         match &self.solver {
@@ -62,12 +64,13 @@ impl Projection {
         }
     }
 
-    /// Computes the part of a residual that changes of the base cannot reproduce.
+    /// Computes the weighted part of a residual that changes of the base parameters cannot reproduce.
     pub fn rest(&self, b: &Residual) -> Residual {
         self.rest_of(b, &self.solve(b))
     }
 
-    /// Computes the residual after a projection with a known solution.
+    /// Computes the weighted residual that remains after the parameter changes `answer`, a solution of
+    /// [`Projection::solve`].
     fn rest_of(&self, b: &Residual, answer: &DVector<f64>) -> Residual {
         self.weighted(b) - &self.jacobian * answer
     }
@@ -75,23 +78,23 @@ impl Projection {
 
 /// A screened start of a candidate.
 pub struct Screened {
-    /// Index of the candidate in the list.
+    /// Index of the candidate in the list of candidates.
     pub candidate: usize,
     /// The hypothesis with the candidate.
     pub hypothesis: Hypothesis,
-    /// Start of the refit, with a first-order adaptation of the base.
+    /// Start of the refit, in which the base parameters are adapted to first order.
     pub start: Vec<f64>,
     /// Reduction of χ² expected from the refit.
     pub gain: f64,
-    /// Visibility of the candidate in the records: the squared norm of its response, in σ², after the adaptation of the
-    /// base.
+    /// Squared norm of the candidate's weighted response, after the adaptation of the base parameters. A small norm
+    /// means that the records cannot show the candidate.
     pub visible: f64,
     /// Whether the start also changes base parameters.
     pub moved: bool,
 }
 
-/// Returns the weighted force of a measurement error that adds a constant force in each test, or `None` for any other
-/// candidate.
+/// Returns the force of a measurement error that adds a known force in each test, divided by the allowed errors.
+/// Returns `None` for any other candidate.
 fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> {
     let [Fresh { free: Free::Rig(artefact), .. }] = &candidate.fresh[..] else { return None };
     let per_test: Option<Vec<f64>> = tests.iter().map(|t| artefact.per_value(&t.segment)).collect();
@@ -100,8 +103,8 @@ fn added(candidate: &Candidate, value: f64, tests: &[Test]) -> Option<Residual> 
     Some(DVector::from_vec(list))
 }
 
-/// Logarithm of the largest factor that scales a start to the strength in the residual. For a larger factor, the
-/// response is no longer proportional.
+/// Natural logarithm of the largest factor by which a positive start value is scaled to the strength in the residual.
+/// For a larger factor, the response is no longer proportional to the parameter.
 const FURTHEST: f64 = 3.0;
 
 /// Screens every start of every candidate. Starts at which the model gives no finite force are omitted.
@@ -125,7 +128,7 @@ pub fn screen(
             let extended = extend(hypothesis, &at.theta, candidate, start);
             let mut theta = extended.start();
             let first = hypothesis.numbers.len();
-            // Change of the computed forces due to the candidate.
+            // Change of the weighted forces due to the candidate.
             let change = match added(candidate, theta[first], tests) {
                 Some(added) => added,
                 None => &at.residual - nearby.residual(&extended, tests, &theta)?,
@@ -136,7 +139,7 @@ pub fn screen(
             let moved = start.moves_the_base();
             let (mut gain, mut used) = (2.0 * left.dot(&response) - visible, 1.0);
             if !moved && visible > 0.0 {
-                // Best-fitting strength if the response is proportional to the strength.
+                // Best-fitting strength, relative to the start value, if the response is proportional to the strength.
                 let strength = left.dot(&response) / visible;
                 let (low, high) = extended.numbers[first].bounds;
                 let is_log = matches!(&extended.numbers[first].free, Free::Model(Unknown::Log(_)));
@@ -148,7 +151,7 @@ pub fn screen(
                     theta[first] = if value == 0.0 { 1e-3 * theta[first] } else { value };
                 } else if strength > 0.0 {
                     // Many responses are also proportional to a parameter whose logarithm is free. The response at the
-                    // scaled value tests whether the response is proportional here.
+                    // scaled value tests whether the response of this candidate is proportional.
                     let mut scaled = theta.clone();
                     scaled[first] = restrict(theta[first] + libm::log(strength).clamp(-FURTHEST, FURTHEST), low, high);
                     if let Some(residual) = nearby.residual(&extended, tests, &scaled) {

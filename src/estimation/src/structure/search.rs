@@ -33,15 +33,16 @@ pub struct StructureSearch {
     pub best: Structure,
     /// All structures that were refitted.
     pub table: BTreeMap<Vec<Form>, Visited>,
-    /// Unnamed errors that were tried on the best structure, with their log posterior.
+    /// Unnamed errors (measurement errors outside the vocabulary of effects) that were added to a best structure, with
+    /// the log posterior of each.
     pub unnamed: Vec<(Unnamed, f64)>,
-    /// The last expansion of the best structure.
+    /// Trials of the last expansion: the best structure at that time with one more effect.
     pub last: Vec<Trial>,
     /// Structures in which a competing effect, or another form of the same effect, replaces an effect of the best
     /// structure.
     pub rivals: Vec<Trial>,
-    /// All screened effects with the squared norm of their response in σ². A small norm means that the records cannot
-    /// show the effect.
+    /// Effects screened in the first expansion, with the squared norm of their weighted response. A small norm means
+    /// that the records cannot show the effect.
     pub visible: Vec<(&'static str, f64)>,
     /// The given model, refitted. `None` if there is no given model, or if it gives no finite force.
     pub start: Option<Structure>,
@@ -61,7 +62,7 @@ const PROMISING: f64 = 25.0;
 /// Largest number of forms of an effect that are tried again.
 const FORMS: usize = 2;
 /// Largest decrease of the log posterior by a removal at which every promising effect is tried as a replacement. If the
-/// decrease is larger, only the alternatives and the other forms of the effect are tried. An effect with a named form,
+/// decrease is larger, only competing effects and the other forms of the effect are tried. An effect with a named form,
 /// or the only effect of a structure, always has every promising replacement.
 const CONTESTED: f64 = 12.0;
 /// Largest deficit of log posterior, relative to the best structure, at which a structure with an added effect is
@@ -71,7 +72,8 @@ const CONTESTED: f64 = 12.0;
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
 /// Largest number of iterations of add, remove and replace, as a safeguard. For four measurement faults, a friction and
-/// a spring, a search from the records alone requires up to a dozen. It normally ends earlier, when no move is better.
+/// a spring, a search from the records alone requires up to a dozen iterations. It normally ends earlier, when no move
+/// raises the log posterior.
 const ROUNDS: usize = 24;
 
 impl StructureSearch {
@@ -152,8 +154,8 @@ impl StructureSearch {
             }
             self.last = trials.clone();
             let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
-            // Unnamed errors compete with effects. A rare effect is added only if it is more probable than an unnamed
-            // error.
+            // Unnamed errors compete with effects. A rare effect is added only if it is more probable than every
+            // unnamed error, and if fewer than `context.most` rare effects are present.
             let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
             let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
             let may = |t: &&Trial| {
@@ -249,8 +251,8 @@ impl StructureSearch {
         false
     }
 
-    /// Returns the probability that the damper has a form that satisfies a condition. It is a sum over the structures
-    /// with such a form.
+    /// Returns the probability that the damper has a form that satisfies a condition. It is the sum of the weights of
+    /// the visited structures with such a form, divided by the sum of all weights.
     pub fn probability_of(&self, at: Temperatures, is_in: &dyn Fn(&Form) -> bool) -> f64 {
         let all: Vec<f64> = self.table.values().map(|row| at.log_weight(row.log_posterior, row.log_prior)).collect();
         let own: Vec<f64> = self
@@ -280,18 +282,19 @@ pub struct Temperatures {
 }
 
 impl Temperatures {
-    /// Divisors without a reference. The prior, which is the frequency of effects and of their values, counts in full.
+    /// Divisors without a reference damper. The prior, which is the frequency of effects and of their values, counts in
+    /// full.
     ///
     /// This is a power posterior (Grünwald & van Ommen, Bayesian Anal. 12, 2017), calibrated with the calibration split
-    /// of the second laboratory. With 1, named effects are correct less often than their probability states. With 4,
-    /// half of the names are lost.
+    /// of the second laboratory. With a divisor of the evidence of 1, named effects are correct less often than their
+    /// probability states. With 4, half of the names are lost.
     pub const WITHOUT_REFERENCE: Temperatures = Temperatures { records: 2.5, prior: 1.0 };
-    /// Divisors for a comparison with a reference. An error in the form of the model affects both dampers equally, and
-    /// a change is likely because users compare for a reason. If the prior counted in full, a fifth of the correct
-    /// names would be lost.
+    /// Divisors for a comparison with a reference damper. An error in the form of the model affects both dampers
+    /// equally, and a change is likely because users compare for a reason. If the prior counted in full, a fifth of the
+    /// correct names would be lost.
     pub const AGAINST_REFERENCE: Temperatures = Temperatures { records: 2.0, prior: 2.0 };
 
-    /// Returns the log weight of a structure relative to other structures.
+    /// Returns the logarithm of a structure's weight, up to a constant that all structures share.
     pub fn log_weight(self, log_posterior: f64, log_prior: f64) -> f64 {
         (log_posterior - log_prior) / self.records + log_prior / self.prior
     }

@@ -1,8 +1,9 @@
-//! Restart of a series element with implausible parameters. A fit produces such parameters to compensate for a missing
-//! effect, and they may remain after the effect is added.
+//! Restart of a series element with implausible parameters. Such an element is a spring and a damper between the moving
+//! end and the valves. A fit produces such parameters to compensate for a missing effect, and they may remain after the
+//! effect is added.
 //!
-//! A soft spring with a strong parallel damper acts as a damper in series, which shifts the FV curve by a velocity
-//! F/c_s. The fitted curve compensates for the shift. The restart reverses both changes.
+//! A soft spring with a strong parallel damper acts as a damper in series. It shifts the FV curve by a velocity F/c_s,
+//! with the force F and the damping c_s. The fitted curve compensates for the shift. The restart reverses both changes.
 
 use super::evidence::{effective_count, noise_chi2};
 use crate::hypothesis::{Free, Hypothesis};
@@ -29,7 +30,7 @@ const RATIO: f64 = 0.2;
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 
-/// Damping ratio above which the series element no longer acts as a spring.
+/// Damping ratio of the internal mass above which the series element no longer acts as a spring.
 const DAMPED: f64 = 3.0;
 /// Largest plausible deflection of the series element under the largest force, as a fraction of the largest
 /// amplitude.
@@ -56,7 +57,7 @@ fn most(tests: &[Test], of: fn(&Test) -> f64) -> f64 {
 }
 
 /// Restarts the refit from distant parameters of the series element and returns the best refit. A local search fails,
-/// because the cost first increases.
+/// because the cost first increases on the way to the better parameters.
 pub fn restart_series(hypothesis: &Hypothesis, tests: &[Test], refitted: Refit) -> Refit {
     let Some(stiffness) = place(hypothesis, Unknown::Log(number!("series_stiffness"))) else { return refitted };
     let (floor, quiet) = (noise_chi2(tests), QUIET * effective_count(tests));
@@ -100,8 +101,8 @@ fn set_damping(hypothesis: &Hypothesis, theta: &mut [f64]) {
     }
 }
 
-/// Returns the parameters with a stiff series element. The velocity across the damping of the old element is added to
-/// the FV curve.
+/// Returns the parameters with a stiff series element. The FV curve then includes the velocity across the damper of the
+/// old element.
 fn straightened(hypothesis: &Hypothesis, tests: &[Test], theta: &[f64]) -> Vec<f64> {
     let mut model = hypothesis.params(theta);
     let mut start = theta.to_vec();

@@ -31,8 +31,8 @@ pub fn from_params(params: &Params, heating: &Arc<Heating>) -> StartModel {
     (hypothesis, components)
 }
 
-/// Makes models from the tests: the FV curve with gas, friction and a series path of several stiffnesses, and a model
-/// without a series path. Elements for which `may` is false stay disabled.
+/// Makes models from the tests, each with an FV curve, gas and friction. There is one for each of three stiffnesses of
+/// a series path, and one without a series path. Elements for which `may` is false stay disabled.
 pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bool) -> Vec<StartModel> {
     let segments: Vec<Segment> = tests.iter().map(|t| t.segment.clone()).collect();
     let first = guess(&segments);
@@ -45,7 +45,7 @@ pub fn plain(tests: &[Test], heating: &Arc<Heating>, may: &dyn Fn(Element) -> bo
         if let Some(stiffness) = stiffness {
             let _ = params.set(number!("series_stiffness"), stiffness * scale);
         }
-        // The power 1 is the simplest form, with one parameter less.
+        // The power 1 is the simplest form of presliding friction.
         let _ = params.set(number!("presliding_power"), 1.0);
         from_params(&params, heating)
     };

@@ -14,9 +14,9 @@ use dashpot_core::{element, list, number};
 /// from the rods of one laboratory, every heavier rod would count as a mass of the rig. There is no lower bound,
 /// because a lighter rod cannot absorb an effect.
 const NEAR: f64 = 1.8 * 1.8;
-/// Smallest mass of a car damper, kg, as a bound and as a start. Its inertia force is half a newton at 16.7 Hz and 10
-/// mm, below the noise of a rig. With 0.05 kg, the mass of a massless damper stayed at the bound, and its series spring
-/// was 7 % too soft.
+/// Smallest internal mass of a car damper, kg, as a bound and as a start. Its inertia force is half a newton at 16.7 Hz
+/// and 10 mm, below the noise of a rig. With 0.05 kg, the mass of a massless damper stayed at the bound, and its series
+/// spring was 7 % too soft.
 const LEAST: f64 = 0.005;
 
 fn internal_mass(base: &Params) -> FreeNumber {
@@ -40,8 +40,8 @@ const LISTED: [Element; 8] = [
     element!("side_force_friction"),
 ];
 
-/// Distance of a value from its prior center, in standard deviations. A larger distance means that the value disables a
-/// term.
+/// Distance of a parameter's value from its prior center, in standard deviations, beyond which the value is assumed to
+/// disable a term of the element.
 const SWITCHED_OFF: f64 = 5.0;
 
 /// Returns the parameters of enabled elements that [`LISTED`] does not contain, such as presliding friction. A fit or

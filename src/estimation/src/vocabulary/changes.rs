@@ -1,5 +1,5 @@
-//! Changes relative to a reference: each parameter of its model, and each part of its FV curve, is a separate
-//! candidate.
+//! Changes relative to a reference damper: each parameter of the reference's model, and each part of its FV curve, is a
+//! separate candidate.
 
 use super::{Candidate, Start, fresh, of_the_rig};
 use crate::curve_part::CurvePart;

@@ -19,8 +19,8 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             vec![Start::at(&[20.0, 1000.0])],
         ));
     }
-    // The element contains the Coulomb force and the peak (form of the thesis). It is a candidate only if no other
-    // element contains the Coulomb force.
+    // The element contains the Coulomb force and the break-away peak (form of Jonnalagadda & Vyas, KTH 2020). It is a
+    // candidate only if no other element contains the Coulomb force.
     if !s.base.is_on(element!("coulomb_friction")) && !s.base.is_on(element!("presliding_friction")) {
         let peak = |level: f64, velocity: f64| Start::at(&[level, 1.25 * level, velocity]);
         all.push(Candidate {
@@ -37,7 +37,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    // The element contains only the peak, because another element contains the Coulomb force.
+    // The element contains only the break-away peak, because another element contains the Coulomb force.
     let rise = s.base.number(number!("coulomb_steepness")).clamp(200.0, 5000.0);
     all.push(Candidate {
         form: "full",
@@ -68,7 +68,7 @@ pub(super) fn friction(s: &Situation, all: &mut Vec<Candidate>) {
                     linear(number!("presliding_force"), (3.0, 200.0)),
                     log(number!("presliding_length"), (0.0, 5e-3)),
                     held(number!("presliding_power"), (0.0, 8.0), 0.7),
-                    // If a contact creeps at a higher speed, its force depends on speed, so it is not friction.
+                    // If a contact creeps at more than 5 mm/s, its force depends on speed, so it is not friction.
                     held(number!("presliding_creep"), (0.0, 5e-3), 1.5),
                 ],
                 [1e-4, 3e-4, 9e-4]

@@ -33,8 +33,9 @@ pub struct Fresh {
     /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
     /// lower end of 0, all small values are plausible.
     pub plausible: (f64, f64),
-    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity about its start value. The prior of
-    /// a parameter of the model does not depend on it, see [`crate::priors`].
+    /// Prior standard deviation of the logarithm of a cooling rate or heat capacity; the mean is the logarithm of the
+    /// start value. For a parameter of the model, the deviation has no effect, because [`crate::priors`] contains its
+    /// prior.
     pub deviation: Option<f64>,
 }
 
@@ -43,7 +44,7 @@ pub struct Fresh {
 pub struct Start {
     /// Values of the new parameters in physical units, in the order of the parameters.
     pub values: Vec<f64>,
-    /// Factors on parameters of the base that must change first, because the fitted base has absorbed the effect.
+    /// Factors on parameters of the model without the effect, because the fitted model has absorbed the effect.
     pub moves: Vec<(Number, f64)>,
     /// Linear extension of one stroke of the FV curve, because the fitted curve has absorbed a force cap.
     pub unbend: Option<LinearExtension>,
@@ -64,7 +65,7 @@ pub struct LinearExtension {
     pub stroke: f64,
     /// Force up to which the curve counts as correct on this stroke, N, positive.
     pub from: f64,
-    /// Smallest slope of the extension, as a fraction of the slope of the curve just below that force.
+    /// Smallest slope of the extension, as a fraction of the slope of the curve just below the force `from`.
     pub steepness: f64,
 }
 
@@ -80,7 +81,7 @@ impl Start {
         }
     }
 
-    /// Returns whether the start changes parameters of the base.
+    /// Returns whether the start changes parameters of the model to which the effect is added.
     pub fn moves_the_base(&self) -> bool {
         !self.moves.is_empty()
             || self.unbend.is_some()
@@ -135,7 +136,7 @@ pub enum Unnamed {
 }
 
 impl Fresh {
-    /// Returns the factor on the parameter for the size of the damper.
+    /// Returns the factor from a car damper to a damper of size `scale` for the values of the parameter.
     fn factor(&self, scale: Scale) -> f64 {
         match &self.free {
             Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
@@ -173,7 +174,7 @@ impl Candidate {
         self.fresh.iter_mut().for_each(|fresh| fresh.grow(scale));
     }
 
-    /// Returns whether the candidate is an error of the rig, not an effect of the damper.
+    /// Returns whether the candidate enables no element: an error of the rig, or a change from a reference damper.
     pub fn is_artefact(&self) -> bool {
         self.elements.is_empty()
     }
@@ -224,8 +225,8 @@ fn grid(a: &[f64], b: &[f64]) -> Vec<Start> {
 /// Returns all candidates that could be added in a situation: effects of disabled elements, errors of the rig, and
 /// unnamed errors.
 pub fn candidates(s: &Situation) -> Vec<Candidate> {
-    // All sizes and starts apply to a car damper. For another damper, the candidates are made for a car damper and then
-    // scaled.
+    // All plausible ranges and starts apply to a car damper. For another damper, the candidates are made for a car
+    // damper and then scaled.
     if !s.scale.is_car() {
         let mut all = candidates(&s.as_car());
         all.iter_mut().for_each(|candidate| candidate.grow(s.scale));

@@ -11,17 +11,18 @@ const COLUMN: f64 = 6.0;
 /// T, °C.
 const VOGEL: f64 = 95.0;
 
-/// Trial values of force caps, as fractions of the largest force of their stroke.
+/// Trial values of force caps (largest forces before the oil cavitates), as fractions of the largest force of their
+/// stroke.
 const CAPS: [f64; 5] = [1.04, 0.98, 0.93, 0.85, 0.7];
-/// Fraction of a force cap up to which the FV curve counts as correct on the stroke with the cap.
+/// Fraction of a force cap up to which the FV curve counts as correct on the stroke that cavitation limits to the cap.
 ///
 /// In a second start, the curve counts as correct only up to the speed [`SLOW`], m/s, because voids distort it well
 /// below the cap.
 const TRUSTED: f64 = 0.85;
 const SLOW: f64 = 0.3;
 
-/// Returns the caps of a stroke with the largest force `top`, N. Each has a linear extension of the FV curve on that
-/// stroke, because the curve may have absorbed the cap.
+/// Returns trial force caps, N, of a stroke (1 rebound, −1 compression) with the largest force `top`, N. Each has a
+/// linear extension of the FV curve on that stroke, because the curve may have absorbed the cap.
 fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
     let slow = s.driven(stroke * SLOW).abs();
     let drawn = |cap: f64| {
@@ -40,7 +41,7 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             fixed: vec![(number!("oil_chambers"), chambers), (number!("oil_compression"), 1.0)],
             ..candidate(
                 &[element!("oil_compressibility")],
-                // The plausible column is eight to fifty centimeters long.
+                // Oil columns are 8 to 50 cm long. A reciprocal length of up to 20 1/m (5 cm) counts as plausible.
                 vec![log(number!("oil_stiffness"), (3e5, 2e7)), near(number!("oil_shortening"), (0.0, 20.0), 4.0)],
                 vec![
                     Start::at(&[1e7, COLUMN]),
@@ -179,8 +180,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 vec![
                     linear(number!("fade_coefficient"), (0.001, 0.07)),
                     Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
-                    // The heat capacity is independent of the coefficient only if the decrease of the force is
-                    // nonlinear.
+                    // The records determine heat capacity and fade coefficient separately only if the force decreases
+                    // nonlinearly with temperature.
                     Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
                     held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
                 ],
@@ -195,8 +196,8 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
     }
 }
 
-/// Starts for cavitation: the fraction of the flow that does not refill a chamber. [`BEYOND`] is the onset, as a
-/// fraction of the highest speed.
+/// Start values of the fraction of the flow that does not refill a chamber. [`BEYOND`] contains those of the speed at
+/// which this begins, as fractions of the highest speed.
 const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
 const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 

@@ -14,7 +14,8 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
         all.push(Candidate {
             form,
-            // The lag of the inertia force is as short as possible. At 25 Hz, a tenth of a millisecond is 1.6 %.
+            // The lag of the inertia force is as short as possible. At 25 Hz, a tenth of a millisecond causes an error
+            // of 1.6 %.
             fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
             ..candidate(
                 &[element!("moving_mass")],
@@ -70,7 +71,8 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
         all.push(added(Artefact::GainDrift, (-0.2 / s.clock_span, 0.2 / s.clock_span), &[0.01 / s.clock_span]));
-        // During a campaign, the drift may reach the largest zero offset. In a long campaign, it may be larger.
+        // The drift, N/s, may reach the largest zero offset during the campaign. In a long campaign, at least 0.2 N/s
+        // is plausible.
         let most = (OFF / s.clock_span).max(0.2);
         all.push(added(Artefact::Drift, (-most, most), &[10.0 / s.clock_span]));
         for share in [0.07, 0.15, 0.3, 0.6] {

@@ -20,7 +20,7 @@ fn by_friction() -> Loss {
 /// Adds the candidates for the series path.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     // Friction without presliding behind a soft spring acts like presliding friction. In one slow test, the estimate
-    // was a mount of 0.25 N/µm that did not exist. Therefore, this form requires presliding friction.
+    // was a mount of 0.25 N/µm that did not exist. Therefore, the form [`CARRIES_WHOLE`] requires presliding friction.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
     for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
         all.push(Candidate {
@@ -113,7 +113,8 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
         vec![log(number!("free_play_gap"), (2e-5, 1e-3)), held(number!("free_play_force"), (0.0, 40.0), 0.5)],
         grid(&[5e-5, 2e-4], &[8.0])
             .into_iter()
-            // If the gap is wider, the base has absorbed it with a softer series spring.
+            // For a wider gap, the base has absorbed the gap with a softer series spring, so the start stiffens the
+            // spring.
             .chain(
                 [(1e-4, 1.3), (3e-4, 2.0), (8e-4, 4.0)]
                     .map(|(gap, stiffer)| Start::moving(&[gap, 8.0], &[(number!("series_stiffness"), stiffer)])),
@@ -122,7 +123,7 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
     ));
     // Weight, gas and clamping increase or decrease the force at which the gap opens. The starts are about one and two
     // standard deviations of the load's prior away from zero. From there, the search converges to the optimum. Gap and
-    // spring have values between those of the narrower starts above.
+    // stiffness factor of these starts lie within those of the starts above.
     all.push(Candidate {
         form: "opens under a load",
         ..candidate(
@@ -159,9 +160,10 @@ fn carries_more(s: &Situation) -> bool {
     .any(|element| s.base.is_on(*element))
 }
 
-/// Factors on the base's series stiffness: first for the oil column, second for the series spring in front of it.
+/// Factors on the series stiffness of the base: the first gives the oil column, the second the series spring in front
+/// of it.
 ///
-/// The spring is an eye or mount that also carries friction and gas.
+/// The series spring is an eye or mount that also carries friction and gas.
 const BEHIND: [(f64, f64); 2] = [(1.3, 2.5), (3.0, 1.2)];
 
 /// Adds play and rubber in an eye or a mount, which carries the whole force. The series compliance of the base then
@@ -191,7 +193,8 @@ fn carrying_the_whole(s: &Situation, all: &mut Vec<Candidate>) {
                 held(number!("free_play_force"), (0.0, 40.0), 0.5),
                 oil(),
             ],
-            // If the gap is wider, the base has absorbed it with a softer series spring.
+            // For a wider gap, the base has absorbed the gap with a softer series spring, so the oil column starts
+            // stiffer.
             [(4e-5, 1.2), (4e-5, 1.7), (1e-4, 1.3), (1e-4, 1.8), (3e-4, 2.5)]
                 .map(|(gap, behind)| {
                     Start::moving(&[gap, 4.0, behind * stiffness], &[(number!("series_stiffness"), 5.0)])

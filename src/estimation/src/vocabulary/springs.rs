@@ -5,8 +5,8 @@ use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// Makes the parameter for the length of the gas column at x = 0, m. A column as short as the stroke is a stop, not
-/// gas. A very long column is a linear spring.
+/// Makes the parameter for the length of the gas column at zero displacement, m. A column as short as the stroke is a
+/// stop, not gas. A very long column is a linear spring.
 fn length() -> Fresh {
     held(number!("gas_length"), (0.06, 1.5), 1.0)
 }

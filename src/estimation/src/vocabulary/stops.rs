@@ -64,7 +64,8 @@ pub(super) fn stops(s: &Situation, all: &mut Vec<Candidate>) {
                 fixed: vec![(names[1], 0.0), (names[4], orifice)],
                 ..candidate(
                     elements,
-                    // If a gap narrows progressively, the damping at its entrance is almost zero.
+                    // If a gap narrows progressively, the damping at its entrance is almost zero, so small values are
+                    // plausible.
                     vec![log(names[2], (1.0, 1e5)), linear(names[0], (0.01, 0.15)), held(names[3], (0.0, 0.2), 1.0)],
                     clearances.iter().flat_map(|c| [500.0, 5e3].map(|d| Start::at(&[d, *c, 0.02]))).collect(),
                 )

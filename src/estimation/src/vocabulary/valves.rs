@@ -63,7 +63,8 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
         });
     }
     let knee = s.knee_force.max(50.0);
-    // A valve may open at any force above zero, and may open fully when its play is exceeded.
+    // A valve may open at any force above zero, and may open fully when its play is exceeded. Therefore, the plausible
+    // ranges begin at 0.
     let stands = [log(number!("valve_opening_force"), (0.0, 3000.0)), held(number!("valve_width"), (0.0, 1500.0), 0.8)];
     for (form, place, lateness, starts) in [
         (
@@ -94,7 +95,7 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
     }
     all.push(Candidate {
         form: "opens and closes at different forces",
-        // The valve is so fast that only the forces determine its state, even in slow motion.
+        // With a time of 0.5 ms, the valve is so fast that only the forces determine its state, even in slow motion.
         fixed: vec![(number!("valve_time"), 5e-4)],
         ..candidate(
             &[element!("valve_hysteresis")],

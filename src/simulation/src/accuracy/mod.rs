@@ -32,12 +32,12 @@ pub enum HostInput {
     Velocity,
 }
 
-/// Force errors of one test, relative to the largest force of this test.
+/// Force errors of one test, as fractions of the largest force of this test.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
-    /// Root mean square error.
+    /// Root mean square error, as a fraction of the largest force.
     pub rms: f64,
-    /// Largest error.
+    /// Largest error, as a fraction of the largest force.
     pub largest: f64,
 }
 
@@ -62,7 +62,7 @@ pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: u
     forces
 }
 
-/// Computes the errors of `forces` relative to the largest force of `exact`.
+/// Computes the errors of `forces`, N, relative to the largest force of `exact`, N.
 pub fn errors(forces: &[f64], exact: &[f64]) -> Errors {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let (mut sum, mut largest) = (0.0, 0.0f64);
@@ -122,7 +122,7 @@ impl References {
     }
 }
 
-/// Returns the largest errors of several tests.
+/// Returns the largest root mean square error and the largest error over several tests.
 pub fn worst(errors: &[(Sine, Errors)]) -> Errors {
     errors
         .iter()

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Imposed motion: displacement and velocity at a time.
 pub trait Motion {
-    /// Returns displacement, m, and velocity, m/s, at time `t`.
+    /// Returns displacement, m, and velocity, m/s, at time `t`, s.
     fn evaluate(&self, t: f64) -> (f64, f64);
 }
 

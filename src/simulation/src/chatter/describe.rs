@@ -9,13 +9,13 @@ use crate::limit::plain;
 use dashpot_core::element;
 
 impl Chatter {
-    /// Returns whether a disturbance changes sign from step to step, according to the gain or to the simulated host
-    /// loop.
+    /// Returns whether a disturbance of the velocity changes sign from step to step, according to the gain or to the
+    /// simulated host loop.
     pub fn rings(&self) -> bool {
         self.gain >= RINGS || self.turning.is_some()
     }
 
-    /// Returns whether a disturbance that changes sign from step to step does not decay.
+    /// Returns whether a disturbance of the velocity that changes sign from step to step does not decay.
     pub fn swings(&self) -> bool {
         self.gain >= GROWS || self.turning.is_some()
     }

@@ -1,5 +1,6 @@
-//! Largest gain of a disturbance in one step of a host: (h/m)(∂F/∂v + h ∂F/∂x), with the host's step h and mass m. The gain is searched
-//! over typical sines, at the reversals of these sines, and on every segment of the FV curve.
+//! Largest gain of a disturbance in one step of a host: (h/m)(∂F/∂v + h ∂F/∂x), with the host's step h, s, and mass m, kg. F is the damper
+//! force, N, v the velocity, m/s, and x the displacement, m. The gain is searched over typical sines, at the reversals of these sines, and
+//! on every segment of the FV curve.
 
 use super::host::Host;
 use super::situation::Situation;
@@ -21,7 +22,7 @@ pub(super) const STEPS: usize = 4000;
 /// Velocities that are evaluated at a reversal of a motion, m/s.
 const AT_THE_TURN: [f64; 5] = [0.0, 5e-4, -5e-4, 3e-3, -3e-3];
 /// Positions on a segment of the FV curve, as fractions of its length. The ends and the middle suffice, because a monotone cubic is
-/// steepest there.
+/// steepest at one of them.
 const ON_A_PIECE: [f64; 3] = [0.02, 0.5, 0.98];
 
 /// Evaluated motion: a sine that starts at its mean displacement with the peak velocity.
@@ -43,7 +44,7 @@ impl Sine {
     }
 }
 
-/// Returns the motions that the host resolves: their phase advances by at most 0.5 rad in a step of the host.
+/// Returns the motions in a situation that the host resolves: their phase advances by at most 0.5 rad in a step of the host.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;

@@ -17,7 +17,8 @@ const FOLLOWS: f64 = 0.3;
 const BEYOND: f64 = 100.0;
 /// Initial velocity of the mass in the loop, m/s. An acceleration of 10 m/s² reaches this velocity in a millisecond.
 const KNOCK: f64 = 0.01;
-/// Smallest alternating part of the force, N, that counts as a reversal, because a smaller one is not visible in a vehicle's signals.
+/// Smallest alternating part of the force (deviation from the mean of both neighboring steps), N, that counts as a reversal. A smaller one
+/// is not visible in a vehicle's signals.
 const SEEN: f64 = 5.0;
 /// Smallest number of reversals of the force in the last 24 steps that counts as chatter.
 ///
@@ -45,7 +46,7 @@ const DAMPED: [f64; 4] = [0.05, 0.1, 0.2, 0.4];
 /// In the loop, a road moves the host's mass on a tire.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
-    /// Largest alternating part of the force, N, or infinity if the motion diverges.
+    /// Largest alternating part of the force (deviation from the mean of both neighboring steps), N, or infinity if the motion diverges.
     pub force: f64,
     /// Number of steps in which the force reverses. If the motion diverges, number of steps before the divergence.
     pub steps: usize,
@@ -87,12 +88,12 @@ pub(super) fn turning(model: &Model, situation: Situation, host: Host) -> Option
     found.max_by(|a, b| a.force.total_cmp(&b.force))
 }
 
-/// Returns the displacement, m, of a rough road with a given height.
+/// Returns the displacement, m, at a time, s, of a rough road with a given height, m.
 fn road(height: f64, time: f64) -> f64 {
     height * WAVES.iter().map(|(share, hertz)| share * libm::sin(std::f64::consts::TAU * hertz * time)).sum::<f64>()
 }
 
-/// Simulates the loop on one road. Returns `None` if it does not chatter.
+/// Simulates the loop on one road with the given height, m. Returns `None` if it does not chatter.
 pub(super) fn loop_like_the_hosts(model: &Model, situation: Situation, height: f64, host: Host) -> Option<Turning> {
     let Host { step: h, mass } = host;
     // The damper acts between wheel and body, so it moves their reduced mass.

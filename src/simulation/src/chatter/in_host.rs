@@ -8,9 +8,9 @@ use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_core::{Fault, Model, Params};
 
-/// Gain from which on a disturbance of the velocity changes sign at every step of the host.
+/// Gain ([`Chatter::gain`]) from which on a disturbance of the velocity changes sign at every step of the host.
 pub const RINGS: f64 = 1.0;
-/// Gain from which on a disturbance of the velocity does not decay.
+/// Gain ([`Chatter::gain`]) from which on a disturbance of the velocity does not decay.
 pub const GROWS: f64 = 2.0;
 
 /// Smallest fraction of the gain that must disappear if an element is disabled, for this element to count as the cause of the chatter.
@@ -19,13 +19,14 @@ pub(super) const ITS_DOING: f64 = 0.3;
 /// Result of the check of a damper in a host.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chatter {
-    /// Largest gain (h/m)(∂F/∂v + h ∂F/∂x) over all situations and motions, with the host's step h and mass m.
+    /// Largest gain (h/m)(∂F/∂v + h ∂F/∂x) over all situations and motions, with the host's step h, s, and mass m, kg. F is the damper
+    /// force, N, v the velocity, m/s, and x the displacement, m.
     pub gain: f64,
     /// Velocity at the largest gain, m/s.
     pub velocity: f64,
-    /// ∂F/∂v at the largest gain, N s/m.
+    /// Derivative of the force with respect to velocity at the largest gain, N s/m.
     pub d_force_d_velocity: f64,
-    /// ∂F/∂x at the largest gain, N/m.
+    /// Derivative of the force with respect to displacement at the largest gain, N/m.
     pub d_force_d_displacement: f64,
     /// Situation with the largest gain.
     pub situation: Situation,
@@ -82,7 +83,7 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
             };
             on.filter(is_quiet).find_map(without)
         });
-    // Solve g = (h c + h² k)/m = 1 for the step h. Here c = ∂F/∂v, k = ∂F/∂x, and m is the mass of the host.
+    // Solve g = (h c + h² k)/m = 1 for the step h. Here g is the gain, c = ∂F/∂v, k = ∂F/∂x, and m is the mass of the host.
     let (c, k) = (output.d_force_d_velocity.max(0.0), output.d_force_d_displacement.max(0.0));
     let quiet_step =
         if k > 0.0 { 2.0 * host.mass / (c + (c * c + 4.0 * k * host.mass).sqrt()) } else { host.mass / c.max(1e-9) };

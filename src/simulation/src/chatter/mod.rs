@@ -6,10 +6,11 @@
 //! v' = v − (h/m) F(x, v),   x' = x + h v'
 //! ```
 //!
-//! multiplies a small disturbance of the velocity by 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). For g below 1 the disturbance decays smoothly.
-//! For g from 1 to 2 it changes sign at every step and decays. Beyond 2 it grows until a nonlinearity limits it. Friction, for example,
-//! then alternates between its two levels forever. The derivatives are those of one step of length h of the model (`dashpot_core::step`).
-//! Thus, a series spring and presliding friction reduce them.
+//! multiplies a small disturbance of the velocity by 1 − g, with g = (h/m)(∂F/∂v + h ∂F/∂x). F is the damper force. v and x are velocity
+//! and displacement at the start of the step, v' and x' at its end. For g below 1 the disturbance decays smoothly. For g from 1 to 2 it
+//! changes sign at every step and decays. Beyond 2 it grows until a nonlinearity limits it. Friction, for example, then alternates between
+//! its two levels forever. The derivatives are those of one step of length h of the model (`dashpot_core::step`). Thus, a series spring and
+//! presliding friction reduce them.
 //!
 //! | module | what |
 //! |---|---|

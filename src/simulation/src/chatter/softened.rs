@@ -22,11 +22,12 @@ pub struct Softened {
     pub params: Params,
     /// Change of each friction element that chattered.
     pub softer: Vec<Softer>,
-    /// Root mean square difference of the force over the compared motions, N.
+    /// Root mean square difference of the force before and after the replacement over typical motions, N.
     pub rms_error: f64,
-    /// Largest difference of the force over the compared motions, N.
+    /// Largest difference of the force before and after the replacement over typical motions, N.
     pub largest_error: f64,
-    /// Largest gain of the damper after the replacement. Elements that were not replaced may still chatter.
+    /// Largest gain ([`Chatter::gain`](super::Chatter::gain)) of the damper after the replacement. Elements that were not replaced may
+    /// still chatter.
     pub gain: f64,
 }
 
@@ -45,9 +46,9 @@ pub enum Softer {
     /// The steepness of the side-force friction at zero velocity is reduced, s/m. Presliding friction cannot replace this friction, because
     /// its force depends on the side force from the host.
     LessSteep {
-        /// Steepness before the reduction.
+        /// Steepness before the reduction, s/m.
         before: f64,
-        /// Steepness after the reduction.
+        /// Steepness after the reduction, s/m.
         after: f64,
     },
 }
@@ -83,8 +84,8 @@ const LENGTH: f64 = 2e-4;
 /// Largest gain at which presliding friction counts as safely free of chatter. Below this gain, a shorter length is tried even if the gain
 /// rises.
 const QUIET: f64 = 0.3;
-/// Longest step for the comparison of the dampers before and after the replacement, s. Slow motions use longer steps, so that no motion has
-/// more than 24 000 steps.
+/// Longest step, s, for the comparison of the dampers before and after the replacement in fast motions. Slow motions have longer steps, so
+/// that no motion has more than 24 000 steps.
 const FINE: f64 = 1e-4;
 /// Largest number of friction elements that are replaced or made less steep: those whose force changes its sign steeply.
 const MOST: usize = FRICTION.len() + 1;
@@ -160,7 +161,7 @@ fn friction_that_rings(params: &Params, host: Host) -> Result<Option<(Element, S
     Ok(None)
 }
 
-/// Replaces a friction element by presliding friction. The force is added to that of existing presliding friction.
+/// Replaces a friction element by presliding friction. The force of the element is added to that of existing presliding friction.
 fn presliding_instead(
     soft: &mut Params,
     (element, level): (Element, Number),

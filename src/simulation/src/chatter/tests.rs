@@ -19,8 +19,8 @@ fn steep() -> Params {
 
 const HOST: Host = Host { step: 1e-3, mass: 40.0 };
 
-/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of the damper force, N, in the
-/// last steps.
+/// Simulates a mass on a damper and a spring with a zero-order hold of the force. Returns the largest change of the
+/// damper force, N, from step to step in the last hundred steps.
 fn swings(params: &Params, host: Host) -> f64 {
     swings_under(params, host, 0.0)
 }
@@ -56,7 +56,7 @@ fn what_is_said_is_what_a_held_force_does() {
     let soft = softened(&steep, HOST).unwrap().unwrap();
     assert!(soft.gain < RINGS && soft.softer[0].element() == element!("coulomb_friction"));
     assert!(swings(&soft.params, HOST) < 0.05, "{}", swings(&soft.params, HOST));
-    // At the reported step without chatter, the steep damper does not chatter.
+    // At 0.9 times the longest step reported without chatter, the steep damper does not chatter.
     let quiet = Host { step: 0.9 * found.quiet_step.unwrap(), ..HOST };
     assert!(chatter(&steep, quiet).unwrap().gain < RINGS);
     assert!(swings(&steep, quiet) < 0.5, "{}", swings(&steep, quiet));

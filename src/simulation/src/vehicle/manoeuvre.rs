@@ -7,7 +7,7 @@ pub enum Manoeuvre {
     Bump,
     /// Steering angle of 2 degrees at the wheels, ramped in 0.15 s, at 90 km/h.
     StepSteer,
-    /// Sine steering of 1.5 degrees at 0.7 Hz at 90 km/h.
+    /// Sine steering with an amplitude of 1.5 degrees at the wheels and a frequency of 0.7 Hz, at 90 km/h.
     SineSteer,
     /// Drive a section of track at 110 km/h: a rough road and a series of bends.
     Track,
@@ -86,7 +86,7 @@ impl Manoeuvre {
         }
     }
 
-    /// Returns the steering angle at the wheels, rad, left positive.
+    /// Returns the steering angle at the wheels, rad, left positive, at a time, s.
     pub fn steer(self, time: f64) -> f64 {
         let t = time - 0.5;
         if t <= 0.0 {
@@ -103,7 +103,8 @@ impl Manoeuvre {
         }
     }
 
-    /// Returns the height of the road, m, under a wheel that is `ahead`, m, of the center of gravity. Side 0 is left.
+    /// Returns the height of the road, m, at a time, s, under a wheel that is `ahead`, m, of the center of gravity.
+    /// Side 0 is left.
     pub fn road(self, road: &Road, time: f64, ahead: f64, side: usize) -> f64 {
         let distance = self.speed() * time + ahead;
         match self {

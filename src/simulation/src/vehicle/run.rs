@@ -37,8 +37,8 @@ pub struct Sample {
 pub struct Run {
     /// Samples at every host step.
     pub samples: Vec<Sample>,
-    /// Largest coupling ratio c h/m: slope of the damper at the wheel, c, times step divided by unsprung mass. An explicit host is unstable
-    /// above 2. With one more step of delay, it is unstable above 1.
+    /// Largest coupling ratio c h/m. Here c is the slope of the damper at the wheel, N s/m, h the step, s, and m the unsprung mass, kg. An
+    /// explicit host is unstable above 2. With one more step of delay, it is unstable above 1.
     pub coupling: f64,
     /// Largest coupling ratio at damper velocities above [`SLOW`].
     ///
@@ -179,7 +179,7 @@ pub struct Quiet {
     pub runs: [Run; 2],
 }
 
-/// Coupling ratio c h/m at which the shorter step is chosen. With this ratio, an oscillation decays within a few steps.
+/// Coupling ratio ([`Run::coupling`]) at which the shorter step is chosen. With this ratio, an oscillation decays within a few steps.
 const QUIET: f64 = 0.5;
 /// Largest number of substeps of a host step. A damper that still chatters with these substeps has a jump in its FV curve, for which no
 /// step is short enough.
@@ -219,7 +219,7 @@ mod tests {
         run(&Car::default(), manoeuvre, [&model; 4], dt).unwrap()
     }
 
-    /// Returns the largest difference in heave at common instants, relative to the largest heave.
+    /// Returns the largest difference in heave between two runs at common instants, relative to the largest heave of the second.
     fn apart(a: &Run, b: &Run, every: [usize; 2]) -> f64 {
         let heave = |r: &Run, n: usize| -> Vec<f64> {
             r.samples.iter().skip(n - 1).step_by(n).map(|s| s.body.position[0]).collect()
@@ -229,7 +229,7 @@ mod tests {
         a.iter().zip(&b).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs())) / peak
     }
 
-    /// Checks that runs with steps of 2 and 0.25 ms converge toward a run with a finer step.
+    /// Checks that runs with steps of 2, 1 and 0.25 ms converge toward a run with a finer step.
     #[test]
     fn runs_converge_with_the_step() {
         for manoeuvre in [Manoeuvre::Bump, Manoeuvre::Track] {

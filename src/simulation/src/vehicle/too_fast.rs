@@ -3,8 +3,7 @@
 //! The cause is a part of the vehicle with too high a frequency for the step, or a damper whose FV curve is too steep.
 //!
 //! Consider a mass m on a stiffness k in semi-implicit steps h. In each step, its damper with the slope c has the force of the preceding
-//! step.
-//! The motion
+//! step. The motion, with the displacement x and the velocity v before the step and x' and v' after it,
 //!
 //! ```text
 //! v' = v − (h/m)(k x + c v),   x' = x + h v'
@@ -84,7 +83,7 @@ impl Car {
         let begin = self.energy(&body);
         for _ in 0..3000 {
             let force = std::array::from_fn(|i| slope * self.stroke(&body, i)[1]);
-            // At this speed the tires have almost no side force.
+            // At this speed, 1e9 m/s, the tires have almost no side force.
             self.step(&mut body, step, 1e9, 0.0, [0.0; 4], force);
             // The energy of a stable vehicle stays below a small multiple of its initial value.
             if !(self.energy(&body) < 1e6 * begin) {
