@@ -5,6 +5,7 @@ use std::path::Path;
 use super::motion_setting::MotionSetting;
 use super::profile::{self, Profile};
 use super::record_file::read_file;
+use crate::cleaning::corrections::calibrate;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
 use crate::options::{Options, Positive};
@@ -34,7 +35,7 @@ pub struct MotionRecord {
 }
 
 /// Reads a motion. `options` state units, columns, ignored channels, signs and the displacement zero, with precedence
-/// over a profile in the file's folder. Gains of the channels are not applied. Extension is positive unless the options
+/// over a profile in the file's folder. Gains of the channels apply as in records. Extension is positive unless the options
 /// or the profile state another direction. The force column is not read. The setting is recognized as in records.
 ///
 /// # Errors
@@ -58,6 +59,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
         return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
     }
     check(&samples)?;
+    calibrate(&mut samples, &options);
     if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
         && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
         && let Some(cause) = consistency::contradiction(&agreement)
@@ -165,6 +167,17 @@ mod tests {
         assert_eq!(read_force_of_motion(&file, &Options::default()), None);
         std::fs::write(&file, "time_s,x_m,force_N\n0,1,\n1,2,3\n").unwrap();
         assert_eq!(read_force_of_motion(&file, &Options::default()), None);
+    }
+
+    #[test]
+    fn gains_apply_before_the_zero_as_in_records() {
+        let options = Options {
+            gains: [(Channel::Displacement, 1.5), (Channel::Temperature, 2.0)].into(),
+            displacement_zero_m: 1.0,
+            ..Options::default()
+        };
+        let motion = read("t_s,x_m,T_degC\n0,2,20\n1,4,20\n", &options).unwrap();
+        assert_eq!((motion.displacement, motion.temperature), (Some(vec![2.0, 5.0]), Some(vec![40.0, 40.0])));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! data.
 
 mod clipped;
-mod corrections;
+pub(crate) mod corrections;
 mod cycles;
 mod drift;
 mod duplicates;
