@@ -12,9 +12,9 @@ pub use own::{Own, View};
 pub enum Shape {
     /// One number.
     Scalar,
-    /// One of these words; the value is the index of the word.
+    /// One of several words; the value is the index of the word in this list.
     Choice(&'static [&'static str]),
-    /// A list of up to this many numbers.
+    /// A list of numbers; the content is the largest allowed count.
     List(usize),
 }
 
@@ -40,7 +40,7 @@ pub struct Parameter {
     /// Largest allowed value.
     pub high: f64,
     /// Smallest and largest value in a damper of a passenger car's size. A number with a force in its unit may be
-    /// smaller or larger ([`SIZES`]) if the whole set is in proportion ([`crate::proportion`]).
+    /// smaller or larger ([`SIZES`]) if the whole parameter set is in proportion ([`crate::proportion`]).
     pub of_a_car: (f64, f64),
     /// A choice of the same element, and the words of that choice for which the parameter has an effect. `None` if the
     /// parameter always has an effect.
@@ -132,12 +132,12 @@ impl Parameter {
     }
 }
 
-/// Returns whether a unit contains a force, as those of force, stiffness, damping, mass (kg is N s²/m) and heat do.
+/// Returns whether a unit contains a force, as the units of force, stiffness, damping, mass (kg is N s²/m) and heat do.
 pub const fn has_force(unit: &str) -> bool {
     matches!(unit.as_bytes(), [b'N' | b'J' | b'W', ..] | [b'k', b'g', ..])
 }
 
-/// Widens the bounds of a car to dampers of any size, for a number that is proportional to the size.
+/// Widens the bounds for car dampers to dampers of any size ([`SIZES`]), for a number that is proportional to the size.
 const fn of_any_size((low, high): (f64, f64)) -> (f64, f64) {
     (if low > 0.0 { low * SIZES.0 } else { low * SIZES.1 }, high * SIZES.1)
 }
@@ -149,14 +149,14 @@ pub struct Group {
     pub name: &'static str,
     /// Meaning of the group, for the documentation.
     pub meaning: &'static str,
-    /// Rows of the group.
+    /// Rows of the parameter table that belong to the group.
     pub parameters: &'static [Parameter],
 }
 
 /// Description of an element for the parameter table.
 pub trait Describe {
-    /// Meaning in one line.
+    /// Meaning of the element in one line.
     const MEANING: &'static str;
-    /// Rows of the element.
+    /// Rows of the parameter table that belong to the element.
     const PARAMETERS: &'static [Parameter];
 }

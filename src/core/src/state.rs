@@ -20,7 +20,8 @@ pub struct State {
     pub mass_velocity: f64,
     /// Internal states of the elements.
     pub internal: [f64; 8],
-    /// Layout of the internal states: see [`crate::layout`]; 0 if no code has set it.
+    /// Layout of the internal states: a number for the set of elements that have one (see [`crate::layout`]); 0 if not
+    /// set.
     pub layout: f64,
     /// Always 0. With this number, the state has seven pairs of numbers, which processors load pair by pair.
     pub reserved: f64,
