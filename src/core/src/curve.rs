@@ -2,7 +2,7 @@
 //!
 //! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
 //! *resolvent* of an implicit step: the `u` that satisfies `a u + f(u) = r` ([`Curve::solve`]). The solution is unique,
-//! because the curve never falls. The number of operations has a small bound, whatever the data.
+//! because the curve never falls. The number of operations has a small bound, whatever the points.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
@@ -11,14 +11,15 @@ use crate::math::{max, min, pair};
 pub const MAX_POINTS: usize = 63;
 /// Smallest distance between two points, m/s or m.
 ///
-/// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece are
-/// divided by the distance and its square. With a smaller distance, the piece's derivative would have no valid digits.
+/// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece
+/// between two points are divided by the distance and its square. With a smaller distance, the piece's derivative would
+/// have no valid digits.
 pub const NEAREST: f64 = 1e-6;
 /// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
 ///
 /// A force computed from a velocity has the rounding error of the velocity, 1e-17 m/s, times the derivative. With this
-/// limit the error is far below a millinewton. The limit is a hundred times the derivative of the steepest damper; a
-/// steeper rise is an invalid measurement.
+/// limit the error is far below a millinewton. The limit is a hundred times the derivative of the steepest damper's
+/// curve; a steeper rise is an invalid measurement.
 pub const STEEPEST: f64 = 1e8;
 /// Largest number of pieces: one between each pair of adjacent points, and one beyond each end.
 const PIECES: usize = 64;
@@ -38,21 +39,21 @@ pub enum Interpolation {
     Linear,
 }
 
-/// Value and derivative of a curve at one position.
+/// Value and derivative of a curve at one argument u (a velocity, m/s, or a displacement, m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// f(u).
+    /// Value f(u), N.
     pub value: f64,
-    /// df/du.
+    /// Derivative df/du, N s/m or N/m.
     pub derivative: f64,
 }
 
-/// One piece: `f(u) = f0 + t (c1 + t (c2 + t c3))` with `t = u − u0`.
+/// One piece of a curve: `f(u) = f0 + t (c1 + t (c2 + t c3))` with `t = u − u0`.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     u0: f64,
     f0: f64,
-    /// f0 − f(0).
+    /// Value at the start of the piece relative to that at u = 0: f0 − f(0), N.
     above: f64,
     c1: f64,
     /// c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel. Likewise, `c3`
@@ -61,7 +62,7 @@ struct Piece {
     c3: [f64; 2],
 }
 
-/// Extent of a piece and its mean derivative.
+/// Extent of a piece of a curve and its mean derivative.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
     /// Ends of the piece as values of t = u − u0; the outer pieces extend to the largest finite numbers.
@@ -74,37 +75,37 @@ struct Extent {
 /// A prepared curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve {
-    /// Points (u, f), ascending; the unused entries are larger than any argument.
+    /// Points (u, f), ascending; the unused entries are the largest finite number.
     points: [[f64; 2]; PIECES],
     /// The pieces, without their extents, which an evaluation does not need. Thus a piece fills one cache line.
     pieces: [Piece; PIECES],
     extents: [Extent; PIECES],
     /// Number of points.
     count: u32,
-    /// Largest number of points inside one bucket.
+    /// Largest number of points inside one of the [`BUCKETS`].
     crowded: u32,
-    /// Number of points below each bucket: the buckets of positive arguments, then those of negative ones.
+    /// Number of points whose u is below each bucket: the buckets of positive arguments, then those of negative ones.
     below: [[u8; BUCKETS]; 2],
-    /// f(0).
+    /// Value of the curve at 0, f(0), N.
     at_zero: f64,
     low: f64,
     high: f64,
 }
 
-/// Value, derivative and curvature of a curve at one position; the value is relative to f(0).
+/// Value, derivative and curvature of a curve at one argument u; the value is relative to f(0).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Above {
-    /// f(u) − f(0), which has the sign of u.
+    /// Value relative to that at 0, f(u) − f(0), N: it never has the opposite sign of u.
     pub value: f64,
-    /// df/du.
+    /// Derivative df/du, N s/m or N/m.
     pub derivative: f64,
-    /// d²f/du².
+    /// Curvature d²f/du².
     pub curvature: f64,
 }
 
-/// Number of buckets on each side of 0, for a lookup without comparisons.
+/// Number of buckets (intervals of the argument) on each side of 0, for a lookup of a piece without comparisons.
 const BUCKETS: usize = 256;
-/// Number of points in one bucket above which bisection is faster than a linear search.
+/// Number of points in one bucket of the lookup above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
 
 /// Returns the bucket of `u`: whether `u` has a negative sign, and the index of the bucket outward from 0.
@@ -124,8 +125,8 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// Largest Householder step, relative to the width of the piece, after which the iteration stops. The remaining relative
-/// error is then about the fourth power of this ratio.
+/// Largest Householder step, relative to the width of the piece, after which [`Curve::solve`] stops. The remaining
+/// error, relative to that width, is then about the fourth power of this ratio.
 const FEW: f64 = 1e-3;
 
 impl Curve {
@@ -286,7 +287,7 @@ impl Curve {
         }
     }
 
-    /// Returns the first and the last `u` of the points.
+    /// Returns the first and the last `u` of the points, or zeros for a cleared curve.
     pub fn range(&self) -> (f64, f64) {
         (self.low, self.high)
     }
@@ -297,7 +298,8 @@ impl Curve {
         &self.pieces[index & (PIECES - 1)]
     }
 
-    /// Returns the number of points at which `key(u, f)` is at most `r`: the index of the piece that contains `r`.
+    /// Returns the number of points at which `key(u, f)` is at most `r`. It is the index of the piece in which the key,
+    /// which rises from point to point, reaches `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -346,7 +348,7 @@ impl Curve {
         p.at(u - p.u0)
     }
 
-    /// Computes f(u) − f(0), the derivative and the curvature of the curve at `u`.
+    /// Computes the value f(u) − f(0) relative to that at 0, the derivative and the curvature of the curve at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
@@ -391,7 +393,7 @@ impl Curve {
             t -= step;
             t = max(extent.low, t);
             t = min(extent.high, t);
-            // The remaining error is about the fourth power of the step.
+            // The remaining error is about the fourth power of the step, both relative to the width of the piece.
             if step.abs() <= FEW * extent.high {
                 break;
             }
@@ -401,7 +403,7 @@ impl Curve {
 }
 
 impl Piece {
-    /// Returns (f − f0)/t and the derivative of f for the piece with linear term `c1`.
+    /// Returns (f − f0)/t and the derivative of f at `t` for a piece whose linear coefficient is replaced by `c1`.
     #[inline(always)]
     fn polynomials(&self, c1: f64, t: f64) -> [f64; 2] {
         pair(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
@@ -414,7 +416,7 @@ impl Piece {
     }
 }
 
-/// Returns the derivatives of a cubic curve before and after its point `i`.
+/// Returns the derivatives of a cubic curve through the points (`u`, `f`) before and after point `i`.
 ///
 /// The two derivatives differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative
 /// of the parabola through zero and the next two points of its side, but at least 0. If the side has only one point, the

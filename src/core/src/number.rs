@@ -7,7 +7,7 @@
 /// Number of 32-bit limbs that hold every intermediate integer: 19 digits times 2^1300.
 const LIMBS: usize = 48;
 /// Largest decimal exponent of a number that is written as an integer times a power of ten. Larger exponents and those
-/// below −600 are rejected, because no damper needs them.
+/// below minus twice this bound are rejected, because no damper needs them.
 const EXPONENT_BOUND: i32 = 300;
 
 /// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if `text` as a whole is not a number.
@@ -81,7 +81,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     let mut binary = 0i32;
     let mut sticky = false;
     if exponent < 0 {
-        // The left shift is large enough for 64 significant bits after the division.
+        // The left shift is large enough for 64 significant bits after the division by the power of ten.
         binary = exponent.wrapping_neg().wrapping_mul(10) / 3 + 70;
         place(&mut big, mantissa, binary as usize);
         let mut left = exponent.wrapping_neg();
@@ -103,7 +103,8 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
         }
     }
     let limb = |i: usize| u128::from(big.get(i).copied().unwrap_or(0));
-    // The three highest limbs contain at least 65 significant bits. The lower limbs only decide ties.
+    // The three highest 32-bit limbs contain at least 65 significant bits. The lower limbs only decide ties in
+    // rounding.
     let high = limb(top) << 64 | limb(top.wrapping_sub(1)) << 32 | limb(top.wrapping_sub(2));
     for (i, limb) in big.iter().enumerate() {
         sticky |= i + 2 < top && *limb != 0;
@@ -148,7 +149,7 @@ fn multiply(big: &mut [u32; LIMBS], factor: u32) {
     }
 }
 
-/// Divides in place and returns the remainder; the divisor is 10 or 10^9, never 0.
+/// Divides `big` in place and returns the remainder; the divisor is 10 or 10^9, never 0.
 fn divide(big: &mut [u32; LIMBS], divisor: u32) -> u32 {
     let divisor = u64::from(divisor.max(1));
     let mut remainder = 0u64;

@@ -394,8 +394,8 @@ mod tests {
         {
             for (v0, v1) in [(0.0, 0.1), (0.1, 0.0), (0.2, 0.3), (-0.2, -0.3), (-1.0, -0.01), (1e-5, 2e-5), (0.1, -0.1)]
             {
-                // A mean velocity below a third of the sum of both end velocities would mean a reversal inside the
-                // step.
+                // With a mean velocity below a third of the sum of both end velocities, the step could contain a
+                // reversal.
                 for share in [0.34, 0.5, 0.8, 1.0] {
                     for bent in [-0.9, -0.01, 0.0, 0.5] {
                         let dt = 1e-3;

@@ -1,4 +1,5 @@
-//! Force, rates and partials of a damper with elements in its series or hydraulic path (see [`crate::paths`]).
+//! Force, state derivatives and partial derivatives of a damper with elements in its series or hydraulic path (see
+//! [`crate::paths`]).
 
 use super::Partials;
 use crate::assembly::Elements;
@@ -17,7 +18,8 @@ use crate::tables::{ForceLaw, Tables};
 /// Number of variables with respect to which one evaluation differentiates.
 ///
 /// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. With
-/// all thirteen variables at once, the machine code was as long as that of all steps together.
+/// all thirteen variables at once (ten states, the motion of the moving end, the oil velocity), the machine code was as
+/// long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
 /// Number with the derivatives of one evaluation.
@@ -116,11 +118,11 @@ fn instant(
     Instant { residual, rates, force, primary, inner }
 }
 
-/// Relative tolerance of the oil velocity.
+/// Relative tolerance of the oil velocity at which the iteration ends.
 const TOLERANCE: f64 = 1e-13;
 
-/// Finds the oil velocity w, from a guess, at which the residual `left` is 0. The arguments of `left` are w and the FV
-/// force at w. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
+/// Finds the oil velocity w, m/s, from a guess, at which the residual `left` is 0. The arguments of `left` are w and
+/// the FV force at w, N. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
@@ -135,7 +137,7 @@ fn sought(
     oil_velocity(e, guess, ITERATIONS, least, TOLERANCE, &residual, &mut ()).root()
 }
 
-/// Computes the oil velocity at given states.
+/// Computes the oil velocity at the valves, m/s, at given states and the motion `at`.
 fn oil(
     elements: &Elements<impl Tables>,
     states: &[f64; STATES],
@@ -181,7 +183,8 @@ impl<'a, T: Tables> At<'a, T> {
         At { e, states, internal, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
-    /// Evaluates the instant with its derivatives with respect to the variables with the indices `places`.
+    /// Evaluates the damper with its derivatives with respect to the variables with the indices `places`: states, [`X`]
+    /// and [`V`].
     fn along(&self, places: [usize; W]) -> Instant {
         let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
             Some(direction) => Dual::along(value, direction),
@@ -213,7 +216,8 @@ impl Instant {
     }
 }
 
-/// The force through both paths, its components, and its derivatives with respect to the motion of the moving end.
+/// The force through the series and the hydraulic path, its components in N, and its derivatives with respect to the
+/// motion of the moving end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,
@@ -288,18 +292,19 @@ impl Instant {
 
 /// Largest number of iterations for the states and the hydraulic force at equilibrium.
 const TOGETHER: usize = 200;
-/// Number of iterations after which the state of the frequency-selective damping is bracketed.
+/// Number of iterations to the equilibrium after which the state of the frequency-selective damping is bracketed.
 ///
-/// With a bypass groove, the force of a nearly closed valve rises steeply. Without the bracket, the state overshoots by
-/// more in every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use
-/// no bracket.
+/// With a bypass, the force rises steeply as the bypass closes. Without the bracket, the state overshoots by more in
+/// every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use no
+/// bracket.
 const DRAWN: usize = 40;
 
-/// Computes the states and the hydraulic force at equilibrium, where voids and valves no longer move.
+/// Computes the states and the hydraulic force, N, at equilibrium, where voids and valves no longer move. The inputs
+/// are displacement `x`, m, velocity `v`, m/s, and temperature, °C.
 pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
-    // The target of a state depends on the force, and the force depends on the state. Both converge long before the
-    // last iteration.
+    // The target of a state depends on the force, and the force depends on the state, so both are iterated. They
+    // converge long before the last iteration.
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {

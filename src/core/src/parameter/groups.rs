@@ -4,7 +4,7 @@ use crate::list::each_element;
 use crate::schema::{Describe, Group};
 use crate::tables::Owned as T;
 
-/// Position of an element in the model; corresponds to the blocks of the list.
+/// Position of an element in the model; corresponds to the blocks of the element list ([`mod@crate::list`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Acts {
     /// The FV curve.
@@ -93,7 +93,7 @@ macro_rules! groups {
         /// Number of elements, which is the number of groups without the settings.
         pub const ELEMENTS: usize = Place::$settings as usize;
 
-        /// Bit set of the elements of the default model.
+        /// Bit set of the elements of the default model; the bit of an element is its index in [`GROUPS`].
         pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
     };
 }

@@ -1,5 +1,5 @@
-//! Elements of the force path that act in a stage, and the nonlinearity of their forces. The stages of common sets of
-//! elements are compiled separately.
+//! Elements of the force path that act in a stage of the step, and the nonlinearity of their forces. The stages of
+//! common sets of elements are compiled separately.
 
 use super::Paths;
 use super::bits::{
@@ -18,7 +18,7 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
-/// Nonlinearity that the elements of the paths cause within a step, in ascending order.
+/// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
     /// Little: no element, an element that scales the FV curve slowly, or a flow or valve that smooths its own knee.
@@ -32,7 +32,7 @@ pub(crate) enum Bends {
     /// An oil column whose stiffness changes with the sign of the force. Also a column without a void together with an
     /// element other than air.
     Turning,
-    /// Friction that reverses behind the series spring.
+    /// Friction behind the series spring, which reverses within a short displacement.
     Whole,
 }
 
@@ -57,8 +57,8 @@ pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
 /// Elements that only modify other elements and have no compiled stage of their own. The program tests for them at run
 /// time.
 ///
-/// The test costs at most 1 % more instructions. For the length of the oil column, or for two forms of one element, a
-/// test would cost 4 to 8 %.
+/// The test costs at most 1 % more instructions in a step. For the length of the oil column, or for two forms of one
+/// element, a test would cost 4 to 8 %.
 const ADDED: u32 = AIR | HEAT | SPOOL;
 
 /// Returns whether a stage compiled for the elements `ON` fits an element set.
