@@ -231,8 +231,8 @@ macro_rules! assembled {
                 self.on & CARRIES_WHOLE != 0
             }
 
-            /// Sums all forces on the internal mass of elements without internal state, except those of the FV curve
-            /// and the series path.
+            /// Sums all forces on the internal mass of elements without internal state, except the hydraulic and the
+            /// series force.
             #[inline(always)]
             pub fn on_the_mass(&self, at: &Motion) -> Response {
                 let mut sum = self.inner(at);

@@ -131,8 +131,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         }
         per
     };
-    // Largest r for which the last five factors suffice. Their relative truncation error, 1e-3^5 · 4!/9!, is below
-    // rounding (up to r = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
+    // Largest r for which the last five factors suffice. Their relative truncation error, r^6 · 4!/10!, is far below
+    // rounding (also up to r = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
     const FEW: f64 = 1e-3;
     let (late, early) = PER.split_at(7);
     let mut sum = 1.0;

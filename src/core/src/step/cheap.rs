@@ -1,15 +1,16 @@
 //! The cheap step: linearly implicit Euler, in closed form and without side effects.
 //!
 //! The method is backward Euler with linearized forces on the mass, so it needs no iteration. With the step h, the mass
-//! at X with velocity V and the moving end at x, v after the step,
+//! m at X with velocity V before the step and at x_m, u after it, and the moving end at x, v after the step,
 //!
 //! ```text
 //! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
 //! ```
 //!
-//! F̃_p is the tangent of the springs at the displacement that the mass would reach at V. F̃_d is a line through the FV
-//! curve at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. F̃_d is the tangent there or the
-//! secant to standstill, whichever is steeper:
+//! k_s and c_s are stiffness and damping of the series compliance. F̃_p is the tangent of the springs on the mass at
+//! the displacement that the mass would reach at V. F̃_d is a line through the FV curve F_d at v̂ = V + v − v_0, the
+//! velocity of a mass that follows the moving end; v_0 is the velocity of the moving end before the step. F̃_d is the
+//! tangent there or the secant to standstill, whichever is steeper:
 //!
 //! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. With a
 //!   digressive curve, the tangent would still have a large force at standstill and accelerate the mass.
@@ -31,49 +32,54 @@ use crate::tables::{ForceLaw, Tables};
 
 /// State of the mass before the step, and inputs of the step.
 pub(super) struct Before {
-    /// Displacement and velocity of the mass.
+    /// Displacement, m, and velocity, m/s, of the mass.
     pub x: f64,
     pub v: f64,
-    /// Increase v − v_0 of the moving end's velocity in the step.
+    /// Increase of the moving end's velocity in the step, m/s.
     pub gain: f64,
-    /// h.
+    /// Length of the step, s.
     pub h: f64,
-    /// Side force and temperature.
+    /// Side force, N, and temperature, °C, from the host.
     pub side: (f64, f64),
 }
 
 /// Result of the step.
 pub(super) struct After {
-    /// Displacement and velocity of the mass.
+    /// Displacement, m, and velocity, m/s, of the mass.
     pub x: f64,
     pub v: f64,
-    /// F̃_d.
+    /// Force of the linearized FV curve, N.
     pub primary: f64,
-    /// F̃_p.
+    /// Force of the linearized springs on the mass, N.
     pub spring: f64,
-    /// Derivative of u with respect to an impulse on the mass: 1/(m + h (c_s + s) + h² (k_s + F_p')), 1/kg.
+    /// Derivative of the new velocity of the mass with respect to an impulse on it, 1/kg. It is 1/(m + h (c_s + s) + h²
+    /// (k_s + F_p')), with the step h, the slope s of the linearized FV curve and the stiffness F_p' of the springs on
+    /// the mass.
     pub by_impulse: f64,
-    /// ∂u/∂v̂: sensitivity of the solution to the guess.
+    /// Derivative of the new velocity of the mass with respect to the velocity about which the FV curve was linearized.
     pub by_guess: f64,
-    /// |F_d(v̂) − F_d(0)|, N.
+    /// Magnitude of the FV force at the velocity of its linearization, relative to that at standstill, N.
     level: f64,
-    /// F_d(0).
+    /// Force of the FV curve at standstill, N.
     offset: f64,
 }
 
-/// Speed, m/s, added to |v̂| to avoid a division by zero. It is far below all relevant speeds.
+/// Speed, m/s, added to that of the FV curve's linearization to avoid a division by zero. It is far below all relevant
+/// speeds.
 const STANDSTILL: f64 = 1e-9;
 
-/// Largest force of the line, relative to the force at v̂, at which a cheap step is accepted. With a smaller value, more
-/// steps around a reversal are repeated, each at the cost of a stage. A larger value accepts forces that exceed the curve
-/// by that factor. The value is not tuned: no other value was tried.
+/// Largest force of the linearized FV curve, relative to the curve's force at the velocity of the linearization, at
+/// which a cheap step is accepted. With a smaller value, more steps around a reversal are repeated, each at the cost of
+/// a stage. A larger value accepts forces that exceed the curve by that factor. The value is not tuned: no other value
+/// was tried.
 const BEYOND: f64 = 2.0;
 /// Largest error of the springs' tangent, relative to the forces on the mass, at which a cheap step is accepted. It is
 /// about the error of the method.
 const MISSED: f64 = 0.05;
 
 impl After {
-    /// Returns whether the solution stayed close enough to the position of the FV curve's linearization.
+    /// Returns whether the force of the linearized FV curve is within [`BEYOND`] times the curve's force at the
+    /// velocity of the linearization.
     #[inline(always)]
     pub fn holds(&self) -> bool {
         (self.primary - self.offset).abs() <= BEYOND * self.level
@@ -103,7 +109,8 @@ impl Before {
     }
 }
 
-/// Advances the mass by one step to the moving end at `end`; `springs` is the springs' force on a mass at `springs_at`.
+/// Advances the mass by one step, after which the moving end is at `end`. `springs` is the springs' force on a mass at
+/// the displacement `springs_at`, m.
 #[inline(always)]
 pub(super) fn take(
     elements: &Elements<impl Tables>,
@@ -131,7 +138,7 @@ pub(super) fn take(
     let (speed, level) = (guess.abs() + STANDSTILL, curve.value.abs());
     let (u, primary, by_impulse, by_guess);
     if curve.derivative * speed <= level {
-        // The slope of the secant is s = level/speed. Both sides of the balance are multiplied by the speed, so that one
+        // The slope of the secant is level/speed. Both sides of the balance are multiplied by the speed, so that one
         // division is enough.
         let divide = 1.0 / (inertia * speed + h * level);
         let share = impulse * divide;

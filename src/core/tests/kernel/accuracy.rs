@@ -1,4 +1,5 @@
-//! Tests of the guaranteed accuracy over the corners of the test matrix, by comparison with an independent reference.
+//! Tests of the guaranteed accuracy at the extreme amplitudes and velocities of a rig's test matrix, by comparison with
+//! an independent reference.
 
 use crate::common::*;
 use dashpot_core::list;
@@ -33,8 +34,8 @@ fn a_millisecond_step_is_within_a_thousandth() {
     }
 }
 
-/// The automatic choice takes one or two substeps of the three-stage method at 1 ms. More substeps would also be
-/// accurate, but their cost would differ from the figures in the book.
+/// The automatic choice takes one or two substeps of the three-stage method in a step of 1 ms. More substeps would also
+/// be accurate, but their cost would differ from the figures in the book.
 #[test]
 fn the_automatic_choice_takes_no_more_substeps_than_it_needs() {
     for (changes, substeps) in [(DEFAULT, 1), (SOFT, 1), (STIFF, 2)] {

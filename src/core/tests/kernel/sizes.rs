@@ -1,8 +1,8 @@
 //! If a damper is scaled in proportion, its forces scale by the same factor.
 //!
-//! The other tests check dampers within the bounds of a passenger car, so their results hold for all allowed dampers.
-//! Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a contact) that do not scale. For
-//! these elements, the search of the C interface draws dampers of all sizes.
+//! The other tests check dampers within the bounds of a passenger car. Because of this property, their results hold for
+//! allowed dampers of all sizes. Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a
+//! contact) that do not scale. For these elements, the search of the C interface draws dampers of all sizes.
 
 use crate::common::{any_params, describe};
 use dashpot_core::parameter::{List, Number, table};
@@ -10,7 +10,7 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, Reason, element, number};
 use proptest::prelude::*;
 
-/// Scales all parameters that grow with the damper by `size`; `None` if the table does not allow the result.
+/// Scales all parameters that grow with the damper by `size`; `None` if the parameter table does not allow a result.
 fn of_size(params: &Params, size: f64) -> Option<Params> {
     let mut other = *params;
     for row in table() {
@@ -94,7 +94,7 @@ fn a_number_of_another_size_is_named() {
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }
 
-/// Numbers within a car damper's bounds may violate other conditions, but they are in proportion to each other.
+/// Numbers at the ends of a car damper's bounds may violate other conditions, but the check of proportion accepts them.
 #[test]
 fn what_a_car_may_have_goes_together() {
     for low in [true, false] {
