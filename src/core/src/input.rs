@@ -66,8 +66,8 @@ pub struct PathPoint {
 }
 
 impl PathPoint {
-    /// Computes the derivatives of `k x + c v` with respect to displacement and velocity at the end of the step; x and
-    /// v are the motion at this point.
+    /// Computes the derivatives of `k x + c v` at this point with respect to displacement and velocity at the end of
+    /// the step.
     #[inline(always)]
     pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
         if self.is_end { [k, c] } else { pair(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }

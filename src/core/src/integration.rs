@@ -70,9 +70,9 @@ const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
 const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-/// Rate of two substeps per millisecond, 1/s. It is the minimum for several elements or a column that changes its
-/// stiffness, even with a soft series spring, because these elements make the force nonlinear by themselves. With fewer
-/// substeps, the error of oil with air exceeds a thousandth at steps of 2 ms.
+/// Rate of two substeps per millisecond, 1/s. It is the minimum for [`Bends::Several`] and [`Bends::Turning`], even
+/// with a soft series spring. These elements make the force nonlinear by themselves. With fewer substeps, the error of
+/// oil with air exceeds a thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
 
 /// Overshoot L from which a mass counts as ringing. L is the ratio of √(k_s m) to the damping, relative to the default
@@ -85,8 +85,8 @@ const RINGS: f64 = 8.0;
 /// Largest phase angle of the oscillation in one substep, rad: six substeps per period.
 ///
 /// Tested with 20,000 masses of 0.5 to 20 kg under random motion on hardening rubber. With a limit of 1.5 rad, three
-/// masses had a force error that short steps do not show; with 2 rad, 14 masses; without a limit, 250; with 1 rad,
-/// none. `cargo test -p dashpot-abi --test search hard_rubber` runs a thousand such masses.
+/// masses had a force error that short steps do not show. With 2 rad, 14 masses had one, without a limit 250, with 1
+/// rad none. `cargo test -p dashpot-abi --test search hard_rubber` runs a thousand such masses.
 const FOLLOWED: f64 = 1.0;
 
 /// Largest number of substeps of the automatic choice.
@@ -194,8 +194,8 @@ impl Integration {
     /// Chooses the cheapest integration whose error is below a thousandth in a step of 1 ms. `frequency` is that of the
     /// mass or spool, rad/s, and `swings` the overshoot L of the mass.
     fn automatic(elements: &Elements, frequency: f64, swings: f64) -> Integration {
-        // Elements of the series or the hydraulic path make the force nonlinear even if the mass does not overshoot, so
-        // the overshoot L counts as at least 1.
+        // Elements of the series or the hydraulic path make the force nonlinear even if the mass does not overshoot.
+        // The overshoot L therefore counts as at least 1.
         let swings = if elements.has_paths() { swings.max(1.0) } else { swings };
         let many = 0.25 * frequency;
         let three = |times: f64| Integration::new(Method::ThreeStage, 0, even(times, frequency, swings), many);

@@ -12,8 +12,8 @@ use crate::{element, number};
 /// Largest displacement from zero, m, up to which the springs on the internal mass must not be stiffer than the series
 /// spring.
 const STROKE: f64 = 0.1;
-/// Number of displacements on each side of 0 at which [`Model::check`] compares the stiffness of the springs on the
-/// mass with that of the series spring: one every half millimeter.
+/// Number of displacements on each side of 0, half a millimeter apart, at which [`Model::check`] compares stiffnesses.
+/// They are those of the springs on the mass and of the series spring.
 const PLACES: i32 = 200;
 
 /// Units of the internal states of parallel elements. The state of an element that is not listed has the unit "-".

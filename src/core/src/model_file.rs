@@ -403,8 +403,8 @@ fn can_vary_list(row: Row) -> bool {
 }
 
 impl<'a> Reader<'a> {
-    /// Returns whether the next value is given over the settings: a list for a number or a choice, or a list of lists
-    /// for a list. The number of entries is not checked.
+    /// Returns whether the next value is given over the settings. It is then a list for a number or a choice, and a
+    /// list of lists for a list. The number of entries is not checked.
     fn is_over_setting(&self, row: Row) -> bool {
         let mut ahead = Reader { ..*self };
         if !ahead.take(b'[') {

@@ -26,8 +26,8 @@ use crate::schema::{Describe, Parameter, View};
 /// the force stays within 0.01 C of C or T. While a void lasts, the valves pass the flow that the force T drives
 /// through them, so flow and motion close the void. κ is the fraction of the cap that remains on the return. With κ = 1
 /// the gas pressure still acts; with κ = 0 the rod moves freely. Gas in the void sets its pressure: the void opens at a
-/// fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 − α)/(1 + e/e_1), where e_1 is the void
-/// that halves the deficit; α = 1 is a void of vapor alone.
+/// fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 − α)/(1 + e/e_1). The void e_1 halves
+/// the deficit, and α = 1 means a void of vapor alone.
 ///
 /// *Foot valve*: the force is not limited. Beyond the speed v_f in the direction σ, the valve does not refill the
 /// chamber behind the piston completely. The fraction a of the further flow is missing. The return then begins with a
@@ -61,8 +61,7 @@ pub struct Cavitation {
 
 /// Speed, m/s, at which the void would open if the force were twice the cap C: the resistance is C over this speed.
 const SLACK: f64 = 100.0;
-/// Excess of the force over which the motion of the void sets in smoothly, relative to the cap C, or to 1 N for a foot
-/// valve.
+/// Excess of the force over which the void's motion sets in smoothly, relative to the cap C (1 N for a foot valve).
 const ROUNDING: f64 = 2e-3;
 /// Speed of the moving end, m/s, over which the closing force changes smoothly from the cap C to its remainder κ C.
 const TURNING: f64 = 3e-3;
@@ -213,8 +212,7 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// Returns the excess p − C of the force p over the cap C, and its deficit T − p below the closing force T, both in
-    /// N.
+    /// Returns the excess p − C, N, of the force p over the cap C, and its deficit T − p, N, below the closing force T.
     ///
     /// `pressure` is p, `kept` is T/C, and `expanded` is the factor by which the expanded gas reduces C and T. A foot
     /// valve has no cap: its excess is always negative, and its deficit is −p.

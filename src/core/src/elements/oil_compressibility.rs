@@ -121,8 +121,8 @@ impl OilCompressibility {
         self.shortening != 0.0
     }
 
-    /// Returns the lengths of the rebound and the compression chamber at displacement `x`, m, relative to those at x =
-    /// 0. With one chamber, both are that of the rebound chamber.
+    /// Returns the relative lengths of the rebound and the compression chamber at displacement `x`, m; they are 1 at
+    /// zero displacement. With one chamber, both are that of the rebound chamber.
     #[inline(always)]
     fn lengths<R: Real>(&self, x: R) -> [R; 2] {
         let within = |length: R| if length.value() > SHORTEST { length } else { R::constant(SHORTEST) };

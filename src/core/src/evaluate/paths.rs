@@ -17,9 +17,9 @@ use crate::tables::{ForceLaw, Tables};
 
 /// Number of variables with respect to which one evaluation differentiates.
 ///
-/// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. With
-/// all thirteen variables at once (ten states, the motion of the moving end, the oil velocity), the machine code was as
-/// long as that of all steps together.
+/// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. The
+/// thirteen variables are ten states, the motion of the moving end, and the oil velocity. With all of them at once, the
+/// machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
 /// Number with the derivatives of one evaluation.

@@ -112,8 +112,8 @@ mod tests {
                 late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
                 "{late} for {dead_time}"
             );
-            // The last value of the signal, 1 above the initial one, fills the stored dead time, so the integrals of
-            // input and output differ by it.
+            // The last value of the signal, 1 above the initial one, fills the stored dead time. The integrals of input
+            // and output differ by that area.
             assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
             assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
         }

@@ -8,8 +8,8 @@
 //! f_i,  f_i + h d_i / 3,  f_{i+1} − h d_{i+1} / 3,  f_{i+1}
 //! ```
 //!
-//! and lies between the smallest and the largest of these coefficients. Let g_i be the difference of the forces of two
-//! neighboring points of the FV table at grid value i, and e_i its derivative with respect to the setting. h_i is the
+//! and lies between the smallest and the largest of these coefficients. At grid value i, let g_i be the difference of
+//! the forces of two neighboring points of the FV table. e_i is its derivative with respect to the setting. h_i is the
 //! length of the grid interval after the value i. At every setting, the forces do not decrease with velocity if
 //!
 //! ```text

@@ -58,8 +58,9 @@ pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, r
 pub(crate) struct Derivatived {
     /// Force of the series path, N.
     pub force: f64,
-    /// Derivatives of the force with respect to the deflection, its rate, the bushing's relaxing deflection (k_1 z +
-    /// k_2 y)/k_s, the stiffness k_s and the damping c_s, in this order.
+    /// Derivatives of the force with respect to the deflection, its rate, the bushing's relaxing deflection, and the
+    /// stiffness and damping of the series compliance. The relaxing deflection is the force of the relaxing elements
+    /// over the series stiffness.
     pub by_deflection: f64,
     pub by_rate: f64,
     pub by_relaxing: f64,

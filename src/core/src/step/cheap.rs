@@ -1,7 +1,8 @@
 //! The cheap step: linearly implicit Euler, in closed form and without side effects.
 //!
-//! The method is backward Euler with linearized forces on the mass, so it needs no iteration. With the step h, the mass
-//! m at X with velocity V before the step and at x_m, u after it, and the moving end at x, v after the step,
+//! The method is backward Euler with linearized forces on the mass, so it needs no iteration. h is the length of the
+//! step. The mass m is at X with velocity V before the step, and at x_m with u after it. The moving end is at x with
+//! velocity v after the step. Then
 //!
 //! ```text
 //! x_m = X + h u,   m (u − V) = h [k_s (x − x_m) + c_s (v − u) − F̃_p(x_m) − F̃_d(u)].
@@ -9,7 +10,7 @@
 //!
 //! k_s and c_s are stiffness and damping of the series compliance. F̃_p is the tangent of the springs on the mass at
 //! the displacement that the mass would reach at V. F̃_d is a line through the FV curve F_d at v̂ = V + v − v_0, the
-//! velocity of a mass that follows the moving end; v_0 is the velocity of the moving end before the step. F̃_d is the
+//! velocity of a mass that follows the moving end, where v_0 is the velocity of this end before the step. F̃_d is the
 //! tangent there or the secant to standstill, whichever is steeper:
 //!
 //! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. With a
@@ -17,8 +18,8 @@
 //! - With a progressive curve, the tangent is steeper. It gives a step of Newton's method from the steep side, which
 //!   does not overshoot. The secant would be too flat, and the solution would oscillate.
 //!
-//! Both lines differ from F_d(u) by at most O(h), because u − v̂ is O(h). The force acts over h, so the method has order
-//! 1. The lines are linear in u, so the step and its derivatives have closed forms.
+//! Both lines differ from F_d(u) by at most O(h), because u − v̂ is O(h). The force acts over h, so the method is of first
+//! order. Both lines are linear in u, so the step and its derivatives have closed forms.
 //!
 //! A linearization is inaccurate far from its position. When the moving end reverses, v̂ may lie near standstill or
 //! inside a jump of the curve. A spring with a table has another derivative beyond its next point. In such cases the
@@ -53,8 +54,8 @@ pub(super) struct After {
     /// Force of the linearized springs on the mass, N.
     pub spring: f64,
     /// Derivative of the new velocity of the mass with respect to an impulse on it, 1/kg. It is 1/(m + h (c_s + s) + h²
-    /// (k_s + F_p')), with the step h, the slope s of the linearized FV curve and the stiffness F_p' of the springs on
-    /// the mass.
+    /// (k_s + F_p')), with mass m, step h, and series damping c_s and stiffness k_s. s is the slope of the linearized
+    /// FV curve, and F_p' the stiffness of the springs on the mass.
     pub by_impulse: f64,
     /// Derivative of the new velocity of the mass with respect to the velocity about which the FV curve was linearized.
     pub by_guess: f64,

@@ -99,8 +99,9 @@ pub(super) struct ByEnd {
     moved: bool,
     x: [f64; 2],
     v: [f64; 2],
-    /// Derivatives of the series force due to the motion of the mass, k_s x_m + c_s v_m, by displacement and velocity
-    /// at the end of the step. They are subtracted from the derivatives of the series force.
+    /// Derivatives of the mass's part of the series force, k_s x_m + c_s v_m, with respect to displacement and velocity
+    /// at the end of the step. They are subtracted from the derivatives of the series force at a fixed mass. x_m and
+    /// v_m are the motion of the mass, and k_s and c_s series stiffness and damping.
     yields: [f64; 2],
     /// Derivatives of the previous stage's velocity, from which the next stage predicts its position.
     predicted: [f64; 2],

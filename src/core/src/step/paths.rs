@@ -9,8 +9,8 @@
 //!
 //! F_d is the FV curve, s its factor for position and temperature, and N the effect of the lagging valve and
 //! frequency-selective damping. F_h is the resulting hydraulic force. q is the deflection of the oil column, and s(x,
-//! q) the part of the stroke that the column absorbs. e is the depth of the void, ė its rate, b the flow that bypasses
-//! the valves, and σ the sign of the stroke that opens the void. x and v are the motion of the moving end, x_m and u
+//! q) the part of the stroke that the column absorbs. e is the depth of the void, ė its rate, and σ the sign of the
+//! stroke that opens it. b is the flow that bypasses the valves. x and v are the motion of the moving end, x_m and u
 //! that of the internal mass m. F_s is the series force, and F_p that of the springs on the mass. X, V, S and E are the
 //! stage's known parts of x_m, u, s(x, q) and e. g, s, is the weight of the rates. x_0 is the displacement of the
 //! moving end before the stage. The equation is solved to rounding accuracy (see [`crate::paths::solve`]), so its
@@ -65,13 +65,13 @@ struct Known<'a> {
     on_mass: MassStart,
 }
 
-/// Displacement X of the moving end before a stage, m. If the state s of an oil column is the absorbed part of the
-/// stroke, it changes by s(x) − s(X) due to the motion from X to x.
+/// Displacement X of the moving end before a stage, m. The state s of an oil column may be the absorbed part of the
+/// stroke. It then changes by s(x) − s(X) due to the motion from X to x.
 ///
 /// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
-/// changes by the exact stroke of the step, independent of the velocities v at the stages. X = x − g v, with the weight
-/// g of the stage, would not change the column at all in a stroke that ends at rest, with the cheapest method. With the
-/// other methods, the error would reach a whole stroke in a step from end to end.
+/// changes by the exact stroke of the step, independent of the velocities v at the stages. Consider X = x − g v
+/// instead, with the weight g of the stage. With the cheapest method, the column would then not change at all in a
+/// stroke that ends at rest. With the other methods, the error would reach a whole stroke in a step from end to end.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
@@ -133,8 +133,8 @@ pub trait StageDerivatives {
     fn valve_read(&self) -> [f64; 2];
     /// Returns the displacement of the internal mass after the stage, m.
     fn mass_displacement(&self) -> f64;
-    /// Returns the derivatives of the series force with respect to the series stiffness and damping, and of the inertia
-    /// force with respect to the internal mass.
+    /// Returns the derivatives of the series force with respect to its stiffness and damping, and of the inertia force
+    /// with respect to the internal mass.
     fn series_by_frame(&self) -> [f64; 3];
     /// Propagates `derivatives` in one direction through the stage. `seed` contains the derivatives of the stage's
     /// inputs, except those of the known parts of the states, which this function computes.
@@ -470,23 +470,23 @@ struct Substep<'a, T: Tables> {
 
 /// Number of pieces into which a substep is divided when a void closes in it.
 const PIECES: u32 = 16;
-/// Depth of a void at the end of a substep, m, below which the void closes or is about to close: the substep is
-/// repeated in pieces.
+/// Depth of a void at the end of a substep, m, below which the substep is repeated in pieces, because the void closes
+/// or nearly closes.
 const CLOSING: f64 = 2e-5;
 /// Depth, m, below which a void counts as closed and is set to 0.
 const SHUT: f64 = 1e-9;
 
 /// Number of pieces into which a substep is divided if the model's method overshoots a reversal.
 const CALM: u32 = 8;
-/// Largest allowed difference between a substep's end force and the force of its latest stage before the end, relative
-/// to a linear extrapolation of the stages.
+/// Largest allowed difference between a substep's end force and that of its latest stage before the end, relative to a
+/// linear extrapolation.
 ///
 /// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
 /// released bushing was 1.8 times too high at 2 ms (search, seed 295465, case 53629). With a limit of 2, this error
 /// does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
-/// Difference between the end force and the force of the latest stage, relative to the size of the stage forces, below
-/// which no overshoot is detected.
+/// Difference between the end force and that of the latest stage, relative to the size of the forces, below which no
+/// overshoot is detected.
 const ROUGHNESS: f64 = 0.02;
 
 /// Returns whether the force `end` at the end of a substep is consistent with the forces `stages` of its previous
@@ -527,7 +527,7 @@ impl<T: Tables> Substep<'_, T> {
     ///
     /// If the state of a two-chamber oil column is the absorbed part of the piston stroke, the valve force is also
     /// checked. Stages on both sides of rest, with different chamber lengths, may combine to a force that is wrong on
-    /// both sides. The check of the total force does not detect this if the series damping is strong, because the total
+    /// both sides. The check of the total force does not detect this with strong series damping, because the total
     /// force then differs widely between the stages.
     #[inline(always)]
     fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {

@@ -119,7 +119,8 @@ const THREE_STAGE_PLACE: f64 = 0.663;
 /// [`Method::ThreeStage`].
 pub(super) static THREE_STAGE: Tableau = {
     let (gamma, c2) = (THREE_STAGE_GAMMA, THREE_STAGE_PLACE);
-    // The order conditions for the last row b₁, b₂, γ and the times γ, c₂, 1: b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂ + γ = ½.
+    // The last row is b₁, b₂, γ, and the times are γ, c₂, 1. The order conditions are b₁ + b₂ + γ = 1 and b₁ γ + b₂ c₂
+    // + γ = ½.
     let b2 = (0.5 - gamma - (1.0 - gamma) * gamma) / (c2 - gamma);
     let below = [[0.0; 5], [c2 - gamma, 0.0, 0.0, 0.0, 0.0], [1.0 - gamma - b2, b2, 0.0, 0.0, 0.0], [0.0; 5], [0.0; 5]];
     Tableau::new(3, gamma, below, ENDS_WITHIN)
@@ -135,8 +136,8 @@ const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 /// [`Method::Third`].
 pub(super) static THIRD: Tableau = {
     let (g, [c2, c3]) = (THIRD_GAMMA, THIRD_PLACES);
-    // The order conditions for weights b and times c: Σ b = 1, Σ b c = ½, Σ b c² = ⅓, here without the last stage,
-    // which has c = 1 and b = γ.
+    // The order conditions for weights b and times c are Σ b = 1, Σ b c = ½, Σ b c² = ⅓. The last stage, with c = 1 and
+    // b = γ, is subtracted.
     let sums = [1.0 - g, 0.5 - g, 1.0 / 3.0 - g];
     const fn weight(sums: [f64; 3], own: f64, other: f64, third: f64) -> f64 {
         (sums[2] - (other + third) * sums[1] + other * third * sums[0]) / ((own - other) * (own - third))

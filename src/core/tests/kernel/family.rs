@@ -14,8 +14,8 @@ use proptest::prelude::*;
 
 const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
 
-/// Returns the forces of the FV table, N, increased in proportion to `size`: by 0.3 times `size` near standstill, by up
-/// to 1.3 times `size` at speed.
+/// Returns the forces of the FV table, N, increased by the fraction 0.3 `size` near standstill, and by up to 1.3 `size`
+/// at speed.
 fn forces(params: &Params, size: f64) -> Vec<f64> {
     let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     v.iter().zip(f).map(|(v, f)| f * (1.0 + size * (0.3 + v.abs() / (0.2 + v.abs())))).collect()

@@ -297,8 +297,8 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     }
 }
 
-/// With each parallel element, the step converges with the order of the method, or with order 2 where the comment says
-/// so.
+/// With each parallel element, the step converges with the order of the method, or with the lower order in the table
+/// `orders`.
 ///
 /// The presliding law has a kink of |v| at every reversal, so the motion of this test has no reversal.
 #[test]

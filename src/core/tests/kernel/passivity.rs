@@ -1,4 +1,4 @@
-//! A damper without springs and gas on the mass only dissipates energy: over closed cycles, and in free motion with
+//! A damper without parallel spring and gas force only dissipates energy: over closed cycles, and in free motion with
 //! every method.
 
 use crate::common::*;
@@ -17,8 +17,8 @@ proptest! {
 
     /// Over closed cycles, the work done on the damper is not negative, within a tolerance.
     ///
-    /// The tolerance covers the energy stored in springs and masses before the third cycle, and the error of computing
-    /// work from values at the ends of steps.
+    /// The tolerance covers the energy stored before the third cycle, and the error of computing work from values at
+    /// the ends of steps.
     #[test]
     fn no_cycle_returns_more_than_it_took(
         params in any_params(),
@@ -77,7 +77,7 @@ proptest! {
 /// Computes the energy stored in the springs and masses of the damper, J.
 ///
 /// These are the series spring with gap and bushing, the oil column, and all masses that move with the piston or the
-/// moving end; the parallel spring is not included.
+/// moving end. The parallel spring is not included.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
     let series = &e.series_compliance;

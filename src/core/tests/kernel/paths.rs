@@ -490,9 +490,9 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
     };
     for frequency in [0.05, 1.0] {
         let [above, below] = loops(frequency);
-        // On a linear FV curve with the force F, the force F_h behind the valve satisfies F_h p = F², where p is the
-        // force of the valve's position. F_h is above F by half the play while speed rises, and below F by half the
-        // play while speed falls. The play P of 100 N counts at F = 600 N as P F/(F + P).
+        // F is the force of the linear FV curve, F_h that behind the valve, and p that of the valve's position. They
+        // satisfy F_h p = F². F_h is above F by half the play while speed rises, and below F by half the play while
+        // speed falls. The play P of 100 N counts at F = 600 N as P F/(F + P).
         assert!((above - 85.7).abs() < 5.0, "{frequency} Hz: {above}");
         assert!(below.abs() < 3.0, "{frequency} Hz: {below}");
     }
@@ -565,8 +565,8 @@ fn a_step_ends_where_evaluation_finds_it() {
     }
 }
 
-/// If the integration method would move the opening of a valve or the filled fraction of a chamber beyond its range,
-/// the state is clamped, with exact derivatives.
+/// The integration method may move the opening of a valve or the filled fraction of a chamber beyond its range. The
+/// state is then clamped, with exact derivatives.
 #[test]
 fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
@@ -643,8 +643,8 @@ fn a_fading_damper_steps_as_through_the_paths() {
                     let mut wanted = Output::ZERO;
                     advance_paths(&model, &mut through, &input, dt, &mut Nobody, &mut wanted);
                     let off = (got.force - wanted.force).abs() / (1.0 + wanted.force.abs());
-                    // The difference is larger if the step through the paths repeated a substep in pieces, because of
-                    // an apparent overshoot.
+                    // The difference is larger if the step through the force paths repeated a substep in pieces,
+                    // because it detected an apparent overshoot.
                     assert!(off < 1e-2, "{method:?} {substeps} {dt} {series}: {} for {}", got.force, wanted.force);
                     apart += usize::from(off > 1e-8);
                     steps += 1;

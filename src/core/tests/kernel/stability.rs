@@ -10,10 +10,10 @@ use proptest::prelude::*;
 /// Steps through `motion` (displacement, m, and velocity, m/s) and compares the deflection of the series spring with an
 /// energy bound. Then keeps the moving end fixed and compares the force with the static force.
 ///
-/// H = m u²/2 + k_s e²/2 + ∫F_p is the energy of the mass m with velocity u, the series spring with stiffness k_s and
-/// deflection e, and the parallel spring with force F_p. √H grows at most in proportion to the speed of the moving end.
-/// The deflection e is thus at most the length of the path, plus a part from the parallel spring and the FV curve's
-/// offset. The test allows twice that length.
+/// H = m u²/2 + k_s e²/2 + ∫F_p is the energy of mass, series spring and parallel spring. The mass m has the velocity
+/// u, the series spring the stiffness k_s and the deflection e, and the parallel spring the force F_p. √H grows at most
+/// in proportion to the speed of the moving end. The deflection e is thus at most the length of the path, plus a part
+/// from the parallel spring and the FV curve's offset. The test allows twice that length.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -179,8 +179,8 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     }
 }
 
-/// The deflection of the series spring stays below 0.2 m, although the first guess of a stage is far from the solution
-/// on a hardening spring. The oil stores 10 kJ at rest, so the mass follows any jump.
+/// The series spring deflects less than 0.2 m, although the first guess of a stage is far from the solution on a
+/// hardening spring. The oil stores 10 kJ at rest, so the mass follows any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     let mut p = params(&[
@@ -259,8 +259,8 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// The hydraulic force of an oil column that stands under 15 kN stays below 25 kN in strokes of 60 mm from rest to
-/// rest, each in one step. In each stroke, the column's length changes up to tenfold.
+/// An oil column under 15 kN at rest keeps a hydraulic force below 25 kN in strokes of 60 mm from rest to rest, each in
+/// one step. In each stroke, the column's length changes up to tenfold.
 ///
 /// An earlier version computed the change of the column from the velocities of the moving end at the stages. With the
 /// cheapest method, the column then did not deflect at all; with the fourth-order method, the force reached 9 MN.

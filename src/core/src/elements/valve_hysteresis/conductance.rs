@@ -70,8 +70,8 @@ fn force_of(first: u64, node: usize) -> f64 {
     f64::from_bits((first + node as u64) << BEHIND)
 }
 
-/// Returns the interval of the table that contains the force `h`, N, and the position of h in the interval, from 0 to
-/// 1. `None` outside the table.
+/// Returns the interval of the table that contains the force `h`, N, and the position of h there as a fraction of the
+/// interval. `None` outside the table.
 #[inline(always)]
 fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
     const ONE: u64 = 1.0_f64.to_bits();

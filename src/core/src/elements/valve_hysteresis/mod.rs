@@ -320,8 +320,8 @@ impl<T: Tables> ValveHysteresis<T> {
         stands * (1.0 + 2.0 * self.damping * per) + per * rate
     }
 
-    /// Computes the valve's state p, N, at the end of an implicit stage of weight `g`, s, whose final force behind the
-    /// valve is `force`, N.
+    /// Computes the valve's state p, N, after an implicit stage of weight `g`, s; `force` is the final force behind the
+    /// valve, N.
     #[inline(always)]
     fn follows<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;

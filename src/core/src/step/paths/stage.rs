@@ -121,8 +121,8 @@ struct Look {
     column: Column,
     /// Flow through the bypass of the valves.
     past: Past,
-    /// Depth of the void e, m. The derivatives of e, and of the part of its change that the oil causes, are with
-    /// respect to the hydraulic force, the moving end's velocity, and the known part of e.
+    /// Depth e of the void, m. Below are the derivatives of e, and those of the part of its change that the oil causes.
+    /// The variables are the hydraulic force, the moving end's velocity, and the known part of e.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
