@@ -121,7 +121,7 @@ impl GasSpring {
     }
 
     /// Returns ξ^(γ−1), the steady state of 1 + z for the state z, and its derivative with respect to displacement,
-    /// 1/m. ξ is the relative gas volume, and γ the adiabatic index.
+    /// 1/m. Here ξ is the relative gas volume, and γ the adiabatic index.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
         let rises = if at.below < 0.0 { 0.0 } else { self.excess * at.value * at.per_inside * self.per_length };
@@ -136,7 +136,7 @@ impl GasSpring {
     }
 
     /// Returns the relative pressure ξ^−γ = 1/(ξ ξ^(γ−1)) of gas with the state z = 0, and its derivative with respect
-    /// to displacement, 1/m. ξ is the relative gas volume, and γ the adiabatic index.
+    /// to displacement, 1/m. Here ξ is the relative gas volume, and γ the adiabatic index.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
         let value = at.per_inside / at.value;

@@ -42,8 +42,8 @@ pub struct Flow<R> {
 const LEAKAGE: f64 = 0.01;
 
 /// Computes the hydraulic force F_h = N(s F_d(w)) at given states, where `curve` is the FV force F_d(w), N, at the oil
-/// velocity `w`, m/s. s is the product of the factors for position and temperature. N stands for the lagging valve and
-/// frequency-selective damping.
+/// velocity `w`, m/s. N stands for the lagging valve and frequency-selective damping, and s is the product of the
+/// factors for position and temperature.
 ///
 /// `standing` is the FV curve's force at standstill. No flow causes it, so s and N do not change it.
 #[inline(always)]
@@ -334,9 +334,9 @@ impl Column {
     /// A stage without an oil column.
     pub const NONE: Column = Column { state: 0.0, by_force: 0.0, d_state_d_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
-    /// Computes the column after a stage under the hydraulic force `force`, N, from the `known` part of its state. u is
-    /// the piston velocity, w the oil velocity, and g the weight of the stage. In all three kinds of column, u − w
-    /// increases with the force:
+    /// Computes the column after a stage under the hydraulic force `force`, N, from the `known` part of its state. The
+    /// piston has the velocity u, and the oil at the valves the velocity w; g is the weight of the stage. In all three
+    /// kinds of column, u − w increases with the force:
     ///
     /// ```text
     /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)

@@ -83,8 +83,9 @@ pub trait Follow<T: Tables = Owned> {
     fn stage(&mut self, elements: &Elements<T>, stage: &Stage);
 
     /// Returns the derivatives of k_s x_m + c_s v_m with respect to displacement and velocity of the moving end at the
-    /// end of the step. k_s and c_s are series stiffness and damping, x_m and v_m the motion of the internal mass. The
-    /// derivatives of the series force are reduced by these values. They are 0 if the output treats the mass as fixed.
+    /// end of the step. Here k_s and c_s are series stiffness and damping, x_m and v_m the motion of the internal mass.
+    /// The derivatives of the series force are reduced by these values. They are 0 if the output treats the mass as
+    /// fixed.
     #[inline(always)]
     fn yields(&self) -> [f64; 2] {
         [0.0; 2]
@@ -100,8 +101,8 @@ pub(super) struct ByEnd {
     x: [f64; 2],
     v: [f64; 2],
     /// Derivatives of the mass's part of the series force, k_s x_m + c_s v_m, with respect to displacement and velocity
-    /// at the end of the step. They are subtracted from the derivatives of the series force at a fixed mass. x_m and
-    /// v_m are the motion of the mass, and k_s and c_s series stiffness and damping.
+    /// at the end of the step. They are subtracted from the derivatives of the series force at a fixed mass. Here x_m
+    /// and v_m are the motion of the mass, k_s and c_s series stiffness and damping.
     yields: [f64; 2],
     /// Derivatives of the previous stage's velocity, from which the next stage predicts its position.
     predicted: [f64; 2],

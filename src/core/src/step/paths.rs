@@ -470,8 +470,8 @@ struct Substep<'a, T: Tables> {
 
 /// Number of pieces into which a substep is divided when a void closes in it.
 const PIECES: u32 = 16;
-/// Depth of a void at the end of a substep, m, below which the substep is repeated in pieces, because the void closes
-/// or nearly closes.
+/// Depth of a void at the end of a substep, m, below which the substep is repeated in pieces: the void closes or nearly
+/// closes.
 const CLOSING: f64 = 2e-5;
 /// Depth, m, below which a void counts as closed and is set to 0.
 const SHUT: f64 = 1e-9;

@@ -124,8 +124,8 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// Moves the first point of a curve at an abscissa of at least 0 to the origin, and shifts the forces of the other
-/// points accordingly.
+/// Moves the first point of a curve at an abscissa of at least 0 to the origin, and shifts the other forces
+/// accordingly.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];
