@@ -35,7 +35,7 @@ const CARRIES_WHOLE: u64 = 1 << 63;
 /// Flag in the bit set of the elements that are on: an element with an internal state acts on the internal mass.
 const STATES_ON_MASS: u64 = 1 << 62;
 
-/// Expands the list of elements into their prepared set and the sums that the equations need.
+/// Expands the list of elements into the struct of the prepared elements and the sums of their forces.
 macro_rules! assembled {
     (
         primary { $primary:ident: $Primary:ty }
@@ -56,7 +56,7 @@ macro_rules! assembled {
         #[repr(C)]
         pub struct Elements<T: Tables = Owned> {
             on: u64,
-            /// The coupled elements in the force path.
+            /// The elements in the series and the hydraulic path, which act on each other.
             pub paths: Paths<T>,
             $($inner: $Inner,)*
             $($friction: T::Kept<$Friction>,)*
@@ -199,8 +199,8 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
-            /// set.
+            /// Returns a set in which no element is prepared. It is a function, because each use of a constant would
+            /// copy the whole set.
             #[inline(always)]
             pub(crate) fn none() -> Renewed {
                 Renewed {
@@ -329,14 +329,16 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Calls `visit` with the names of the parallel elements with internal states, in their order.
+            /// Calls `visit` with the names of the parallel elements with internal states that are on, in the order of
+            /// the element list.
             pub fn each_stateful_name(&self, mut visit: impl FnMut(&'static str)) {
                 $(if self.has(Place::$stateful) {
                     visit(stringify!($stateful));
                 })*
             }
 
-            /// Returns the parallel elements with internal states that are on, as bits in their order.
+            /// Returns the parallel elements with internal states that are on, as bits in the order of the element
+            /// list.
             pub(crate) fn memory_bits(&self) -> u64 {
                 let (mut bits, mut next) = (0, 1);
                 $(if self.has(Place::$stateful) {
@@ -376,7 +378,8 @@ macro_rules! assembled {
                 self.on & REST == Paths::<Owned>::MASS
             }
 
-            /// Calls `visitor` for each element that is on and has one internal state, with code compiled for its type.
+            /// Calls `visitor` for each parallel element that is on and has one internal state, with code compiled for
+            /// the element's type.
             #[inline(always)]
             pub fn visit_stateful(&self, visitor: &mut impl StateVisitor) {
                 let mut place = self.paths.slots().count();
@@ -411,7 +414,7 @@ macro_rules! assembled {
 
 each_element!(assembled);
 
-/// Adapter that passes elements with internal states as trait objects.
+/// Visitor that passes elements with internal states as trait objects to a function.
 struct Shown<F>(F);
 
 impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {

@@ -30,8 +30,8 @@ pub enum Interpolation {
     /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
-    /// Monotone cubic on each side of zero. The derivatives at zero differ, like those of the valves for rebound and
-    /// compression.
+    /// Monotone cubic on each side of zero. The derivatives on both sides of zero differ, because the valves for
+    /// rebound and compression differ.
     ///
     /// Each derivative at zero is that of the parabola through zero and two further points (see [`derivatives`]).
     CubicEachSide,
@@ -56,8 +56,8 @@ struct Piece {
     /// Value at the start of the piece relative to that at u = 0: f0 − f(0), N.
     above: f64,
     c1: f64,
-    /// c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel. Likewise, `c3`
-    /// contains c3 and 3 c3.
+    /// Coefficient c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel.
+    /// Likewise, `c3` contains c3 and 3 c3.
     c2: [f64; 2],
     c3: [f64; 2],
 }
@@ -65,7 +65,8 @@ struct Piece {
 /// Extent of a piece of a curve and its mean derivative.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
-    /// Ends of the piece as values of t = u − u0; the outer pieces extend to the largest finite numbers.
+    /// Lower end of the piece as a value of t = u − u0; `high` is the upper end. The outer pieces extend to the largest
+    /// finite numbers.
     low: f64,
     high: f64,
     /// Mean derivative of an inner piece, or the derivative of an outer piece.
@@ -77,7 +78,7 @@ struct Extent {
 pub struct Curve {
     /// Points (u, f), ascending; the unused entries are the largest finite number.
     points: [[f64; 2]; PIECES],
-    /// The pieces, without their extents, which an evaluation does not need. Thus a piece fills one cache line.
+    /// The pieces, without their extents, which an evaluation does not need. A piece therefore fills one cache line.
     pieces: [Piece; PIECES],
     extents: [Extent; PIECES],
     /// Number of points.
@@ -108,7 +109,8 @@ const BUCKETS: usize = 256;
 /// Number of points in one bucket of the lookup above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
 
-/// Returns the bucket of `u`: whether `u` has a negative sign, and the index of the bucket outward from 0.
+/// Returns the bucket (interval of the lookup) that contains `u`: whether `u` has a negative sign, and the index of the
+/// bucket outward from 0.
 ///
 /// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
 /// makes sixteen buckets per power of two, so the buckets are narrow where damper curves have knees. Rounding cannot
@@ -307,8 +309,8 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // The bisection is unrolled, so that its cost is fixed. Most tables have fewer than 16 points and need only four
-        // comparisons.
+        // The bisection over the points is unrolled, so that its cost is fixed. Most curves have fewer than 16 points
+        // and need only four comparisons.
         if self.count >= 16 {
             halve(32);
             halve(16);
@@ -353,7 +355,7 @@ impl Curve {
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
         let t = u - p.u0;
-        // The polynomial is evaluated in two halves, which processors compute in parallel.
+        // The polynomial of the piece is evaluated in two halves, which processors compute in parallel.
         let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
@@ -372,9 +374,9 @@ impl Curve {
     ///
     /// The values of `a u + f(u)` at the points determine the piece. Inside the piece, `STEPS` Householder steps of
     /// fourth order start from the chord and are clamped to the piece. The errors below are the largest of all monotone
-    /// pieces, relative to the piece's height. The worst piece has end derivatives of 0 and 3 times the mean. If `a` is
-    /// 0.6, 0.3 or 0.1 of the mean derivative, the error after two steps is at most 1e-10, 6e-8 or 2e-5. If `a` is 0.03
-    /// of it, the error after three steps is 1e-9.
+    /// cubic pieces, relative to the piece's height. The worst piece has end derivatives of 0 and 3 times the piece's
+    /// mean derivative. If `a` is 0.6, 0.3 or 0.1 of the mean derivative, the error after two steps is at most 1e-10,
+    /// 6e-8 or 2e-5. If `a` is 0.03 of the mean derivative, the error after three steps is 1e-9.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -440,9 +442,9 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
     [one_sided(i - 1, i.checked_sub(2)), one_sided(i + 1, Some(i + 2))]
 }
 
-/// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// The derivative is zero if the chords differ in sign or one of them is horizontal. At the first and the last point it
-/// is that of the adjacent chord.
+/// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the slopes of the
+/// neighboring chords. It is zero if the slopes differ in sign or one of them is zero. At the first and the last point
+/// it is the slope of the adjacent chord.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -495,7 +497,8 @@ mod tests {
         }
     }
 
-    /// The derivatives at zero are those of the two sides: of a line in rebound and of a parabola in compression.
+    /// At zero, the curve has a derivative for each side: here that of a line in rebound, and that of a parabola in
+    /// compression.
     #[test]
     fn each_side_has_a_derivative_of_its_own_at_zero() {
         let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
@@ -527,8 +530,8 @@ mod tests {
         }
     }
 
-    /// The bucket lookup finds the piece that counting the points below an argument gives. The tables are dense and
-    /// sparse, with points at bucket edges and at 0 of either sign.
+    /// The lookup by buckets finds the piece that counting the points below an argument gives. The curves are dense and
+    /// sparse, with points at the ends of buckets and at 0 of either sign.
     #[test]
     fn buckets_lead_to_the_piece_that_halving_finds() {
         let even = |n: usize, width: f64| -> std::vec::Vec<f64> {

@@ -1,11 +1,12 @@
-//! Interface of an element: the motion that acts on it, its force and state derivative, and its preparation.
+//! Interface of an element of the damper model: the motion that acts on it, its force and state derivative, and its
+//! preparation.
 
 use crate::dual::Dual;
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::schema::{Describe, View};
 
-/// The motion and the environment of an element.
+/// The motion, the side force and the temperature that act on an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     /// Displacement, m, extension positive.
@@ -134,7 +135,7 @@ pub trait Prepare: Describe + Sized {
     }
 }
 
-/// An element whose force depends on the present motion alone.
+/// An element whose force depends on the present [`Motion`] alone, without internal state.
 pub trait Force {
     /// Computes the force, N, at the motion `at`, with its derivatives with respect to displacement and velocity.
     fn force(&self, at: &Motion) -> Response;
@@ -148,7 +149,7 @@ pub trait Force {
         None
     }
 
-    /// Returns whether the force may be too nonlinear for one linearization per stage of a step.
+    /// Returns whether the force may be too nonlinear for a single linearization in each implicit stage of a step.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
@@ -183,7 +184,8 @@ pub trait StatefulForce {
     /// Computes the internal state z at which dz/dt is 0 under the constant motion `at`.
     fn equilibrium(&self, at: &Motion) -> f64;
 
-    /// Computes the steady state at motion `at` of an element that had state `_z` at displacement `_from`, m.
+    /// Computes the steady state under the motion `at` of an element that had the internal state `_z` at displacement
+    /// `_from`, m.
     ///
     /// It differs from [`StatefulForce::equilibrium`] if [`StatefulForce::is_path_dependent`] is true.
     fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {

@@ -47,15 +47,15 @@ impl Model {
 }
 
 impl<T: Tables> Model<T> {
-    /// Computes the equilibrium at a position: see [`Model::steady_state`].
+    /// Computes the equilibrium at the motion `input`: see [`Model::steady_state`].
     pub(crate) fn equilibrium(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
         let fresh = State { displacement: x, layout: self.layout, ..State::ZERO };
-        // A contact that has never moved has zero deflection and keeps it.
+        // At rest, a friction contact that has never moved keeps its zero deflection.
         self.equilibrium_keeping(&fresh, input, (input.velocity == 0.0).then_some(&fresh))
     }
 
-    /// Computes the equilibrium of a damper with a history: see [`Model::steady_state_from`].
+    /// Computes the equilibrium of a damper that was in state `from`: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_keeping(from, input, None)
     }

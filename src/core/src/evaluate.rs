@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, FurtherOutputs::Nothing)
 }
 
-/// Computes the force of a state in this model's layout. `further` selects the other outputs of the evaluation.
+/// Computes the output for a state in this model's layout. `further` selects the results besides the output.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);

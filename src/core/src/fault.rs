@@ -27,13 +27,13 @@ pub enum Reason {
     WrongShape,
     /// The list has too few or too many points, or the name or unit of a setting is too long.
     PointCount,
-    /// The two lists of a curve have different lengths.
+    /// The lists of a curve's abscissae and ordinates have different lengths.
     CurveLengths,
-    /// The abscissae of a curve do not increase.
+    /// The abscissae (velocities or displacements) of a curve do not increase.
     NotIncreasing,
-    /// The ordinates of a curve decrease somewhere, so the damper would drive a motion that it should resist.
+    /// The ordinates (forces) of a curve decrease somewhere, so the damper would drive a motion that it should resist.
     ForceDecreases,
-    /// Two points of a curve are closer than 1e-6 m/s or m.
+    /// Two points of a curve are closer to each other than 1e-6 m/s or m.
     TooClose,
     /// A curve rises by more than 1e8 N s/m or N/m between two points.
     TooSteep,

@@ -127,7 +127,7 @@ impl Path {
         let t2 = theta * theta;
         let t3 = t2 * theta;
         let per_dt = 1.0 / self.dt;
-        // x(θ) = x0 + θ (p1 + θ (p2 + θ p3))
+        // The displacement over the fraction θ of the step is x(θ) = x0 + θ (p1 + θ (p2 + θ p3)).
         let (dx, p1, q1) = (self.x1 - self.x0, self.dt * self.v0, self.dt * self.v1);
         let (p2, p3) = (3.0 * dx - 2.0 * p1 - q1, p1 + q1 - 2.0 * dx);
         PathPoint {
@@ -151,7 +151,7 @@ impl Path {
 #[derive(Clone, Copy, Debug)]
 pub struct Travel<R> {
     x0: f64,
-    /// Displacement at the end minus that at the start, m.
+    /// Stroke: displacement at the end minus that at the start, m.
     pub moved: R,
     /// Velocity at the start, m/s.
     pub v0: R,

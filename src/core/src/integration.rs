@@ -21,18 +21,19 @@ pub struct Integration {
     /// Rate, 1/s, from the model's stiffness, that determines small numbers n of substeps: per_time times the host step
     /// is n², or n^1.5 with `cubic`.
     pub per_time: f64,
-    /// Whether `per_time` refers to n^1.5.
+    /// Whether `per_time` times the host step is n^1.5 instead of n², for n substeps.
     cubic: bool,
     /// Rate, 1/s, that determines large numbers n of substeps: n is at least this rate times the host step, minus ½.
     many_per_time: f64,
-    /// Frequency, rad/s, of a ringing (weakly damped) mass ([`RINGS`]); 0 if the mass does not ring.
+    /// Natural angular frequency, rad/s, of a ringing (weakly damped) internal mass ([`RINGS`]); 0 if the mass does not
+    /// ring.
     rings_at: f64,
-    /// Frequency, rad/s, of a ringing mass whose energy is removed by steps too long to resolve it
-    /// ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
+    /// Natural angular frequency, rad/s, of a ringing internal mass whose energy is removed by steps too long to
+    /// resolve it ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
     quiets_at: f64,
-    /// Longest step, s, for which one substep of the method suffices.
+    /// Longest host step, s, for which one substep of the method suffices.
     one_up_to: f64,
-    /// Longest step, s, for which one cheap step suffices; 0 with another method.
+    /// Longest host step, s, for which one step of [`Method::Euler`] suffices; 0 with another method.
     pub(crate) cheap_up_to: f64,
 }
 
@@ -105,7 +106,7 @@ pub enum Method {
     ThreeStage,
     /// Diagonally implicit method of two stages, order 2 (Alexander, SIAM J. Numer. Anal. 14, 1977).
     Second,
-    /// The cheap step: linearly implicit in closed form, order 1.
+    /// The cheap step: linearly implicit Euler method in closed form, order 1.
     Euler,
     /// Backward Euler: one stage, order 1, solved to convergence. Users cannot choose it: see
     /// [`Integration::method_of`].
@@ -113,7 +114,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// Returns the number of stages.
+    /// Returns the number of stages in a substep.
     pub(crate) fn stages(self) -> u32 {
         match self {
             Method::Fourth => 5,
@@ -270,7 +271,7 @@ impl Integration {
         if self.rings_at > 0.0 { FOLLOWED * f64::from(substeps) / self.rings_at } else { f64::INFINITY }
     }
 
-    /// Returns whether steps too long to resolve a ringing mass remove its energy ([`Integration::method_of`]).
+    /// Returns whether host steps too long to resolve a ringing mass remove its energy ([`Integration::method_of`]).
     pub fn quiets(&self) -> bool {
         self.quiets_at > 0.0
     }
@@ -349,6 +350,6 @@ fn least_derivative(elements: &Elements) -> f64 {
             }
         }
     }
-    // Without a curve the mass is undamped; a small positive value avoids a division by zero.
+    // Without an FV curve the mass is undamped; a small positive value, N s/m, avoids a division by zero.
     if damping < f64::INFINITY { damping.max(1e-3) } else { 1e-3 }
 }

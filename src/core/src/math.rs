@@ -55,8 +55,8 @@ pub fn exp(x: f64) -> f64 {
 
 /// Computes e^x for x ≤ 700: x log2(e) = n + (j + f)/32, e^x = 2^n 2^(j/32) 2^(f/32) with |f| ≤ 1/2.
 ///
-/// Because of rounding in the product, the relative error grows as 1e-16 |x|. This is harmless for negative x, because
-/// the absolute error from this rounding stays below 1e-16.
+/// Because of rounding in the product x log2(e), the relative error grows as 1e-16 |x|. This is harmless for negative
+/// x, because the absolute error from this rounding stays below 1e-16.
 #[inline(always)]
 pub fn exp_below_bound(x: f64) -> f64 {
     const PER_LN2: f64 = 32.0 * core::f64::consts::LOG2_E;
@@ -121,7 +121,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         let third = 1.0 - 2.0 * second / r;
         return (kept, [first, second, third, 1.0 - 3.0 * third / r]);
     }
-    // r/4 (1 − r/5 (1 − r/6 (1 − …))); the truncation error is below 0.5^13 · 3!/16!.
+    // The fourth moment is r/4 (1 − r/5 (1 − r/6 (1 − …))), here with twelve factors; the truncation error is below
+    // 0.5^13 · 3!/16!.
     const PER: [f64; 12] = {
         let mut per = [0.0; 12];
         let mut i = 0;

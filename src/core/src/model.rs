@@ -185,7 +185,7 @@ mod tests {
         assert_eq!(std::format!("{model:?}"), before);
     }
 
-    /// The check covers the derivative of the springs on the mass on both sides of zero, over the whole stroke.
+    /// The check covers the stiffness of the springs on the mass on both sides of zero, over the whole stroke.
     #[test]
     fn a_series_spring_softer_than_what_it_drives_is_refused() {
         let fault = |changes: &[(Number, f64)], lookup: Option<(&[f64], &[f64])>| {

@@ -506,7 +506,8 @@ impl<'a> Reader<'a> {
             }
             points = count;
             if index == 0 {
-                // These forces apply until the axis has the forces at all settings.
+                // The forces at the first setting are those of the parameter set until the axis has the forces at all
+                // settings.
                 read.set_list(list, forces).map_err(of_table).map_err(of_line)?;
             }
             if let Some(axis) = axis.as_deref_mut() {
@@ -735,7 +736,7 @@ mod tests {
         assert_eq!(axis.forces(2), Some(&[-1900.0, 0.0, 3300.0][..]));
         let actuator = axis.actuator();
         assert_eq!((actuator.time, actuator.hysteresis), ([0.008, 0.0], 0.05));
-        // The parameters have their values at the start setting.
+        // The parameter set has the values at the start setting, 0.8 A.
         assert_eq!(params.number(number!("gas_force")), 82.5);
         assert_eq!(params.list(list!("fv_force")), [-1500.0, 0.0, 2500.0]);
         crate::family::Family::check(&params, &axis).unwrap();
@@ -745,7 +746,7 @@ mod tests {
         assert_eq!((error.line, error.problem), (9, Problem::Family));
         assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
         assert_eq!(plain, Params::new());
-        // After reading an ordinary damper, the axis is empty.
+        // After reading an ordinary damper, the axis has no grid and no values.
         read_family(SMALL.as_bytes(), &mut params, &mut axis).unwrap();
         assert!(!axis.is_some() && axis.numbers().is_empty() && !axis.has_forces() && axis.name().is_empty());
         assert_eq!(params.number(number!("gas_force")), 12.5);

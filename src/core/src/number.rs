@@ -119,14 +119,14 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     let half = if drop > 0 { 1u128 << (drop - 1) } else { 1 };
     let above = remainder > half || (remainder == half && (sticky || value & 1 == 1));
     value = value.wrapping_add(u64::from(above && drop > 0));
-    // value · 2^power is exact from here on.
+    // The result value · 2^power is exact: no further rounding occurs.
     let power = drop + 32 * (top as i32 - 2) - binary;
     let two_to = |p: i32| f64::from_bits(((p + 1023).clamp(1, 2046) as u64) << 52);
     let first = power.clamp(-900, 900);
     value as f64 * two_to(first) * two_to(power - first)
 }
 
-/// Sets big = value · 2^shift.
+/// Sets the integer `big` to value · 2^shift.
 fn place(big: &mut [u32; LIMBS], value: u64, shift: usize) {
     let (limb, bit) = (shift / 32, shift % 32);
     let wide = u128::from(value) << bit;
@@ -198,7 +198,8 @@ mod tests {
             if value.is_finite() && value.abs() > 1e-280 && value.abs() < 1e280 {
                 same(&format!("{value:e}"));
             }
-            // Numbers of ordinary magnitude, then integers above 2^53. The integers contain halfway cases.
+            // Numbers of ordinary magnitude, then integers above 2^53. Some of these integers lie halfway between two
+            // doubles.
             same(&format!("{}", (seed >> 10) as f64 * 1e-6));
             same(&format!("{}", seed >> 9));
         }

@@ -1,6 +1,7 @@
 //! Definition of a parameter, and of each element's description of its parameters.
 //!
-//! This is the lowest layer. It depends neither on the elements nor on the table of all rows ([`crate::parameter`]).
+//! This module is the lowest layer. It depends neither on the elements nor on the table of all parameters
+//! ([`crate::parameter`]).
 
 pub mod kind;
 pub mod own;
@@ -27,7 +28,7 @@ pub const SIZES: (f64, f64) = (1e-3, 100.0);
 /// One row of the parameter table.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// Name in model files, in C and in reports.
+    /// Name of the parameter in model files, in C and in reports.
     pub name: &'static str,
     /// SI unit as text; "-" for a pure number.
     pub unit: &'static str,

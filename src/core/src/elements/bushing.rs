@@ -52,7 +52,7 @@ impl Relaxed {
     pub const NONE: Relaxed = Relaxed { at: [0.0; 2], by_rate: [0.0; 2], by_known: [0.0; 2] };
 }
 
-/// Width of the smooth onset of the filler friction, as a rate of the deflection, m/s.
+/// Rate of the series deflection, m/s, over which the filler friction sets in smoothly.
 const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {

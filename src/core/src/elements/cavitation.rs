@@ -71,8 +71,8 @@ const CLOSED: f64 = 1e-5;
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
-/// Longest void at rest, m; no damper has such a stroke. Without this limit, a lasting force close to the cap would
-/// open a void of 10^12 m, which never closes.
+/// Deepest void in the steady state, as a stroke, m; no damper has such a stroke. Without this limit, a lasting force
+/// close to the cap would open a void of 10^12 m, which never closes.
 const LONGEST: f64 = 1.0;
 /// Largest number of iterations for the void at the end of a stage, sufficient for pure bisection.
 const STEPS: usize = 80;
@@ -283,7 +283,8 @@ impl Cavitation {
         if known.value() <= 0.0 || short.value() <= 0.0 {
             return known;
         }
-        // e² + (e_0 − E + g R/r) e = E e_0
+        // The void e solves e² + (e_0 − E + g R/r) e = E e_0, where E is `known`, and R/r the closing rate
+        // `ramp(short)` of a wide void.
         let half = ((self.ramp(short) * g - known).plus(CLOSED)) * 0.5;
         let product = known * CLOSED;
         let root = (half * half + product).sqrt();
@@ -328,7 +329,7 @@ impl Cavitation {
                 break;
             }
         }
-        // A further Newton step adds the derivatives of the solution with respect to the inputs.
+        // A further Newton step gives the solution its derivatives with respect to pressure and known part.
         let end = R::constant(void);
         let missed = end - self.rate_at(pressure, kept, end) * g - known;
         end - missed * (1.0 / derivative)

@@ -114,7 +114,7 @@ const EMPTIES: f64 = 10.0;
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Returns whether the state is a force, as in the filter form.
+    /// Returns whether the state is a force, N, as in the filter form, instead of a filled fraction.
     pub(crate) fn holds_force(&self) -> bool {
         !self.is_stroke && !self.is_bypass
     }
@@ -165,7 +165,7 @@ impl FrequencySelectiveDamping {
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let grows = self.grows(force);
-        // Whichever chamber fills, z has the sign of this sum.
+        // Whichever control chamber fills, the filled fraction z has the sign of this sum.
         let sum = known + grows * per;
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }

@@ -165,7 +165,7 @@ pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let vc1 = p.number(own!("fv_compression_v1"));
     let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
     let fr2 = fr1 + cr2 * (vr2 - vr1);
-    // A further point beyond each last knee continues the last derivative outward.
+    // A further point beyond the outermost knee of each stroke continues the curve with the last derivative.
     let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
     let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
     (v, f)

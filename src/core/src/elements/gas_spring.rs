@@ -108,7 +108,8 @@ impl GasSpring {
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;
         let change = inside * known.per_inside - 1.0;
-        // Near the smallest volume, the volume at either end may be clamped.
+        // Near the smallest volume, the volume at either end of the step may be clamped, so that the series does not
+        // apply.
         if known.per_inside > (1.0 - NEAR) / SMALLEST || change.abs() > NEAR {
             return self.rests(&self.gas(x));
         }

@@ -1,7 +1,7 @@
 //! Moving mass between load cell and damper, or oil in a long passage.
 //!
-//! In the first case, the eye, clamp and tube move with the load cell. In the second case, the piston accelerates the
-//! oil.
+//! In the first case, the eye, the clamp and a tube of the damper move with the load cell. In the second case, the
+//! piston accelerates the oil.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -131,7 +131,7 @@ impl StatefulForce for MovingMass {
         at.velocity
     }
 
-    /// Computes state and force after the path, exactly for the quadratic velocity of [`MovingMass::velocity`].
+    /// Computes state and force at the end of the path, exactly for the quadratic velocity of [`MovingMass::velocity`].
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();

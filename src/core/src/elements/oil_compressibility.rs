@@ -36,7 +36,7 @@ use crate::schema::{Describe, Parameter, View};
 /// the internal mass. The oil does not carry that force.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
-    /// 1/k_o in rebound and in compression, m/N.
+    /// Compliance of the oil column at zero displacement, 1/k_o, in rebound and in compression, m/N.
     compliance: [f64; 2],
     shortening: f64,
     has_two_chambers: bool,
@@ -84,7 +84,8 @@ impl Describe for OilCompressibility {
 }
 
 impl Prepare for OilCompressibility {
-    /// An oil column ten times stiffer than most, so that its own effect is small compared with that of air in the oil.
+    /// An oil column of 3e7 N/m for models with aeration alone. It is ten times stiffer than that of most dampers, so
+    /// its effect is small compared with that of the air.
     const OFF: Self =
         OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
@@ -101,8 +102,8 @@ impl Prepare for OilCompressibility {
 }
 
 impl OilCompressibility {
-    /// Returns 1/k_o of the chamber under pressure: that in compression for a negative `side`, otherwise in rebound.
-    /// `side` is the force or the deflection, which have the same sign.
+    /// Returns the compliance of the oil column, 1/k_o, m/N: that in compression for a negative `side`, otherwise that
+    /// in rebound. `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn compliance(&self, side: f64) -> f64 {
         let [rebound, compression] = self.compliance;

@@ -23,7 +23,7 @@ pub struct ParallelSpring<T: Tables = Owned> {
     has_lookup: bool,
 }
 
-/// Parameters of the coefficients k1 to k4, by power of |x|.
+/// Parameters of the spring's coefficients k1 (linear) to k4 (quartic).
 const POWERS: [Own<ParallelSpring, One>; 4] = [
     Own::named("spring_linear"),
     Own::named("spring_quadratic"),
@@ -134,7 +134,7 @@ impl<T: Tables> ParallelSpring<T> {
         &self.lookup
     }
 
-    /// Sets the coefficients of the powers of |x|; the lookup table does not change.
+    /// Sets the coefficients of the linear to quartic terms; the lookup table does not change.
     pub(crate) fn set_powers(&mut self, p: &View<ParallelSpring>) {
         let k = POWERS.map(|power| p.number(power));
         self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);

@@ -1,5 +1,5 @@
-//! Presliding friction: contacts that deflect before they slide (Dahl). The seal lip and the rod guide cause it after
-//! every reversal.
+//! Presliding friction: contacts that deflect before they slide (Dahl), as seal lip and rod guide do after every
+//! reversal.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -82,9 +82,10 @@ impl Prepare for PreslidingFriction {
     }
 }
 
-/// Number of integration steps over a stretch of motion in one direction, if the law of the contact has no closed form.
+/// Number of integration steps over a stretch of motion in one direction, if the law of the friction contact has no
+/// closed form.
 const PARTS: usize = 4;
-/// Speed relative to the creep velocity above which creep is neglected. The relative error of the slip is half the
+/// Ratio of speed to creep velocity above which creep is neglected. The relative error of the slip is then half the
 /// inverse square of this ratio.
 const FAST: f64 = 1e6;
 
@@ -103,7 +104,7 @@ fn raised<R: Real>(size: R, exponent: f64) -> R {
 /// `r` is the ratio of displacement to slip, and `decay` is c.
 fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
     let through = decay * slip;
-    // (1 − e^−cσ)/cσ: the effective fraction of the slip.
+    // This is (1 − e^−cσ)/(cσ), with its series near 0: the effective fraction of the slip.
     let fraction = if through.value() > 1e-4 {
         (-(-through).exp()).plus(1.0) * through.inverse()
     } else {
@@ -138,9 +139,10 @@ impl PreslidingFriction {
             let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
             r.chain(level.copysign(r.value()), derivative)
         };
-        // Without displacement, r and the steady state are 0, and the law cannot be divided by them.
+        // Without displacement, the ratio r and the steady state `level` are 0, and the division by `level` below is
+        // impossible.
         if level.value() != 0.0 && (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
-            // Near the steady state `level`, the decay rate is constant: |level|^(n−1) = r/level.
+            // Near the steady state `level`, the law is linear with a constant decay rate: n |level|^(n−1) = n r/level.
             let decay = (r * level.inverse()) * (1.0 + self.power);
             return level + (bent - level) * (-(decay * slip)).exp();
         }
@@ -148,9 +150,9 @@ impl PreslidingFriction {
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
         for _ in 0..PARTS {
-            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. With the rate at the start of the
-            // part, an undeflected contact would not decay. The force would then jump between n = 1, which has an exact
-            // closed form, and larger n.
+            // The decay rate of the relative deflection ζ is |ζ|^(n−1), evaluated in the middle of the part. With the
+            // rate at the start of the part, an undeflected contact would not decay. The force would then jump between
+            // n = 1, which has an exact closed form, and larger n.
             let start = bent.abs();
             let halfway = relaxed(bent, r, raised(start, self.power), part * 0.5);
             let middle = if halfway.value().abs() > highest { R::constant(highest) } else { halfway.abs() };
@@ -221,7 +223,7 @@ impl PreslidingFriction {
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this discriminant the motion is negligible, and the derivatives of the zeros would overflow.
+        // Below this discriminant the velocity is negligible, and the derivatives of its zeros would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -418,7 +420,7 @@ mod tests {
                 }
             }
         }
-        // Differences by rounding show that both code paths were used.
+        // Results that differ by rounding show that the short and the general computation were both used.
         assert!(one_way > 20, "{one_way}");
     }
 
@@ -431,7 +433,8 @@ mod tests {
             contact.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         };
         let mut turns_seen = [0; 3];
-        // Final displacement in m, and the velocities at start and end, for no reversal, one reversal, and two.
+        // Final displacement, m, and velocities at start and end, m/s, of motions with no reversal, with one and with
+        // two.
         for (x1, v0, v1) in
             [(2e-4, 0.1, 0.3), (1e-4, 0.7, -0.4), (-2e-4, 0.5, -0.9), (0.0, 0.4, 0.4), (1e-4, -0.6, -0.5)]
         {

@@ -10,7 +10,7 @@ use crate::dual::Real;
 pub struct SoftGap {
     /// Half the gap, g, m: the free travel to either side.
     pub gap: f64,
-    /// F_0, N: force at which half the gap is closed.
+    /// Force F_0 at which the gap is half closed, N.
     pub softness: f64,
 }
 

@@ -22,12 +22,12 @@ use crate::tables::{ForceLaw, Tables};
 /// machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
-/// Number with the derivatives of one evaluation.
+/// Number with its derivatives with respect to the [`DIRECTIONS`] variables of one evaluation.
 type Derivatived = Dual<DIRECTIONS>;
 
 /// State derivatives and forces at given states and a given oil velocity.
 struct Instant {
-    /// Residual of the equation for the oil velocity; 0 at the solution.
+    /// Residual of the equation for the oil velocity at the valves; 0 at the solution.
     residual: Derivatived,
     rates: [Derivatived; STATES],
     force: Derivatived,
@@ -67,7 +67,7 @@ fn instant(
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let flow = flow(e, curve, w, around, states);
     let mut rates = [Dual::constant(0.0); STATES];
-    // With an oil column, its state determines the force, and the valves then determine the oil velocity.
+    // The state of an oil column determines the hydraulic force, and the valves then determine the oil velocity.
     let (primary, deflection) = if e.has_column() {
         column_force(e, around.x, states[place::COLUMN])
     } else {
@@ -159,7 +159,7 @@ fn oil(
 /// Indices of displacement and velocity of the moving end among the variables of an instant, after the states.
 const X: usize = STATES;
 const V: usize = X + 1;
-/// Direction of the oil velocity, the last one; the oil velocity depends on all other variables.
+/// Direction of the oil velocity: the last one. The oil velocity depends on all other variables.
 const W: usize = DIRECTIONS - 1;
 
 /// The damper at given states and input, with its oil velocity.
@@ -226,11 +226,11 @@ pub(super) struct Through {
     pub heat: f64,
 }
 
-/// Further outputs of an evaluation besides the force.
+/// Results of an evaluation besides forces.
 pub(super) enum FurtherOutputs<'a> {
     /// No further output.
     Nothing,
-    /// The rates of the states.
+    /// The time derivatives (rates) of the states.
     Rates(&'a mut State),
     /// The derivatives of force and rates.
     Partials(&'a mut Partials),
@@ -238,7 +238,8 @@ pub(super) enum FurtherOutputs<'a> {
 
 pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Through {
     let at = At::new(e, state, input);
-    // The last state, and displacement and velocity of the moving end, whose derivatives are always needed.
+    // Variables of the first evaluation: the last state, and displacement and velocity of the moving end. The
+    // derivatives with respect to the latter two are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);

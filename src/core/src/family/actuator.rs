@@ -19,13 +19,13 @@ use crate::math::{exp_below_bound, max, min};
 /// Shortest time constant in [`Actuator::rates`], s. It replaces a shorter or missing time constant.
 pub const QUICKEST: f64 = 1e-4;
 
-/// Dynamics of the valve's setting. Rising means toward larger settings.
+/// Dynamics between the commanded and the actual setting of a valve. Rising means toward larger settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Actuator {
-    /// Time constants for rising and for falling, s.
+    /// Time constants of the lag while the setting rises and while it falls, s.
     pub time: [f64; 2],
-    /// Largest rates for rising and for falling, in the setting's unit per second; 0: no limit.
+    /// Largest rates while the setting rises and while it falls, in the setting's unit per second; 0: no limit.
     pub rate: [f64; 2],
     /// Dead time, s.
     pub dead_time: f64,
@@ -35,7 +35,7 @@ pub struct Actuator {
     pub rest: f64,
 }
 
-/// State of the valve's setting.
+/// State of the actuator, from which the actual setting of the valve follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
     /// Setting y behind the lag, in the setting's unit.
@@ -44,7 +44,7 @@ pub struct Stand {
     pub turned: f64,
 }
 
-/// State derivatives of the valve's setting, and their partial derivatives.
+/// State derivatives of the actuator, and their partial derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
     /// Time derivatives of the lagged setting y and of the hysteresis state z.

@@ -19,12 +19,13 @@ const LARGEST: f64 = 1e9;
 /// Smallest interval between two grid values, relative to the range of the grid. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
-/// Description of a number of the axis that is not a parameter of the damper, such as a time constant of the actuator.
+/// Description of a number of the setting that is not a parameter of the damper, such as a time constant of the
+/// actuator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
     /// Name in model files and in C.
     pub name: &'static str,
-    /// Unit; `*` stands for the setting's own, `*/s` for that per second.
+    /// Unit; `*` stands for the unit of the setting, `*/s` for that unit per second.
     pub unit: &'static str,
     /// Smallest and largest value.
     pub bounds: (f64, f64),
@@ -36,7 +37,7 @@ const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meani
     Entry { name, unit, bounds, meaning }
 }
 
-/// Descriptions of the numbers of an axis, in the order of [`Axis::number`].
+/// Descriptions of the numbers of a setting, in the order of [`Axis::number`].
 pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_start",
@@ -69,7 +70,7 @@ pub const ENTRIES: [Entry; 8] = [
 pub struct Varying {
     /// Index of the parameter in the parameter table.
     pub row: u64,
-    /// Value at each grid value.
+    /// Value of the parameter at each grid value; unused entries are 0.
     pub values: [f64; MAX_GRID],
 }
 
@@ -83,7 +84,7 @@ pub struct Axis {
     entries: [f64; ENTRIES.len()],
     varying: u64,
     numbers: [Varying; MAX_NUMBERS],
-    /// Number of points of the FV table over the grid; 0 without such a table.
+    /// Number of points of the FV table if its forces depend on the setting; otherwise 0.
     points: u64,
     /// Bit set of the grid values at which forces of the FV table are given.
     given: u64,
@@ -122,7 +123,7 @@ impl Default for Axis {
     }
 }
 
-/// Makes a fault of the axis as a whole.
+/// Makes a fault of the setting as a whole, which names no parameter.
 fn of_the_axis(reason: Reason) -> Fault {
     Fault { parameter: NO_PARAMETER, reason }
 }
@@ -263,7 +264,7 @@ impl Axis {
         self.entries.first().copied().filter(|start| !start.is_nan()).unwrap_or(first)
     }
 
-    /// Returns the actuator of the axis.
+    /// Returns the actuator of the setting.
     pub fn actuator(&self) -> Actuator {
         let [_, up, down, dead_time, rising, falling, hysteresis, rest] = self.entries;
         Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis, rest }
@@ -300,7 +301,7 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a parameter independent of the setting.
+    /// Makes a parameter independent of the setting: removes its values over the grid.
     pub fn forget_values(&mut self, number: Number) {
         let index = number.row().index as u64;
         let Some(place) = self.numbers().iter().position(|varying| varying.row == index) else { return };
@@ -426,7 +427,8 @@ impl Axis {
             let [w0, w1, w2, w3] = place.weights;
             let mut forces = [0.0; MAX_POINTS];
             let ends = from.iter().zip(&to).zip(from_derivatives.iter().zip(&to_derivatives));
-            // The forces rise with velocity, except for rounding errors, which the maximum removes.
+            // The interpolated forces do not decrease with velocity, except by rounding errors, which the maximum
+            // removes.
             let mut last = f64::NEG_INFINITY;
             for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
                 *force = max((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
@@ -478,8 +480,8 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a family that contains the given parameter sets at the grid values. Returns the first set, and an axis
-    /// with the values that differ.
+    /// Makes a definition of a family that has the parameter sets `sets` at the grid values. Returns the first set, and
+    /// an axis with the values that differ.
     ///
     /// # Errors
     /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a

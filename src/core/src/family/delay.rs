@@ -12,7 +12,7 @@ pub const CELLS: usize = 16;
 /// Mark that distinguishes a stored signal from uninitialized memory.
 const MARK: f64 = 1_346_454_016.0;
 
-/// The stored signal of the last dead time.
+/// The signal (the commanded setting) of the last dead time, as stored means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Delay {
@@ -22,7 +22,7 @@ pub struct Delay {
     filled: f64,
     /// Length of the elapsed part of the cell that is being stored, s.
     elapsed: f64,
-    /// Index of the oldest cell.
+    /// Index of the oldest cell, a whole number from 0.
     oldest: f64,
     /// [`MARK`] if a signal is stored.
     mark: f64,
@@ -98,7 +98,7 @@ mod tests {
             let mut delay = Delay::constant(1.0);
             let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
             for k in 0..200 {
-                // The signal steps between 1, 2 and 3 at first and is constant afterwards.
+                // The signal steps between 1, 2 and 3 for 100 steps and is constant afterwards.
                 let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
                 let out = delay.advance(signal, dead_time, dt);
                 (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);

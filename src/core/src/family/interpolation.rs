@@ -40,7 +40,7 @@ impl Place {
     #[inline(always)]
     pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
         let mut interval = 0;
-        // There are at most eight values, so a linear search is sufficient.
+        // There are at most eight grid values, so a linear search is sufficient.
         for (place, from) in grid.iter().enumerate().skip(1) {
             interval += usize::from(place + 1 < count && setting >= *from);
         }

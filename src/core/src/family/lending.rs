@@ -12,7 +12,8 @@ pub(crate) trait Numbers {
     /// Returns whether the element of a group depends on the setting.
     fn vary(&self, group: usize) -> bool;
 
-    /// Writes the interpolated parameters of a group into its slots, which already contain the constant parameters.
+    /// Writes the interpolated parameters of a group into `slots`, which already contain the group's constant
+    /// parameters. `first_slot` is the slot of the first one in the whole set.
     fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
 
     /// Returns the parameter set with the constant values.

@@ -80,7 +80,7 @@ pub struct Family {
     /// Parameters that depend on the setting, in the order of the parameter table.
     numbers: [Interpolated; MAX_NUMBERS],
     used: u64,
-    /// Whether the moving mass is added to an internal mass that depends on the setting.
+    /// Whether a moving mass inside the damper must be added to the internal mass at each setting.
     has_mass_inside: bool,
     fv: Fv,
     /// Points of the FV curve at the start setting, and the interpolation between them.
@@ -91,7 +91,7 @@ pub struct Family {
     forces: [[f64; ROOM]; MAX_GRID],
     derivatives: [[f64; ROOM]; MAX_GRID],
     layout: f64,
-    /// Index of the actuator's first state among the internal states.
+    /// Index of the actuator's first state, the lagged setting, among the internal states.
     lagged_at: u64,
 }
 
@@ -130,7 +130,8 @@ impl Numbers for At<'_> {
                 && let Some(slot) = slots.get_mut((number.slot as usize).wrapping_sub(first_slot))
             {
                 let value = self.place.value(&number.values, &number.derivatives);
-                // Both neighboring grid values lie within the limits, so only rounding can move the value beyond them.
+                // The parameter's values at both neighboring grid values lie within its bounds, so only rounding can
+                // move the value beyond them.
                 *slot = min(number.high, max(number.low, value));
             }
         }
@@ -560,7 +561,7 @@ impl Family {
         self.ask(at, |model| step_borrowed(model, state, to, dt, output, derivatives))
     }
 
-    /// Steps with the actuator's dynamics, or from a state with the layout of other elements.
+    /// Takes a step with the dynamics of the actuator, or from a state with the layout of other elements.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)]
     fn step_behind_actuator(
@@ -635,7 +636,8 @@ impl Family {
         self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
     }
 
-    /// Computes central differences with respect to the setting, inside the grid.
+    /// Computes the derivatives of `numbers` with respect to the setting, by central differences inside the grid.
+    /// `None` if a value is not finite.
     #[inline(always)]
     fn difference<const N: usize>(
         &self,

@@ -13,7 +13,7 @@ pub(crate) const ROOM: usize = MAX_POINTS + 1;
 const MASK: usize = ROOM - 1;
 /// Abscissa of unused entries, beyond all points.
 const FAR: f64 = f64::MAX;
-/// Largest Householder step, relative to the width of the piece, after which the iteration stops, as in
+/// Largest Householder step, relative to the width of the piece, after which the iteration of `solve` stops, as in
 /// [`Curve::solve`].
 const FEW: f64 = 1e-3;
 
@@ -171,7 +171,7 @@ impl<'a> Section<'a> {
             let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
             return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };
         }
-        // Beyond its ends the curve is linear; without points it is zero everywhere.
+        // Beyond its first and last point the curve is linear; without points it is zero everywhere.
         if self.count < 2 {
             return Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: 0.0, c3: 0.0, low: -FAR, high: FAR, chord: 0.0 };
         }

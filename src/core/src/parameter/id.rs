@@ -14,7 +14,7 @@ use crate::parameter::row::{Row, find};
 use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
 use crate::schema::{Group, Parameter};
 
-/// Identifier of a row of the table whose value has the kind `K`.
+/// Identifier of a row of the parameter table whose value has the kind `K`: a number or a list.
 #[derive(Clone, Copy)]
 pub struct Id<K> {
     row: Row,
@@ -66,7 +66,7 @@ impl<K: Kind> Id<K> {
         self.row.parameter
     }
 
-    /// Returns the smallest and the largest allowed value.
+    /// Returns the smallest and the largest allowed value of the parameter.
     pub const fn bounds(self) -> (f64, f64) {
         (self.row.parameter.low, self.row.parameter.high)
     }
@@ -101,7 +101,7 @@ impl Number {
     }
 }
 
-/// Error for a name that is not in the table.
+/// Error for a name that is not in the parameter table.
 const UNKNOWN: Fault = Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName };
 
 /// Conversion of a row to an identifier; rejects a list where a number is meant, and the reverse.

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Reason};
 use crate::parameter::groups::GROUPS;
 use crate::schema::Parameter;
 
-/// Number of rows of the table.
+/// Number of rows of the parameter table.
 pub const COUNT: usize = {
     let (mut n, mut g) = (0, 0);
     while g < GROUPS.len() {
@@ -49,7 +49,7 @@ pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
     slots
 }
 
-/// Returns all rows in order, each with its group and the slot of its first value.
+/// Returns all rows of the parameter table in order, each with its group and the slot of its first value.
 pub fn table() -> impl Iterator<Item = Row> {
     Rows { index: 0, group: 0, local: 0, slot: 0 }
 }

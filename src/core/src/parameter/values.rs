@@ -25,7 +25,8 @@ impl Params {
     /// A set without values, which the caller must fill completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
-    /// Returns the defaults of the table, with the elements of the default model on (Jonnalagadda & Vyas, KTH 2020).
+    /// Returns the defaults of the parameter table, with the elements of the default model on (Jonnalagadda & Vyas, KTH
+    /// 2020).
     pub fn new() -> Params {
         let mut params = Params::BLANK;
         params.set_defaults();
@@ -160,13 +161,13 @@ impl Params {
         })
     }
 
-    /// Returns the elements that are on, one bit each in the order of the table's groups.
+    /// Returns the elements that are on, one bit each in the order of the parameter table's groups.
     pub(crate) fn elements(&self) -> u64 {
         self.elements
     }
 }
 
-/// Checks the values of a row against the table.
+/// Checks values for a row against the bounds of the parameter table.
 pub(crate) fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
     let p = row.parameter;
     let fault = |reason| Err(row.fault(reason));

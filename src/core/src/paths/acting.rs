@@ -9,7 +9,7 @@ use super::bits::{
 use super::slots::place;
 use crate::tables::Tables;
 
-/// Elements that only scale the FV curve, by a factor that changes slowly.
+/// Elements that only scale the FV curve, by a factor that changes slowly: fade and self-heating.
 const FACTORS: u32 = FADE | HEAT;
 
 /// Returns whether an element is on that makes the force more nonlinear within a step than the FV curve and the series
@@ -21,7 +21,8 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
 /// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
-    /// Little: no element, an element that scales the FV curve slowly, or a flow or valve that smooths its own knee.
+    /// Little: no element besides the FV curve and the series compliance, a fade of the FV curve, or a bypass flow or
+    /// lagging valve, which smooths its own knee.
     Little,
     /// A bushing alone.
     Smoothly,
@@ -29,8 +30,8 @@ pub(crate) enum Bends {
     Knee,
     /// A void, air, a valve with mass, or several elements.
     Several,
-    /// An oil column whose stiffness changes with the sign of the force. Also a column without a void together with an
-    /// element other than air.
+    /// An oil column whose stiffness changes with the sign of the force, or an oil column together with an element
+    /// other than air and void.
     Turning,
     /// Friction behind the series spring, which reverses within a short displacement.
     Whole,

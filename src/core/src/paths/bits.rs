@@ -1,4 +1,4 @@
-//! Bits of the elements in the force path.
+//! Bits of the elements in the force path and of their forms, from which sets of elements are made.
 
 /// The series compliance.
 pub const SERIES: u32 = 1;

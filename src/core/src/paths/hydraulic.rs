@@ -28,7 +28,7 @@ pub struct Around<R> {
 pub struct Flow<R> {
     /// Force F_h of the valves, N.
     pub force: R,
-    /// Value toward which the state of frequency-selective damping relaxes.
+    /// Value toward which the state of frequency-selective damping (filter and stroke forms) relaxes.
     pub selective_target: R,
     /// Force of the FV curve with its position and temperature factors, relative to that at standstill, N: before the
     /// lagging valve.
@@ -132,12 +132,12 @@ pub(crate) struct Valves {
     valve_by: [f64; 4],
     pub read: [f64; 2],
     /// Derivatives of the force after frequency-selective damping. `selective_by` contains those of its state. The
-    /// three variables are: the force before the element; w; the known part of the state.
+    /// three variables are: the force before the element; the oil velocity w; the known part of the state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }
 
-/// Derivatives of the inputs of the valve force in one direction.
+/// Derivatives of the inputs of the valve force with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moves {
     pub curve: f64,

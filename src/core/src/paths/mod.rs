@@ -47,7 +47,7 @@ use bits::{
 use list::each_path_element;
 pub use slots::{STATES, Slots, place};
 
-/// Expands the list of elements in the force path into their prepared set.
+/// Expands the list of elements in the force path into the struct of the prepared elements.
 macro_rules! gathered {
     (
         primary { $primary:ident: $Primary:ty }
@@ -183,8 +183,8 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
-            /// set.
+            /// Returns a set in which no element is prepared. It is a function, because each use of a constant would
+            /// copy the whole set.
             #[inline(always)]
             pub(crate) fn none() -> RenewedPaths {
                 RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }

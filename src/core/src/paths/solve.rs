@@ -1,11 +1,13 @@
-//! The scalar equation of a stage or an instant: the oil velocity w with R(w, F_d(w)) = 0.
+//! The scalar equation of a stage or an instant, R(w, F_d(w)) = 0, for the oil velocity w at the valves; F_d is the FV
+//! curve.
 
 use super::Paths;
 use crate::curve::Value;
 use crate::tables::{ForceLaw, Tables};
 
-/// Largest number of iterations; usually two suffice. After [`PATIENCE`] iterations, every other iteration shortens the
-/// bracket by at least four tenths. At the end, the bracket is shorter by nine orders of magnitude.
+/// Largest number of iterations for the oil velocity; usually two suffice. After [`PATIENCE`] iterations, every other
+/// iteration shortens the bracket by at least four tenths. At the end, the bracket is shorter by nine orders of
+/// magnitude.
 pub const ITERATIONS: usize = 96;
 /// Number of Householder steps inside a piece of the FV curve. The iterations correct the error of these steps.
 const STEPS: usize = 2;
@@ -72,7 +74,7 @@ pub struct Found {
     pub w: f64,
     /// Remaining step to the solution, m/s, short enough to be linear.
     pub step: f64,
-    /// The FV curve at `w`.
+    /// Force of the FV curve at `w`, N, and its derivative.
     pub curve: Value,
 }
 
@@ -135,9 +137,9 @@ pub fn oil_velocity<Q: Equation>(
         let settled = size <= SETTLED * scale && size * (size * size) <= tolerance * (last * last) * (SETTLED * scale);
         if short && (size <= tolerance * scale || settled) || round == rounds {
             let inside = w + step > low.w && w + step < high.w;
-            // Accept the linear step only with the exact derivatives of the equation. Where R decreases, for example
-            // because friction decreases with speed, the substitute derivatives apply. A linear extrapolation of the
-            // other quantities would then have a large error.
+            // Accept the linear step only with the exact derivatives of the equation. Where the residual R decreases,
+            // for example because friction decreases with speed, the derivatives `least` replace the exact ones. A
+            // linear extrapolation of the other quantities would then have a large error.
             let own = r.by_w + r.by_curve * curve.derivative > OWN * (by_w + by_curve * curve.derivative);
             let step = if inside && own && round < rounds { step } else { 0.0 };
             return Found { w, step, curve };

@@ -14,11 +14,11 @@ const LEAST: f64 = 1e-12;
 const STEPS: usize = 8;
 /// Number of nodes of the table per power of two of the force.
 const PER_OCTAVE: usize = 16;
-/// Number of low bits of a force, as a double, that give the position between two nodes. The bits above count the
-/// nodes.
+/// Number of low bits of a force, as a double, that give its position between two nodes of the table. The bits above
+/// count the nodes.
 const BEHIND: u32 = 48;
-/// Number of powers of two of the force that the table covers, from the opening force on. At larger forces g is
-/// computed from the FV curve itself.
+/// Number of powers of two of the force that the table covers, from the opening force on. At larger forces the
+/// conductance is computed from the FV curve itself.
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
@@ -29,7 +29,7 @@ const PLACES: usize = OCTAVES * PER_OCTAVE;
 /// Each cubic stays between the values at its ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Conductance {
-    /// The leading bits of the first node's force.
+    /// The leading bits of the first node's force, as a double without its [`BEHIND`] low bits.
     first: u64,
     strokes: [[At; PLACES + 1]; 2],
 }
@@ -77,7 +77,7 @@ fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
     const ONE: u64 = 1.0_f64.to_bits();
     let bits = h.to_bits();
     let interval = (bits >> BEHIND).wrapping_sub(first) as usize;
-    // The bits below the node number are the position of h between two nodes.
+    // The bits below the node number are the position of the force h between two nodes.
     let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
     (interval < PLACES).then_some((interval, s))
 }

@@ -50,7 +50,7 @@ pub struct ValveHysteresis<T: Tables = Owned> {
     conductance: T::Conductance,
 }
 
-/// Cause of the valve's lag.
+/// Form of the valve, by the cause of its lag: time of opening, friction (play), or mass (spool).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     Opening,
@@ -77,7 +77,7 @@ struct Passage {
     g: f64,
     /// Force h(x), N, with which the conductance is read: x with a smooth lower limit at the opening force.
     h: f64,
-    /// Derivative of g with respect to x.
+    /// Derivative of the conductance with respect to the force x.
     d_g_d_x: f64,
 }
 
@@ -162,7 +162,7 @@ impl Prepare for ValveHysteresis {
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
-        // The bounds of the single parameters exclude every error.
+        // The bounds of the single parameters exclude every error of the preparation.
         Ok(())
     }
 }
@@ -210,7 +210,7 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// Returns the conductance of the passage.
+    /// Returns the conductance of the valve's passage: a table, or its replacement in a family.
     pub(crate) fn conductance(&self) -> &T::Conductance {
         &self.conductance
     }
@@ -223,7 +223,7 @@ fn opening<R: Real>(x: R) -> R {
 }
 
 impl ValveHysteresis {
-    /// Computes the conductance of the valve's passage from the FV curve.
+    /// Fills the table of the passage's conductance from the FV curve, unless the valve has the opening form.
     pub(crate) fn join(&mut self, curve: &FvCurve) {
         if self.form != Form::Opening {
             self.conductance.set(curve, self.middle);
@@ -232,18 +232,20 @@ impl ValveHysteresis {
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// Returns whether the state is a force p instead of an opening.
+    /// Returns whether the state is a force p, N, as in the play and spool forms, instead of an opening.
     pub(crate) fn holds_force(&self) -> bool {
         self.form != Form::Opening
     }
 
-    /// Returns whether the valve has mass and thus a second state: τ dp/dt, N.
+    /// Returns whether the valve has mass and thus a second state: its time constant times the rate of its first state,
+    /// N.
     #[inline(always)]
     pub(crate) fn is_spool(&self) -> bool {
         self.form == Form::Spool
     }
 
-    /// Returns the range of the state. An opening ranges from 0, closed, to 1, open.
+    /// Returns the range of the state. An opening ranges from 0, closed, to 1, open. The force of the other forms has
+    /// no limits.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
@@ -262,7 +264,7 @@ impl<T: Tables> ValveHysteresis<T> {
     fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let divide = 1.0 / (1.0 + per);
-        // The derivative of the characteristic is at most ½.
+        // This is the contraction factor of the iteration: the derivative of the characteristic S is at most ½.
         let shrinks = self.half_width * self.per_width * per * divide;
         let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
         let rounds = if shrinks > 0.0 { ITERATIONS - spared } else { 1 };
@@ -426,13 +428,14 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Near the end of the play, the derivative may belong to the other side of that end.
+                    // Near the end of the play, the derivative may be that beyond this end. Bisection then replaces the
+                    // Newton step.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;
                 continue;
             }
-            // The last step is small, so a linear correction suffices.
+            // The last Newton step is small, so a linear correction by it suffices.
             let on = found * step;
             let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
