@@ -90,7 +90,7 @@ pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> 
     move_on(model, state, to, dt, &mut output, false).then_some(output.force)
 }
 
-/// Advances one step. Without `derivatives`, the derivatives of the output have no meaning.
+/// Advances one step of `dt`, s, in place. Without `derivatives`, the derivatives of the output have no meaning.
 #[inline(always)]
 fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
     if !model.has_laid_out(state) {
@@ -100,8 +100,8 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-        // The result is finite for all inputs whose fourth powers do not overflow, because the solution has a closed
-        // form.
+        // The result is not checked. It is finite for all inputs whose fourth powers do not overflow, because the
+        // solution has a closed form.
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, derivatives)
@@ -263,7 +263,8 @@ fn step_through_paths(
     }
 }
 
-/// Advances a damper with elements in its series or hydraulic path ([`Elements::has_paths`]).
+/// Advances a damper with elements in its series or hydraulic path ([`Elements::has_paths`]) and passes every stage to
+/// `follow`.
 pub fn advance_paths(
     model: &Model,
     state: &mut State,
@@ -393,7 +394,7 @@ fn cheap_step<const AT_ONCE: bool>(
         (friction.d_force_d_x + preload.d_force_d_x, friction.d_force_d_v + preload.d_force_d_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
-    // With `AT_ONCE`, all springs are linear.
+    // With `AT_ONCE`, all springs on the mass are linear or quadratic, so their linearization needs no check.
     if !(after.holds() && (AT_ONCE || after.springs_hold(elements, &end, before.side))) {
         return false;
     }
@@ -408,7 +409,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let deflection = end.x - after.x;
     output.series_deflection = deflection;
     output.force = (s.stiffness * deflection + s.damping * (end.v - after.v)) + beside;
-    // The motion of the mass reduces the derivatives of the series force.
+    // The motion of the mass reduces the derivatives of the series force, because the mass follows the moving end.
     let follows = s.damping + dt * s.stiffness;
     let per_impulse = dt * after.by_impulse;
     let by_x = s.stiffness - follows * (s.stiffness * per_impulse) + by_x_beside;
@@ -433,7 +434,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 
 /// Takes a step for which [`is_common`] is true, with exact derivatives if requested.
 ///
-/// With `BENT` the springs are nonlinear. The function is not inlined, so that it can use all registers.
+/// With `BENT` the springs are nonlinear. The function is not inlined, so that its code can use all registers.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
     model: &Model<impl Tables>,
@@ -481,9 +482,9 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 
 /// Advances a state in place and passes every stage to `follow`.
 ///
-/// The derivatives of the output treat the internal mass as fixed. Unless `follow` requests derivatives, they also
-/// treat the internal states as fixed. For dampers with elements in the series or hydraulic path, use
-/// [`advance_paths`], because their stages differ.
+/// The derivatives of the output treat the internal mass as fixed, unless [`Follow::yields`] returns its share. Unless
+/// `follow` requests derivatives, they also treat the internal states as fixed. For dampers with elements in the series
+/// or hydraulic path, use [`advance_paths`], because their stages differ.
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
@@ -591,7 +592,7 @@ mod tests {
         (0..rows.stages).map(|i| (0..rows.stages).map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns the largest residual of all order conditions up to a given order.
+    /// Returns the largest residual of all Runge–Kutta order conditions of a method up to the order `order`.
     fn misses(method: Method, order: usize) -> f64 {
         let a = matrix(Tableau::for_method(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
@@ -632,7 +633,8 @@ mod tests {
     fn growth(method: Method) -> (f64, f64) {
         let a = matrix(Tableau::for_method(method));
         let after = |y: f64| {
-            // Complex numbers as pairs: z = iy, k_i = 1 + z Σ a_ij k_j.
+            // Complex numbers are pairs. The stages k_i of dx/dt = z x with z = iy and the step 1 satisfy k_i = 1 + z Σ
+            // a_ij k_j.
             let mut stages: Vec<(f64, f64)> = Vec::new();
             for (i, row) in a.iter().enumerate() {
                 let sum = row.iter().zip(&stages).fold((0.0, 0.0), |s, (a, k)| (s.0 + a * k.0, s.1 + a * k.1));
@@ -649,8 +651,8 @@ mod tests {
     }
 
     /// No method amplifies an oscillation, and each removes an infinitely stiff motion. The test evaluates the
-    /// imaginary axis. Every γ is positive, so all poles lie to the right of this axis. Therefore the bound holds in
-    /// the whole left half-plane.
+    /// imaginary axis. Every diagonal coefficient γ is positive, so all poles of the stability functions lie to the
+    /// right of this axis. Therefore the bound holds in the whole left half-plane.
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in

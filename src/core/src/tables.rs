@@ -8,7 +8,7 @@ use crate::curve::{Above, Value};
 use core::fmt::Debug;
 use core::ops::{Deref, DerefMut};
 
-/// A force that does not decrease with velocity: the FV curve.
+/// A force that does not decrease with velocity: the FV (force–velocity) curve.
 pub trait ForceLaw: Copy + Debug {
     /// Returns force, N, and derivative, N s/m, at the velocity `u`, m/s.
     fn evaluate(&self, u: f64) -> Value;
@@ -51,7 +51,7 @@ pub trait Conduction: Copy + Debug {
 
 /// Owner of the tables of a model.
 pub trait Tables: Copy + Debug {
-    /// Whether each common set of elements has its own compiled stages. Otherwise all sets share one compiled stage,
+    /// Whether each common set of elements has its own compiled stages. If false, all sets share one compiled stage,
     /// which makes the library smaller and the steps slower.
     const HAS_STAGES_OF_ITS_OWN: bool;
     /// The FV curve.
@@ -60,7 +60,7 @@ pub trait Tables: Copy + Debug {
     type Spring: Lookup;
     /// The conductance of a lagging valve.
     type Conductance: Conduction;
-    /// A small element `E`, owned by the model or borrowed from the family.
+    /// A small element `E`, owned by the model or borrowed from a family of dampers.
     type Kept<E: Copy + Debug + 'static>: Deref<Target = E> + Copy + Debug;
 }
 

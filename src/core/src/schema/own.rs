@@ -47,7 +47,7 @@ use crate::schema::{Describe, Parameter};
 pub struct Own<E, K> {
     /// Index of the parameter among the rows of the element.
     local: usize,
-    /// Index of the row's first value among the values of the element.
+    /// Index of the parameter's first value among the values of the element.
     slot: usize,
     parameter: &'static Parameter,
     kind: PhantomData<fn() -> (E, K)>,
@@ -89,7 +89,7 @@ pub(crate) use own;
 pub struct View<'a, E> {
     /// Index of the element's first row in the parameter table, for error reports ([`Fault`]).
     first: usize,
-    /// Number of values of each row of the element.
+    /// Number of values of each row of the element, in the order of the rows.
     lengths: &'a [u32],
     /// Values of the element's rows, one row after the other. The slot of a row is the index of its first value.
     values: &'a [f64],
@@ -114,12 +114,12 @@ impl<'a, E: Describe> View<'a, E> {
         tail.get(..length.min(own.parameter.slots())).unwrap_or(&[])
     }
 
-    /// Makes a fault that names a row of the element.
+    /// Makes a fault with this reason that names a row of the element.
     pub fn fault<K>(&self, own: Own<E, K>, reason: Reason) -> Fault {
         Fault { parameter: (self.first + own.local) as u16, reason }
     }
 
-    /// Makes a fault that names the element by its first row.
+    /// Makes a fault with this reason that names the element by its first row.
     pub fn fault_of_all(&self, reason: Reason) -> Fault {
         Fault { parameter: self.first as u16, reason }
     }

@@ -75,7 +75,7 @@ const STANDSTILL: f64 = 1e-9;
 /// was tried.
 const BEYOND: f64 = 2.0;
 /// Largest error of the springs' tangent, relative to the forces on the mass, at which a cheap step is accepted. It is
-/// about the error of the method.
+/// about as large as the error of the cheap method itself.
 const MISSED: f64 = 0.05;
 
 impl After {
@@ -86,7 +86,7 @@ impl After {
         (self.primary - self.offset).abs() <= BEYOND * self.level
     }
 
-    /// Returns whether the springs' tangent is accurate enough after a step to `end`.
+    /// Returns whether the tangent of the springs on the mass is accurate within [`MISSED`] after a step to `end`.
     #[inline(always)]
     pub fn springs_hold(&self, elements: &Elements<impl Tables>, end: &PathPoint, side: (f64, f64)) -> bool {
         if !elements.is_nonlinear() {
@@ -124,7 +124,8 @@ pub(super) fn take(
     let h = before.h;
     let mut held = springs.force + springs.d_force_d_x * (before.x - springs_at);
     let mut spring_derivative = h * springs.d_force_d_x;
-    // As long as no inner element depends on velocity, the compiler knows that this derivative is 0.
+    // As long as no element on the mass depends on velocity, the compiler knows that this derivative is 0 and omits the
+    // branch.
     if springs.d_force_d_v != 0.0 {
         held -= springs.d_force_d_v * before.v;
         spring_derivative += springs.d_force_d_v;

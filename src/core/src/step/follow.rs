@@ -18,7 +18,7 @@ pub struct Stage<'a> {
     pub g: f64,
     /// Weights of the gains (g times rate) of the previous stages in the known parts of this stage.
     pub row: &'a [f64],
-    /// Motion of the moving end.
+    /// Motion of the moving end at the stage.
     pub path: PathPoint,
     /// Known part V of the velocity of the mass, m/s.
     pub known_velocity: f64,
@@ -51,7 +51,7 @@ pub struct Line {
     /// F_p''(x̂) (x_m − x̂), N/m, for the spring force F_p and the position x_m of the mass. It is 0 for a linear
     /// spring, and if no derivatives are requested.
     pub by_place: f64,
-    /// Quantity on which x̂ depends.
+    /// Quantity on which the position x̂ of the linearization depends.
     pub origin: LineOrigin,
 }
 
@@ -96,7 +96,7 @@ pub trait Follow<T: Tables = Owned> {
 pub(super) struct ByEnd {
     /// Whether the derivatives are requested.
     wanted: bool,
-    /// Whether any state depends on the end of the step; false before the first substep ends.
+    /// Whether the motion of the mass already depends on the end of the step; false before the first substep ends.
     moved: bool,
     x: [f64; 2],
     v: [f64; 2],

@@ -12,7 +12,7 @@ use crate::input::Path;
 use crate::math::pair;
 use crate::tables::Tables;
 
-/// Motion of the mass and the forces on it.
+/// Displacement, m, and velocity, m/s, of the internal mass, and the valve force and spring force on it, N.
 #[derive(Clone, Copy)]
 pub(super) struct Mass {
     pub x: f64,
@@ -166,7 +166,7 @@ struct Balance {
     inner_derivative: f64,
 }
 
-/// Constants of a stage while its springs are linearized again.
+/// Quantities of a stage that stay constant while its nonlinear springs are linearized again.
 struct Held {
     g: f64,
     resistance: f64,
@@ -186,8 +186,8 @@ const MISSED: f64 = 1e-3;
 /// Additional allowed residual of the force balance on the mass, relative to its right side, for rounding errors of
 /// large forces that cancel.
 const ROUNDING: f64 = 1e-12;
-/// Largest number of iterations for nonlinear springs. After [`PATIENCE`] of them, every other iteration bisects the
-/// bracket.
+/// Largest number of iterations of a stage with nonlinear springs. After [`PATIENCE`] of them, every other iteration
+/// bisects the bracket of the velocity.
 const ITERATIONS: usize = 60;
 const PATIENCE: usize = 6;
 
@@ -360,7 +360,7 @@ fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, boo
     mass
 }
 
-/// Runs [`move_mass`] by cheap steps.
+/// Runs [`move_mass`] by cheap steps ([`cheap`]), and by backward Euler where their linearization is too inaccurate.
 #[inline(never)]
 fn move_mass_cheaply<T: Tables>(
     drive: &Drive<T, impl Primary>,

@@ -111,8 +111,8 @@ fn advance_state(
             for (push, weight) in d_pushes.iter().zip(weights).take(i) {
                 d_known = pair(|k| d_known[k] + weight * push[k]);
             }
-            // An implicit stage uses the rate at its end, so the derivatives with respect to the input are those at the
-            // end.
+            // An implicit stage uses the rate at its end, so the derivatives of the rate with respect to the input are
+            // those at the end.
             let response = element.evaluate(&at, now);
             for k in 0..2 {
                 let drive = response.d_rate_d_x * point.x_by_end[k] + response.d_rate_d_v * point.v_by_end[k];

@@ -45,7 +45,7 @@ pub use stage::Seed;
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
-/// Known quantities at the start of a stage.
+/// Quantities that are known before a stage is solved.
 struct Known<'a> {
     index: usize,
     last: bool,
@@ -59,7 +59,7 @@ struct Known<'a> {
     /// Factor by which a lagging valve increased the force in the previous stage.
     raised: f64,
     states: [f64; STATES],
-    /// Bit set of the states that were clamped to their ranges.
+    /// Bit set of the states whose known parts were clamped to their ranges.
     kept: u32,
     /// Values at the start of the substep for the elements that act on the mass and have a state.
     on_mass: MassStart,
@@ -125,7 +125,8 @@ pub trait FollowPaths {
     fn paths_stage(&mut self, stage: &dyn StageDerivatives);
 }
 
-/// Interface of a stage to the derivative code, independent of the compiled set of elements.
+/// Interface of a stage for observers that compute derivatives, independent of the set of elements for which the stage
+/// is compiled.
 pub trait StageDerivatives {
     /// Returns the oil velocity at which the FV curve was evaluated, m/s.
     fn oil_velocity(&self) -> f64;
@@ -153,11 +154,12 @@ pub(super) trait EachStage {
     fn follows(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
-    /// Returns the derivatives of the force with respect to displacement and velocity at the end of the step.
+    /// Returns the derivatives of the force on the moving end with respect to displacement and velocity at the end of
+    /// the step.
     fn derivatives(&self) -> [f64; 2];
 }
 
-/// Wrapper of an observer outside this module.
+/// Wrapper that makes a [`FollowPaths`] observer of another module an [`EachStage`].
 pub(super) struct Told<'a, F>(pub &'a mut F);
 
 impl<F: FollowPaths> EachStage for Told<'_, F> {
@@ -238,7 +240,7 @@ impl Carried {
     }
 }
 
-/// Derivatives of the step with respect to displacement and velocity at its end.
+/// Derivatives of force and states of the step with respect to displacement and velocity of the moving end at its end.
 pub struct PathsByEnd {
     by_end: [Carried; 2],
     wanted: bool,
@@ -379,7 +381,7 @@ pub(super) fn advance<T: Tables>(
     if has_states_on_mass {
         now.on_mass = on_mass::read(&drive.model.elements, &state.internal);
     }
-    /// Compiles one function for each of the listed sets of elements.
+    /// Compiles one function for each of the listed sets of elements, and calls that of the damper's set.
     macro_rules! compiled {
         ($($on:expr,)*) => {
             match () {
@@ -505,11 +507,11 @@ fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
 
 /// Outcome of a substep.
 enum Ended {
-    /// The substep reached its end.
+    /// The substep reached its end without a failed check.
     Well,
     /// A void closed inside the substep.
     VoidClosed,
-    /// The end force is inconsistent with the stages.
+    /// The force at the end is inconsistent with the forces of the stages.
     Thrown,
 }
 

@@ -1,4 +1,4 @@
-//! Tableaus of the methods: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
+//! Tableaus of the integration methods: diagonally implicit Runge–Kutta, L-stable and stiffly accurate.
 
 use crate::integration::Method;
 
@@ -22,7 +22,7 @@ pub(super) struct Tableau {
     /// Index of the stage with the latest time before the last stage; 0 if the force at the end is not checked: see
     /// [`super::paths`].
     pub latest: usize,
-    /// Whether the plain step linearizes the forces and has a closed form ([`super::cheap`]).
+    /// Whether the plain step of this method linearizes the forces and has a closed form ([`super::cheap`]).
     pub along_lines: bool,
     /// Time from the stage `latest` to the end, relative to the time from the first stage to `latest`, and at least a
     /// given minimum. It scales the allowed change of the force at the end.
@@ -151,7 +151,8 @@ pub(super) static THIRD: Tableau = {
     Tableau::new(4, g, below, ENDS_WITHIN)
 };
 
-/// [`Method::Fourth`]. Its weights reach 31, so the check of its end force has no minimum of [`Tableau::goes_on`].
+/// [`Method::Fourth`]. Its weights (coefficients over the diagonal one) reach 31, so the check of its end force uses no
+/// minimum of [`Tableau::goes_on`].
 pub(super) static FOURTH: Tableau = Tableau::new(
     5,
     0.25,

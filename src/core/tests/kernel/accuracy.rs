@@ -5,7 +5,8 @@ use crate::common::*;
 use dashpot_core::list;
 use dashpot_core::step::Method;
 
-/// Returns the largest rms error and the largest single error, relative to the largest force.
+/// Returns the largest rms error and the largest single error of the forces over five sine motions, relative to each
+/// motion's largest force.
 fn worst(changes: &[(&str, f64)], dt: f64, velocity_only: bool) -> (f64, f64) {
     let model = model(changes);
     let mut worst = (0.0f64, 0.0f64);
@@ -89,7 +90,7 @@ fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
             let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| scale * force).collect();
             params.set_list(list!("fv_force"), &forces).unwrap();
             let model = dashpot_core::Model::new(&params).unwrap();
-            // The reference steps are so short that the explicit method is stable with the steepest curve.
+            // The reference steps are so short that the explicit method is stable with the steepest FV curve.
             let rate = (scale * 7e3 / mass).max((stiffness / mass).sqrt());
             let parts = 200 + (1.5e-3 * rate) as usize;
             for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {

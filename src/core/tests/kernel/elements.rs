@@ -95,7 +95,8 @@ proptest! {
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.steady_state(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
-        // The bypass flow is solved iteratively, so the two forces agree only to a millionth.
+        // The flow through a groove is solved iteratively, so the forces of step and evaluation agree only to a
+        // millionth.
         let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
         let allowed = if grooved { 1e-6 } else { 1e-12 };
         prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));
@@ -125,7 +126,7 @@ proptest! {
             ("stribeck_breakaway_velocity", 1e-4), ("stribeck_velocity", 0.1),
         ]);
         prop_assert_eq!(force(&model, 0.0), 0.0);
-        // At a velocity between the scales of rise and fall, the force is close to the peak.
+        // At 1 mm/s, between the velocity scales of rise (0.1 mm/s) and fall (0.1 m/s), the force is close to the peak.
         prop_assert!((force(&model, 1e-3) - peak).abs() < 2e-4 * peak);
         prop_assert!((force(&model, 1.0) - level).abs() < 1e-9 * peak);
         let top = (1..10_000).map(|i| force(&model, i as f64 * 1e-4)).fold(0.0, f64::max);
@@ -187,7 +188,8 @@ fn travel_without_force(model: &Model) -> f64 {
 }
 
 /// Play in an eye that carries the whole force occurs where the total force of the damper, including friction, is zero.
-/// Play in series with the hydraulic force alone occurs elsewhere.
+/// Play in series with the hydraulic force alone occurs where the hydraulic force is zero, and thus at a force of the
+/// damper.
 #[test]
 fn play_in_an_eye_is_where_the_force_is_nothing() {
     let play = |load: f64| {

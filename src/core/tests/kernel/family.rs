@@ -195,7 +195,8 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
                 (before - after).abs() < 0.02 * (before.abs() + after.abs()) + 0.1,
                 "{before} {after} at {setting}, {v}"
             );
-            // The derivative with respect to the setting is nonzero on the grid, so a controller has a gain there.
+            // The derivative of the force with respect to the setting is nonzero at the grid values, so a controller
+            // has a gain there.
             assert!(v.abs() < 0.1 || derivative(setting).abs() > 10.0, "{} at {setting}, {v}", derivative(setting));
         }
     }
@@ -278,7 +279,7 @@ proptest! {
             let before = state.displacement;
             let mut output = Output::ZERO;
             prop_assert!(family.step_in_place(&mut state, &mut delay, &Input::motion(x, v), Some(setting), dt, &mut output, true));
-            // The force of a switched damper jumps, so the work is computed with its value at the end of the step.
+            // The force of a switched damper jumps, so the work of a step is computed with the force at its end.
             let done = output.force * (state.displacement - before);
             work += done;
             gross += done.abs();
@@ -339,7 +340,8 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     }
 }
 
-/// A run that continues from a copied state repeats the original run bitwise, including dead time and hysteresis.
+/// A run that continues from a copied state and dead-time buffer gives the forces of the original run bit by bit, with
+/// dead time and hysteresis.
 #[test]
 fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     let params = params(&[]);
@@ -476,7 +478,7 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     let (_, by_setting) = at_once.partials(&state, &input, Some(0.7));
     let force = |setting: f64| at_once.evaluate(&state, &input, Some(setting)).0.force;
     assert!(near(by_setting.force, (force(0.7 + 1e-5) - force(0.7 - 1e-5)) / 2e-5, 1.0), "{}", by_setting.force);
-    // All other derivatives equal those of the ordinary damper at this setting.
+    // The derivatives with respect to motion and states equal those of the ordinary damper at this setting.
     let model = Model::new(&axis.params_at(&p, 0.7)).unwrap();
     let (wanted, got) =
         (partials(&model, &model.laid_out(&state), &input), at_once.partials(&state, &input, Some(0.7)).0);
@@ -534,7 +536,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(reason(axis.set_forces(1, &[0.0, 1.0, 2.0])), Reason::CurveLengths);
     assert_eq!(axis.check().unwrap_err(), list!("fv_force").fault(Reason::SettingCount));
     axis.set_forces(1, &[0.0, 1.0]).unwrap();
-    // The table has different numbers of velocities and forces.
+    // The FV table has different numbers of velocities and forces.
     assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::CurveLengths));
     axis.set_grid(&[0.0, 1.0]).unwrap();
     let mut falling = forces(&p, 1.0);

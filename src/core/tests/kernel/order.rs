@@ -83,7 +83,8 @@ fn falls(model: Model) {
 
 #[test]
 fn substeps_and_shorter_steps_are_the_same_refinement() {
-    // For a motion that the cubic path reproduces exactly, n substeps equal n steps.
+    // The motion is a cubic in time, which the path of a step reproduces exactly. A step of n substeps then equals n
+    // steps.
     let model = smooth();
     let motion = |t: f64| (0.02 * t + 3.0 * t * t * t, 0.02 + 9.0 * t * t);
     for method in METHODS {

@@ -66,12 +66,13 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
             let ratio = 1.0 + x / length;
             let pressure = if e == 1.0 { 1.0 / ratio } else { cold * ratio.powf(-e) };
             let exact = k * length * (1.0 - pressure);
-            // One fast cycle lasts a hundredth of the thermal time.
+            // One fast cycle lasts a hundredth of the thermal time, so the gas is not exactly adiabatic, and the
+            // tolerance is 1.5 %.
             assert!((force - exact).abs() < 0.015 * k * 0.05, "{frequency} Hz at {x}: {force} for {exact}");
         }
     }
-    // Between these frequencies, heat through the wall dissipates energy, most where the period matches the thermal
-    // time.
+    // Between these frequencies, heat through the wall dissipates energy, most where the angular frequency is one over
+    // the thermal time.
     let area = |f: f64| loop_area(&model, 0.05, f, 4);
     let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
     assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
@@ -129,7 +130,8 @@ fn a_mass_inside_is_internal_mass() {
     for ((_, a), (_, b)) in run(&a, &sine(5e-3, 20.0), 5e-4, 200).iter().zip(&run(&b, &sine(5e-3, 20.0), 5e-4, 200)) {
         assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{a} {b}");
     }
-    // Without a series stiffness the piston moves with the moving end.
+    // Without a series stiffness the piston moves with the moving end, so a mass inside acts as a mass at the moving
+    // end.
     let (a, b) = (
         only(&["moving_mass"], &[("moving_mass", 2.0), ("moving_mass_place", 1.0)]),
         only(&["moving_mass"], &[("moving_mass", 2.0)]),
@@ -170,8 +172,8 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
         assert!((moved.internal[0] / settled.internal[0] - 1.0).abs() < 1e-9);
     }
-    // After sliding, the force of Dahl's contact decreases twice as fast as it increased. With an elastic return, both
-    // rates are equal.
+    // After sliding, the force of Dahl's contact decreases over the displacement twice as fast as it increased from
+    // zero. With an elastic return, both rates are equal.
     for (back, derivative) in [(0.0, 2.0), (1.0, 1.0)] {
         let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
         let v = -0.01;

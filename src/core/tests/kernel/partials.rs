@@ -132,22 +132,23 @@ proptest! {
                     let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
                     let (x1, v1) = (from.displacement + dt * v + dx * dt / 1e-3, v + dv * dt / 1e-3);
                     let (end, output) = step(&model, &from, &input(Some(x1), v1), dt);
-                    // Any stage may cross a knee, because stages may lie beyond both ends of the step.
+                    // Any stage may cross a knee of the FV curve, because the velocities of the stages may lie beyond
+                    // those at both ends of the step.
                     let reach = 0.02 + 2.0 * (end.mass_velocity - from.mass_velocity).abs() + 2.0 * (v1 - v).abs();
                     if near(end.mass_velocity, &knees, reach) || near(v1, &knees, 0.005) || near(v1, &ramp, 0.05 + (v1 - v).abs()) || near(x1, &[-0.04, 0.0, 0.03], 5e-3) {
                         continue;
                     }
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
-                    // A bushing's friction sets in over a few millimeters per second. In a short step, micrometers of
-                    // displacement cause such a velocity.
+                    // The differences must be narrower with a bushing that has friction, which sets in over 2 mm/s. In
+                    // a short step, micrometers of displacement cause such a velocity.
                     let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
-                    // With several widths, a knee inside the widest difference does not matter. A wide difference also
-                    // covers the effect of a void of nanometers.
+                    // With several widths, of which one must agree, a knee inside the widest difference does not
+                    // matter. A wide difference also covers the effect of a void of nanometers.
                     let widths = |size: f64| [fine * size, 0.03 * fine * size, 1e-3 * fine * size];
                     let alone = step(&model, &from, &input(None, v1), dt).1.d_force_d_velocity;
                     let k = params.number(number!("series_stiffness"));
-                    // The error of the solver is the square of its last step, which limits the accuracy of a difference
-                    // over a small width. A void with gas has its own iterations inside each evaluation.
+                    // The error of the stage solver is about the square of its last step, which limits the accuracy of
+                    // a difference over a small width. A void with gas has its own iterations inside each evaluation.
                     let share = match model.elements().has_paths() {
                         true if params.is_on(element!("cavitation")) => 1e-3,
                         true => 1e-4,
@@ -208,8 +209,8 @@ proptest! {
                 row.extend(rate.internal);
                 row
             };
-            // For the paths, the smallest width suits the smallest states, because wider differences would cover a void
-            // of nanometers.
+            // With elements in the force paths, the smallest width suits states of nanometers. Wider differences would
+            // reach beyond a void of nanometers.
             let widths = [1.0, 0.1, if paths { 1e-3 } else { 0.1 }];
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {

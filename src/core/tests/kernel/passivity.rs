@@ -34,14 +34,16 @@ proptest! {
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
             params.enable(Element::find(element).unwrap(), keep && (drawn || !WITH_STATES.contains(&element)));
         }
-        // A bushing that hardens within a millimeter oscillates too fast to compute its work from values at the steps.
+        // The bushing hardens little. A bushing that hardens within a millimeter oscillates too fast to compute its
+        // work from values at the ends of steps.
         params.set(number!("bushing_hardening"), 1.0).unwrap();
-        // An FV curve through the origin only dissipates energy; an offset would be a preload.
+        // The FV curve is made odd. A curve through the origin only dissipates energy; a force at zero velocity would
+        // be a preload.
         let (u, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
         let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
         params.set_list(list!("fv_force"), &odd).unwrap();
         params.set(number!("fv_interpolation"), 1.0).unwrap();
-        // A Stribeck peak below the Coulomb level would not be friction.
+        // The Stribeck peak is at least the Coulomb level, because a peak below it could drive the motion.
         let (peak, level) = (params.number(number!("stribeck_breakaway_force")), params.number(number!("stribeck_coulomb_force")));
         params.set(number!("stribeck_breakaway_force"), peak.max(level)).unwrap();
 

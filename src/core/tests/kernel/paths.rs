@@ -58,8 +58,8 @@ fn air_softens_small_forces_alone() {
     assert!(small > 0.2 && large < 0.05, "{small} {large}");
 }
 
-/// The soft stroke belongs to the chamber under pressure. Without air in compression, the compression stroke is as
-/// stiff as with oil alone.
+/// The soft stroke that air causes belongs to the chamber under pressure. Without air in compression, the compression
+/// stroke is as stiff as with oil alone.
 #[test]
 fn air_in_the_rebound_chamber_softens_rebound_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
@@ -195,7 +195,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), 2e-4, 1600);
             let most = points.iter().map(|p| sign * p.2.force).fold(0.0, f64::max);
             assert!(most > 999.0 && most < 1012.0, "{most}");
-            // At the cap, the valves pass 0.5 m/s. The void at the reversal is the integral of the speed above 0.5 m/s.
+            // At the cap of 1000 N, the valves pass 0.5 m/s. The void at the reversal is the integral of the speed
+            // above 0.5 m/s.
             let (mut void, mut lost, dt) = (0.0f64, 0.0, 2e-4);
             // Evaluate the first whole capped stroke and the stroke after it.
             let first = if side == 1.0 { 1 } else { 315 };
@@ -204,7 +205,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
                 if speed > 0.0 {
                     void = (void + (speed - 0.5) * dt).max(0.0);
                 } else if speed < -0.02 && pull > speed * C + 20.0 {
-                    // While the void closes, the force is zero or equals the cap, which then assists the motion.
+                    // While the void closes, the force is zero, or with `cavitation_return` of 1 equals the cap, which
+                    // then assists the motion.
                     let held = kept * 1000.0;
                     assert!((pull - held).abs() < 25.0 || lost > 0.9 * void, "at {v}: {pull}");
                     lost += (kept * 0.5 - speed) * dt;
@@ -367,7 +369,7 @@ fn viscosity_follows_vogel() {
         let viscosity = (b / (temperature + offset) - b / (reference + offset)).exp();
         assert!((force / (0.5 * C) / viscosity - 1.0).abs() < 1e-9);
     }
-    // Far below the reference temperature the law has no meaning, but the force stays finite.
+    // Far below the reference temperature Vogel's law has no meaning, but the force stays finite.
     let at = Input { temperature: -200.0, ..Input::motion(0.0, 0.5) };
     assert!(step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force < 0.5 * C * 21.0);
 }
@@ -483,8 +485,8 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
             let i = (from..to).min_by(|a, b| (points[*a].1 - v).abs().total_cmp(&(points[*b].1 - v).abs()));
             points[i.unwrap()].2.force
         };
-        // The speed rises in the first quarter of a cycle and falls in the second quarter. Below the opening force,
-        // there is no loop.
+        // The speed rises in the first quarter of a cycle and falls in the second quarter. Below the opening force of
+        // 300 N, rising and falling speed give equal forces.
         let (up, down) = ((n, n + n / 4), (n + n / 4, n + n / 2));
         [0.3, 0.05].map(|v| at(up.0, up.1, v) - at(down.0, down.1, v))
     };
@@ -594,7 +596,7 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
             let (next, output) = step(&model, &state, &input(x, v), 2e-3);
             let at = next.internal[0];
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
-            // A state that was beyond its range before the last stage ends near the limit.
+            // A state whose known part was clamped in the last stage ends near a limit of its range.
             ends += usize::from(at > 0.9 || at < least + 0.1);
             // If the differences of two widths agree, the derivative must equal them.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;

@@ -26,8 +26,8 @@ fn check_millisecond_step(half: usize) {
         let mut worst = (0.0f64, 0.0f64);
         for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {
             let motion = sine(amplitude, peak / (TAU * amplitude));
-            // The explicit method resolves neither a closing void nor air behind a series spring. In these cases the
-            // reference uses kernel steps of a hundredth of a millisecond.
+            // The explicit method of the reference resolves neither a closing void nor air behind a series spring. In
+            // these cases, steps of 0.01 ms by the fourth-order method are the reference.
             let exact =
                 if params.is_on(element!("cavitation")) || name == "aeration" || name == "less air in compression" {
                     let fine = model.with_integration(Integration::fixed(Method::Fourth, 1));

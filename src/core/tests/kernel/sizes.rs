@@ -14,7 +14,7 @@ use proptest::prelude::*;
 fn of_size(params: &Params, size: f64) -> Option<Params> {
     let mut other = *params;
     for row in table() {
-        // The largest value of this parameter means "no limit" and is not scaled.
+        // The largest value of `fade_laminar_force` means that the whole force is laminar, and is not scaled.
         let laminar = row.parameter.name == "fade_laminar_force" && params.get(&row)[0] < row.parameter.high;
         if !row.parameter.grows && !laminar {
             continue;
@@ -34,7 +34,7 @@ proptest! {
     #[test]
     fn a_damper_of_another_size_moves_alike(
         params in any_params(),
-        // The factors are powers of four, so rounding is equal in both dampers and every difference comes from the
+        // The factors are powers of four. Rounding is then equal in both dampers, and every difference comes from the
         // model.
         size in prop::sample::select(vec![1.0 / 256.0, 1.0 / 16.0, 4.0, 64.0]),
         amplitude in 0.0005..0.05f64,

@@ -118,7 +118,7 @@ fn a_state_outlives_a_switch_of_elements() {
         let back = with.laid_out(&there);
         let kept = named(&with, &back).iter().zip(&before).filter(|(a, b)| a == b).count();
         assert!(kept >= named(&without, &there).len(), "{switched}: {before:?} {back:?}");
-        // The run then continues with a force close to that of either damper.
+        // In the next step, the dampers with and without the element have forces within 3 kN of each other.
         let (x, v) = motion(0.071);
         let to = Input::motion(x, v);
         let (with_it, without_it) = (step(&with, &state, &to, 1e-3).1.force, step(&without, &state, &to, 1e-3).1.force);
@@ -153,8 +153,8 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         let (same, output) = step(&model, &state, &here, 0.0);
         assert_eq!(same, state);
         assert!((output.force - held).abs() < 1e-3 && output.friction_force > 39.0, "{elements:?}: {held} {output:?}");
-        // The displacement derivative is the contact's mean stiffness over both directions, the velocity derivative
-        // that of the FV curve at rest.
+        // The displacement derivative contains the friction contact's mean stiffness over both directions. The velocity
+        // derivative is that of the FV curve at zero velocity.
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
         assert!((output.d_force_d_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
@@ -198,7 +198,8 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// With every method, the series spring balances a curve's force at zero velocity, both at rest and in steady motion.
+/// With every method, the series spring balances the force of an FV curve that is 150 N at zero velocity, both at rest
+/// and in steady motion.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);
@@ -224,8 +225,8 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
             let (after, output) = step(&model, &state, &Input::motion(0.01 + 1e-3 * v * f64::from(k), v), 1e-3);
             (state, force) = (after, output.force);
         }
-        // In steady motion, curve, spring and friction sum as without the series spring. Only the displacement of the
-        // mass differs, by the deflection.
+        // In steady motion, the force is the sum of FV curve, parallel spring and friction, as without the series
+        // spring. The parallel spring acts at the displacement of the mass.
         let at = Input::motion(state.mass_displacement, v);
         let wanted = dashpot_core::evaluate(&stiff, &State::ZERO, &at).0.force;
         assert!((force - wanted).abs() < 5e-3 * wanted, "{method:?}: {force} of {wanted} at {v} m/s");

@@ -16,7 +16,7 @@ use crate::tables::Tables;
 /// Largest number of elements with a state that act on the mass: presliding friction and the gas spring.
 pub(super) const MOST: usize = 2;
 
-/// States of the elements with a state that act on the mass, in their order.
+/// States of the elements with a state that act on the mass, in the order of the element list.
 pub(super) type States = [f64; MOST];
 
 /// Final state and force, N, of each element with a state that acts on the mass.
@@ -171,7 +171,8 @@ pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal:
     });
 }
 
-/// Visitor of the elements on the mass, numbered in their order, with the indices of their states.
+/// Visitor that calls `act` for each element with a state that acts on the mass: with its number, the element, and the
+/// index of its state.
 struct MassVisitor<F> {
     next: usize,
     act: F,

@@ -1,4 +1,4 @@
-//! One stage of the step through the paths: its equation, its solution, and the derivatives of the solution.
+//! One stage of the step through the force paths: its equation, its solution, and the derivatives of the solution.
 
 use super::on_mass::{MassForces, MassStart};
 use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
@@ -20,8 +20,8 @@ use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
-/// Largest last Newton step of a stage, relative to the oil velocity. The remaining error is about the square of this
-/// ratio.
+/// Largest last Newton step in the solution of a stage, relative to the oil velocity. The remaining relative error is
+/// about the square of this ratio.
 const TOLERANCE: f64 = 1e-5;
 
 /// A solved stage, with the values that are necessary for derivatives of the step. `ON` is the set of elements that act
@@ -54,7 +54,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     known: [f64; STATES],
     from_start: MassStart,
     has_states_on_mass: bool,
-    /// Bit set of the states that were clamped to their ranges.
+    /// Bit set of the states whose known parts were clamped to their ranges.
     pub(super) kept: u32,
     /// Whether the void counts as closed after the stage, even if rounding leaves a nonzero depth.
     pub(super) shuts: bool,
@@ -65,7 +65,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     per: f64,
 }
 
-/// Derivatives of the inputs of a stage in one direction.
+/// Derivatives of the inputs of a stage with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub struct Seed {
     /// Derivatives of the known parts of the states.
@@ -104,7 +104,7 @@ impl Seed {
     };
 }
 
-/// The derivatives of a stage in one direction.
+/// The derivatives of a stage's results with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub struct Derivative {
     /// Derivatives of the states after the stage.

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 pub const METHODS: [Method; 5] = [Method::Euler, Method::Second, Method::Fourth, Method::Third, Method::ThreeStage];
 
-/// The elements with internal states.
+/// The elements that have internal states, in all or some of their forms.
 pub const WITH_STATES: [&str; 11] = [
     "lagged_polynomial",
     "presliding_friction",
@@ -257,7 +257,8 @@ pub fn reference_forces(
         .collect()
 }
 
-/// Returns the root mean square and the largest difference, relative to the largest reference force.
+/// Returns the root mean square and the largest of the differences between `forces` and `exact`, relative to the
+/// largest exact force.
 pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
@@ -308,7 +309,8 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                         params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
                     }
                     Shape::Scalar => {
-                        // The test `sizes` shows that dampers of other sizes are equivalent by proportion.
+                        // Only values within the bounds of a car damper are drawn. The test `sizes` shows that dampers
+                        // of other sizes behave in proportion.
                         let (least, most) = p.of_a_car;
                         let low = if least > 0.0 { least } else { 1e-9 * most };
                         let by_decade = low * (most / low).powf(*share);

@@ -6,7 +6,7 @@ use dashpot_core::{Input, Model, Params, State};
 use dashpot_core::{element, list};
 use dashpot_test_support::Random;
 
-/// A damper at an instant.
+/// A damper with its input and its state at one instant.
 pub struct Case {
     pub params: Params,
     pub model: Model,
@@ -204,7 +204,7 @@ pub fn case(r: &mut Random, index: usize) -> Case {
     let first = Element::find(names[index % names.len()]).unwrap();
     loop {
         let params = params(r, first);
-        // An inconsistent set is rejected and drawn again.
+        // An inconsistent parameter set is rejected and drawn again.
         let Ok(model) = Model::new(&params) else { continue };
         let (x, v) = (r.between(-0.1, 0.1), speed(r));
         let side_force = if r.chance(0.1) { 0.0 } else { r.between(-3e3, 3e3) };

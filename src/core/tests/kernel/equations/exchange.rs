@@ -7,7 +7,7 @@ use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use std::fmt::Debug;
 
-/// Section and name of a constant on the page of equations.
+/// Section and name of a constant on the book's page of equations.
 pub type Constant = (String, String);
 
 /// A case to compute with the program of the book's equations, with an optional factor on one of the page's constants.

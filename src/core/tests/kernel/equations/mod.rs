@@ -27,11 +27,12 @@ const SHARE: f64 = 1e-9;
 /// in `RARE` may therefore differ by up to this tolerance.
 const SOLVED: f64 = 1e-6;
 const RARE: usize = 10_000;
-/// Absolute tolerance of steady states, which may be small. The kernel's tanh and exp are accurate to about 1e-16 of
-/// their largest value.
+/// Absolute tolerance of steady states, whose values may be small. The kernel's tanh and exp are accurate to about
+/// 1e-16 of their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// Distance from the longest void at rest, m, within which a rounding error decides whether a void remains.
+/// Distance from the longest allowed void in the steady state (1 m), m, within which a rounding error decides whether
+/// the result is this void or 0.
 const LIMIT: f64 = 1e-9;
 
 /// Returns whether two values of a number agree; `kind` is "part", "rate" or "settled". `share` is the tolerance
@@ -89,7 +90,7 @@ fn the_page_and_the_kernel_answer_alike() {
         near.len(),
         near.join("\n")
     );
-    // A form that is never drawn is not tested.
+    // Check that each form of each element was drawn, because a form that is never drawn is not tested.
     let mut forms = BTreeSet::new();
     for case in &cases {
         for row in table() {
@@ -115,7 +116,8 @@ fn the_page_and_the_kernel_answer_alike() {
 /// cannot detect it.
 const UNSEEN: [&str; 3] = ["STEADY", "LEAST", "OCTAVES"];
 
-/// Every constant of the page has an effect on some result. Otherwise the comparison would not test its value.
+/// Every constant of the book's page has an effect on some result. A constant without effect would not be tested by the
+/// comparison.
 #[test]
 fn every_constant_of_the_page_counts() {
     // The cases are always the same, because this test checks the comparison, not the damper.
