@@ -18,7 +18,7 @@ pub struct State {
     pub mass_displacement: f64,
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
-    /// Internal states of the elements, each in its own unit; unused entries are 0.
+    /// Internal states of the elements that are on, consecutive from index 0, each in its own unit.
     pub internal: [f64; 8],
     /// Layout of the internal states: a number for the set of elements that have one (see [`crate::layout`]); 0 if not
     /// set.
