@@ -283,8 +283,8 @@ impl Cavitation {
         if known.value() <= 0.0 || short.value() <= 0.0 {
             return known;
         }
-        // The void e solves e² + (e_0 − E + g R/r) e = E e_0, where E is `known`, and R/r the closing rate
-        // `ramp(short)` of a wide void.
+        // The void e solves e² + (e_0 − E + g R/r) e = E e_0. E is `known`, and R/r the closing rate `ramp(short)` of a
+        // wide void.
         let half = ((self.ramp(short) * g - known).plus(CLOSED)) * 0.5;
         let product = known * CLOSED;
         let root = (half * half + product).sqrt();

@@ -78,7 +78,7 @@ impl MovingMass {
     /// was then (v_0 − z)/τ, with the host's velocity v_0, the velocity `z` of the mass and its lag τ. If the host
     /// samples a given motion, the limit does not reduce the order of accuracy. A semi-implicit host advances
     /// displacement with the velocity at one end of the step. Without the limit, that displacement would imply a
-    /// curvature of three times the change of velocity: 2 kg would act as −2 or as 6 kg.
+    /// curvature of three times the change of velocity. A mass of 2 kg would act as −2 or as 6 kg.
     ///
     /// For a curvature that 1 nm of displacement would cause, rounding decides whether the limit applies. The
     /// derivatives are then those of the linear velocity. If the limit is also this small, the derivatives are those of

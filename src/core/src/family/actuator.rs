@@ -11,8 +11,8 @@
 //! while y rises and to −1 while y falls. The actual setting s is therefore 2 h smaller after a long rise of y than
 //! after a long fall. After a reversal ds/dy begins at 0 and tends to 1: s never moves against y.
 //!
-//! z_r is the state z at which the damper's parameters over the setting apply: 1 if the valve reached each setting from
-//! below, −1 from above, 0 in the middle.
+//! z_r is the state z at which the damper's parameters over the setting apply. It is 1 if the valve reached each
+//! setting from below, −1 if from above, and 0 midway between.
 
 use crate::math::{exp_below_bound, max, min};
 

@@ -21,8 +21,8 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
 /// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
-    /// Little: no element besides the FV curve and the series compliance, a fade of the FV curve, or a bypass flow or
-    /// lagging valve, which smooths its own knee.
+    /// Little: no element besides the FV curve and the series compliance, or a fade of the FV curve. Also a bypass flow
+    /// or a lagging valve in the opening form, which smooths its own knee.
     Little,
     /// A bushing alone.
     Smoothly,

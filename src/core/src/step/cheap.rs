@@ -9,8 +9,8 @@
 //! ```
 //!
 //! k_s and c_s are stiffness and damping of the series compliance. F̃_p is the tangent of the springs on the mass at
-//! the displacement that the mass would reach at V. F̃_d is a line through the FV curve F_d at v̂ = V + v − v_0, the
-//! velocity of a mass that follows the moving end, where v_0 is the velocity of this end before the step. F̃_d is the
+//! the displacement that the mass would reach at V. v_0 is the velocity of the moving end before the step. F̃_d is a
+//! line through the FV curve F_d at v̂ = V + v − v_0, the velocity of a mass that follows the moving end. F̃_d is the
 //! tangent there or the secant to standstill, whichever is steeper:
 //!
 //! - The secant F̃_d(u) = F_d(0) + s u with s ≥ 0 is a linear dashpot, which dissipates energy for all s and h. With a

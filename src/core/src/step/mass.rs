@@ -97,7 +97,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.linear_force(&at) };
-        // Linearization of the spring force F_p about x̂ = `inner_at`, with X = `known_x`: F_p(X + g u) ≈ F_p(x̂) +
+        // The spring force F_p is linearized about x̂ = `inner_at`, with X = `known_x`. Then F_p(X + g u) ≈ F_p(x̂) +
         // F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u.
         let inner_known = inner.force + inner.d_force_d_x * (known_x - inner_at) - inner.d_force_d_v * self.predicted;
         let inner_derivative = inner.d_force_d_v + g * inner.d_force_d_x;

@@ -340,8 +340,7 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     }
 }
 
-/// A run that continues from a copied state and dead-time buffer gives the forces of the original run bit by bit, with
-/// dead time and hysteresis.
+/// A run that continues from a copied state and dead-time buffer gives, bit by bit, the forces of the original run.
 #[test]
 fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     let params = params(&[]);

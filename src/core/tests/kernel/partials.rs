@@ -132,8 +132,8 @@ proptest! {
                     let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
                     let (x1, v1) = (from.displacement + dt * v + dx * dt / 1e-3, v + dv * dt / 1e-3);
                     let (end, output) = step(&model, &from, &input(Some(x1), v1), dt);
-                    // Any stage may cross a knee of the FV curve, because the velocities of the stages may lie beyond
-                    // those at both ends of the step.
+                    // Any stage may cross a knee of the FV curve, because its velocity may lie beyond those at both
+                    // ends of the step.
                     let reach = 0.02 + 2.0 * (end.mass_velocity - from.mass_velocity).abs() + 2.0 * (v1 - v).abs();
                     if near(end.mass_velocity, &knees, reach) || near(v1, &knees, 0.005) || near(v1, &ramp, 0.05 + (v1 - v).abs()) || near(x1, &[-0.04, 0.0, 0.03], 5e-3) {
                         continue;

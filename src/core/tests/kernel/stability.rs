@@ -259,8 +259,8 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// An oil column under 15 kN keeps a hydraulic force below 25 kN in strokes of 60 mm from rest to rest, each in one
-/// step. In each stroke, the column's length changes up to tenfold.
+/// An oil column under 15 kN keeps a hydraulic force below 25 kN in strokes of 60 mm from rest to rest. In each stroke,
+/// the column's length changes up to tenfold.
 ///
 /// An earlier version computed the change of the column from the velocities of the moving end at the stages. With the
 /// cheapest method, the column then did not deflect at all; with the fourth-order method, the force reached 9 MN.

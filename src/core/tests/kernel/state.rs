@@ -198,8 +198,8 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// With every method, the series spring balances the force of an FV curve that is 150 N at zero velocity, both at rest
-/// and in steady motion.
+/// With every method, the series spring balances an FV curve that has 150 N at zero velocity, both at rest and in
+/// steady motion.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);

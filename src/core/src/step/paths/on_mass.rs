@@ -171,8 +171,8 @@ pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal:
     });
 }
 
-/// Visitor that calls `act` for each element with a state that acts on the mass: with its number, the element, and the
-/// index of its state.
+/// Visitor that calls `act` for each element with a state that acts on the mass. The arguments are its number, the
+/// element, and the index of its state.
 struct MassVisitor<F> {
     next: usize,
     act: F,

@@ -31,8 +31,8 @@ const RARE: usize = 10_000;
 /// 1e-16 of their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// Distance from the longest allowed void in the steady state (1 m), m, within which a rounding error decides whether
-/// the result is this void or 0.
+/// Distance from the longest allowed steady-state void of 1 m, m, within which a rounding error decides whether the
+/// result is this void or 0.
 const LIMIT: f64 = 1e-9;
 
 /// Returns whether two values of a number agree; `kind` is "part", "rate" or "settled". `share` is the tolerance
