@@ -47,8 +47,8 @@ const SPOOL: f64 = 12.0;
 const SLACK: f64 = 0.94;
 /// Velocities, as fractions of the FV curve's range, at which the damping of an oscillating mass is evaluated.
 ///
-/// Each is half the next one, down to an eighth of the range. A horizontal part of the curve around rest is detected if
-/// it extends that far; a shorter horizontal part is not.
+/// Each is half the next one, down to an eighth of the range. A horizontal part of the curve around zero velocity is
+/// detected if it extends to an eighth of the range; a shorter one is not.
 const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
 /// Limits of the automatic choice for the mass behind a linear spring.
 ///

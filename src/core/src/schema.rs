@@ -48,7 +48,7 @@ pub struct Parameter {
     pub form: Option<(&'static str, &'static [&'static str])>,
     /// Whether the value must be in proportion to the size of the damper, because its unit contains a force.
     pub grows: bool,
-    /// Meaning in one sentence, for the reader of a report.
+    /// Meaning of the parameter in one sentence, for the reader of a report.
     pub meaning: &'static str,
 }
 
@@ -143,12 +143,13 @@ const fn of_any_size((low, high): (f64, f64)) -> (f64, f64) {
     (if low > 0.0 { low * SIZES.0 } else { low * SIZES.1 }, high * SIZES.1)
 }
 
-/// Rows that belong together: an element of the model, or a set of settings.
+/// Rows of the parameter table that belong together: those of an element of the model, or the settings of the
+/// integration.
 #[derive(Clone, Copy, Debug)]
 pub struct Group {
     /// Name of the element in model files.
     pub name: &'static str,
-    /// Meaning of the group, for the documentation.
+    /// Meaning of the group in one line, for the documentation.
     pub meaning: &'static str,
     /// Rows of the parameter table that belong to the group.
     pub parameters: &'static [Parameter],

@@ -11,10 +11,10 @@ use crate::schema::{Describe, Parameter, View};
 /// F_h is the hydraulic force, N. q is the deflection of the column, m, and k_o its stiffness, N/m. The velocity w at
 /// the valves is the piston velocity u minus the deflection rate of the oil column.
 ///
-/// ℓ is the length of the column relative to that at displacement x = 0, and λ one over its length there. The rebound
-/// chamber becomes shorter with extension: ℓ = 1 − λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 −
-/// λ x q/√(q² + q_c²). q_c is a small deflection over which the length changes smoothly between the chambers. For a
-/// negative q this is the compression chamber, which becomes longer with extension.
+/// ℓ is the length of the column relative to that at displacement x = 0, and λ, 1/m, one over its length there. The
+/// rebound chamber becomes shorter with extension: ℓ = 1 − λ x. With two chambers, the chamber under pressure deflects:
+/// ℓ = 1 − λ x q/√(q² + q_c²). For a negative q the compression chamber is under pressure, which becomes longer with
+/// extension. q_c is a small deflection over which the length changes smoothly between the chambers.
 ///
 /// With one chamber, the state is q, which stays constant while the chamber moves under constant pressure. With two
 /// chambers, the state is the part of the piston stroke that the oil absorbs, s = ∫ ℓ dq from 0 at displacement x. v is

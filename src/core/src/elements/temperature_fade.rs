@@ -9,7 +9,8 @@ use crate::schema::{Describe, Parameter, View};
 /// Temperature fade of the laminar part of the FV force F_d, by the factor exp(−α (T − T_0)/(1 + κ (T − T_0))).
 ///
 /// The factor is the viscosity of the oil at the temperature T relative to that at T_0, the temperature of the FV
-/// curve. α is the fall per kelvin at T_0, and κ, 1/K, lowers it at higher temperatures. The laminar part is 1/(1 +
+/// curve. α is the relative fall per kelvin at T_0, 1/K, and κ, 1/K, lowers it at higher temperatures. The laminar part
+/// is 1/(1 +
 /// |F_d|/F_l) of F_d, half of it at the force F_l; orifices and blow-off valves do not depend on the viscosity. κ = 0
 /// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
 /// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt

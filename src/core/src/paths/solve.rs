@@ -188,10 +188,11 @@ fn between(e: &Paths<impl Tables>, a: f64, low: End, high: End, next: f64, round
     }
 }
 
-/// Finds the velocity w at which a w + F_d(w) is the mean of its values at both ends of a bracket. F_d is the FV curve.
-/// The tolerance is a tenth of the difference of these values.
+/// Finds the velocity w at which a w + F_d(w) is the mean of its values at both ends of a bracket. F_d is the FV curve,
+/// and `a` the ratio of the residual's derivatives with respect to w and F_d, N s/m. The tolerance is a tenth of the
+/// difference of these values.
 ///
-/// Householder steps fail in a piece that is horizontal at one end but on average a thousand times steeper than a.
+/// Householder steps fail in a piece that is horizontal at one end but on average a thousand times steeper than `a`.
 /// Their result would lie at the same end in every iteration and would not shrink the bracket.
 fn middle(e: &Paths<impl Tables>, a: f64, low: End, high: End) -> f64 {
     let sum = a * (low.w + high.w) + low.curve + high.curve;

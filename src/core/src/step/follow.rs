@@ -26,8 +26,8 @@ pub struct Stage<'a> {
     pub x_m: f64,
     /// Velocity of the mass after the stage, u, m/s.
     pub u: f64,
-    /// Derivative of the stage equation's left side with respect to the velocity u of the mass, kg. It is the
-    /// denominator of every derivative of u.
+    /// Derivative of the left side of the stage equation, a u + g F_d(u) = r, with respect to the velocity u of the
+    /// mass, kg. It is the denominator of every derivative of u.
     pub denominator: f64,
     /// The `denominator` divided by g, N s/m.
     pub resistance: f64,
@@ -48,8 +48,8 @@ pub struct Stage<'a> {
 /// Derivative of the linearized spring force at the mass with respect to the position x̂ of its linearization.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// F_p''(x̂) (x_m − x̂), N/m, for the spring force F_p and the position x_m of the mass. It is 0 for a linear
-    /// spring, and if no derivatives are requested.
+    /// Derivative of the tangent's force at the mass with respect to x̂, N/m. It is F_p''(x̂) (x_m − x̂) for the spring
+    /// force F_p and the position x_m of the mass. It is 0 for a linear spring, and if no derivatives are requested.
     pub by_place: f64,
     /// Quantity on which the position x̂ of the linearization depends.
     pub origin: LineOrigin,

@@ -75,7 +75,8 @@ struct Known<'a> {
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
-    /// Derivatives with respect to displacement and velocity at the end of the step.
+    /// Derivatives of the displacement `x` with respect to displacement and velocity of the moving end at the end of
+    /// the step.
     by_end: [f64; 2],
 }
 
@@ -218,7 +219,7 @@ impl Carried {
                 *known = if stage.kept & 1 << place == 0 { *known } else { 0.0 };
             }
         }
-        // Until the last stage, the states are those at the start of the substep.
+        // Until the last stage, `self.states` contains the derivatives of the states at the start of the substep.
         let start = [self.states[place::X], self.states[place::U]];
         let on_mass = stage.on_mass();
         if let Some(on_mass) = on_mass {

@@ -202,7 +202,7 @@ proptest! {
                 }
                 s
             };
-            // Force and state derivatives in one row.
+            // Returns the force and the state derivatives as one list.
             let row = |state: &State, x: f64, v: f64| {
                 let (output, rate) = evaluate(&model, state, &input(Some(x), v));
                 let mut row = vec![output.force, rate.mass_displacement, rate.mass_velocity];

@@ -287,9 +287,9 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 /// Draws a random parameter set that the parameter table and the elements allow.
 ///
-/// The logarithm of each number is uniform between the bounds. If the lower bound is not positive, it is replaced by a
-/// billionth of the upper bound. One number in twenty is its lower bound. The curves, the choices, the elements that
-/// are on and the integration are also random.
+/// The logarithm of each number is uniform between the bounds of a car damper. If the lower bound is not positive, it
+/// is replaced by a billionth of the upper bound. One number in twenty is its lower bound. The curves, the choices, the
+/// elements that are on and the integration are also random.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);
