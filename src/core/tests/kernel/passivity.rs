@@ -192,15 +192,15 @@ impl Follow for PutIn {
     }
 }
 
-/// A mass that is undamped, or damped by the series damper alone, never has more energy than the moving end supplied,
-/// near its natural frequency.
+/// A mass excited near its natural frequency never has more energy than the moving end supplied. It is undamped, or
+/// damped by the series damper alone.
 ///
 /// The steps hardly resolve the oscillation. Its amplitude depends on the step, because the method shifts its
 /// frequency. The bound holds for the algebraically stable methods. The other methods have no such bound, but free
 /// motion also decays with them.
 ///
-/// The first spring comes from a case of the search (seed 1001, case 5001). In that case, the second-order method gave
-/// a force of 76 kN, and 40 kN with steps of 1/32 of the length.
+/// The first spring comes from a case of the random search in crate `dashpot-abi` (seed 1001, case 5001). In that case,
+/// the second-order method gave a force of 76 kN, and 40 kN with steps of 1/32 of the length.
 #[test]
 fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
     let (speed, mass) = (0.875_444_094_218_036, 0.5);

@@ -2,7 +2,7 @@
 //!
 //! The other tests check dampers within the bounds of a passenger car. Because of this property, their results hold for
 //! allowed dampers of all sizes. Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a
-//! contact) that do not scale. For these elements, the search of the C interface draws dampers of all sizes.
+//! contact) that do not scale. For these elements, the random search in crate `dashpot-abi` draws dampers of all sizes.
 
 use crate::common::{any_params, describe};
 use dashpot_core::parameter::{List, Number, table};
