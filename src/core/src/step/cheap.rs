@@ -18,8 +18,8 @@
 //! - With a progressive curve, the tangent is steeper. It gives a step of Newton's method from the steep side, which
 //!   does not overshoot. The secant would be too flat, and the solution would oscillate.
 //!
-//! Both lines differ from F_d(u) by at most O(h), because u − v̂ is O(h). The force acts over h, so the method is of first
-//! order. Both lines are linear in u, so the step and its derivatives have closed forms.
+//! Both lines differ from F_d(u) by at most O(h), because u − v̂ is O(h). The force acts over h, so the method is of
+//! first order. Both lines are linear in u, so the step and its derivatives have closed forms.
 //!
 //! A linearization is inaccurate far from its position. When the moving end reverses, v̂ may lie near standstill or
 //! inside a jump of the curve. A spring with a table has another derivative beyond its next point. In such cases the

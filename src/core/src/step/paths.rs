@@ -485,8 +485,8 @@ const CALM: u32 = 8;
 /// linear extrapolation.
 ///
 /// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
-/// released bushing was 1.8 times too high at steps of 2 ms (random search in `dashpot-abi`, seed 295465, case 53629).
-/// With a limit of 2, this error does not occur. For a spool at a reversal, the ratio was 3.2.
+/// released bushing was 1.8 times too high at steps of 2 ms. (This is case 53629 of seed 295465 of the random search in
+/// `dashpot-abi`.) With a limit of 2, this error does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
 /// Difference between the end force and that of the latest stage, relative to the size of the forces, below which no
 /// overshoot is detected.

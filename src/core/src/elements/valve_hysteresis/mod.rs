@@ -33,9 +33,9 @@ use core::cell::Cell;
 /// is the conductance of the whole passage. In these forms F_0 is the opening force: below it the valve is closed, and
 /// it opens over the width b. A closed valve still passes a hundredth of the flow. A force against the stroke does not
 /// open the valve. The force F_h moves the valve. With play, p follows F_h beyond the play P, with the time constant τ.
-/// The law is τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨x⟩ is x²/(x + P_0) for a
-/// positive x and 0 otherwise, with P_0 = 10 N. A spool has mass, so p oscillates with the damping ratio ζ: τ² d²p/dt² +
-/// 2 ζ τ dp/dt + p = F_h.
+/// The law is τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨x⟩ is x²/(x + P_0) for a positive x and 0
+/// otherwise, with P_0 = 10 N. A spool has mass, so p oscillates with the damping ratio ζ: τ² d²p/dt² + 2 ζ τ dp/dt + p
+/// = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
